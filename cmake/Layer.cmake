@@ -1,0 +1,22 @@
+add_library(stromar_options INTERFACE)
+target_compile_options(stromar_options INTERFACE -Wall -Wextra -Wpedantic -Wconversion -Wshadow
+  $<$<CXX_COMPILER_ID:GNU>:-Wno-restrict> # g++ 12 warns of its own std::string (GCC bug 105651)
+  $<$<BOOL:${STROMAR_WERROR}>:-Werror>
+  -ffp-contract=off # contraction changes results from processor to processor
+  $<$<CONFIG:Release>:-O3>)
+if(CMAKE_SYSTEM_PROCESSOR STREQUAL "x86_64")
+  target_compile_options(stromar_options INTERFACE -march=x86-64-v2)
+endif()
+if(STROMAR_SANITIZE)
+  target_compile_options(stromar_options INTERFACE -fsanitize=${STROMAR_SANITIZE} -fno-omit-frame-pointer)
+  target_link_options(stromar_options INTERFACE -fsanitize=${STROMAR_SANITIZE})
+endif()
+
+# stromar_layer(NAME SOURCES a.cpp … LINK libraries …): the library stromar_NAME of the folder src/NAME.
+# What it links is what it may include.
+function(stromar_layer name)
+  cmake_parse_arguments(ARG "" "" "SOURCES;LINK" ${ARGN})
+  add_library(stromar_${name} STATIC ${ARG_SOURCES})
+  target_include_directories(stromar_${name} PUBLIC ${PROJECT_SOURCE_DIR}/include PRIVATE ${CMAKE_CURRENT_SOURCE_DIR})
+  target_link_libraries(stromar_${name} PUBLIC ${ARG_LINK} PRIVATE stromar_options)
+endfunction()

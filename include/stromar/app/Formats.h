@@ -1,0 +1,27 @@
+#pragma once
+#include "stromar/mesh/Model.h"
+#include "stromar/util/FileSet.h"
+#include <filesystem>
+#include <span>
+#include <string>
+#include <string_view>
+
+namespace stromar {
+
+/// One row of the table of model files that can be written. Command line, window, manual and tests are loops over it.
+struct Format {
+    std::string_view ending; ///< with its dot
+    std::string_view name;
+    std::string_view upAxis; ///< "z" or "y"
+    std::string_view losses; ///< what a user would miss, for people
+    void (*write)(const ExportModel&, const std::filesystem::path&, CFileSet&);
+    double bytesPerVertex; ///< about, to show how far writing is
+};
+
+std::span<const Format> formatTable();
+/// By the ending of a path, case ignored; null when it cannot be written.
+const Format* formatOf(const std::filesystem::path& path);
+/// "cannot write '.obk', did you mean '.obj'? (.osg .osgt …)"
+std::string unknownFormat(const std::filesystem::path& path);
+
+} // namespace stromar

@@ -1,0 +1,22 @@
+#pragma once
+#include "stromar/mesh/Model.h"
+#include "stromar/util/FileSet.h"
+#include <filesystem>
+
+namespace stromar {
+
+// Each writes a model to `path` (and files beside it) into `files`; the caller commits. They throw what CFileSet throws.
+
+/// Wavefront OBJ and its material library. Metres, y up. Normals, texture coordinates, one object per mesh.
+void writeObj(const ExportModel& model, const std::filesystem::path& path, CFileSet& files);
+
+/// 3D Studio. Metres, z up; meshes cut below 65,536 vertices and faces. The format has no normals.
+void write3ds(const ExportModel& model, const std::filesystem::path& path, CFileSet& files);
+
+/// LightWave object, LWO2. Metres, y up, left-handed. The format has no normals.
+void writeLwo(const ExportModel& model, const std::filesystem::path& path, CFileSet& files);
+
+/// POV-Ray scene: the tree as an object `Tree`, a camera and lights that see all of it. Metres, y up, left-handed.
+void writePov(const ExportModel& model, const std::filesystem::path& path, CFileSet& files);
+
+} // namespace stromar

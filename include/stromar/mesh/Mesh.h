@@ -1,0 +1,36 @@
+#pragma once
+#include "stromar/util/RawVector.h"
+#include <cstdint>
+#include <glm/vec2.hpp>
+#include <glm/vec3.hpp>
+#include <string>
+
+namespace stromar {
+
+enum class Surface { Bark, Leaf };
+
+struct Bounds {
+    glm::vec3 min, max;
+};
+
+/// Triangles of one generation of stems, or of all leaves. Metres, z up; counter-clockwise seen from outside.
+/// Vertices at the seam of the bark are doubled; leaves are flat and meant to be seen from both sides.
+class CMesh {
+public:
+    std::string name; ///< "trunk", "branches 1", …, "leaves"
+    Surface surface = Surface::Bark;
+    RawVector<glm::vec3> positions;
+    RawVector<glm::vec3> normals; ///< unit
+    RawVector<glm::vec2> texCoords;
+    RawVector<std::uint32_t> indices; ///< three per triangle
+
+    std::size_t vertexCount() const { return positions.size(); }
+    std::size_t triangleCount() const { return indices.size() / 3; }
+    std::size_t bytes() const {
+        return vertexCount() * (2 * sizeof(glm::vec3) + sizeof(glm::vec2)) + indices.size() * sizeof(std::uint32_t);
+    }
+    /// Of a mesh with vertices.
+    Bounds bounds() const;
+};
+
+} // namespace stromar

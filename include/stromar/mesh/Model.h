@@ -1,0 +1,38 @@
+#pragma once
+#include "stromar/mesh/Mesh.h"
+#include <array>
+#include <memory>
+#include <string>
+#include <vector>
+
+namespace stromar {
+
+/// How one of the two surfaces looks.
+struct SurfaceLook {
+    std::string name;    ///< of the material in files
+    std::string texture; ///< picture, as the model's file refers to it: relative to its folder
+    glm::vec3 colour;    ///< where no picture can be shown, 0..1
+    bool cutOut;         ///< the picture's alpha says where the surface is
+};
+
+/// What a writer of model files gets.
+struct ExportModel {
+    std::string name;
+    std::vector<std::shared_ptr<const CMesh>> meshes; ///< none is empty
+    std::array<SurfaceLook, 2> looks;                 ///< by Surface
+
+    const SurfaceLook& lookOf(const CMesh& mesh) const { return looks[static_cast<std::size_t>(mesh.surface)]; }
+    std::size_t vertexCount() const;
+    std::size_t triangleCount() const;
+};
+
+/// A part of a mesh that keeps a file format's limits: own vertices, named by their place in the whole mesh.
+struct MeshChunk {
+    std::vector<std::uint32_t> vertices;
+    std::vector<std::uint32_t> indices; ///< into `vertices`
+};
+
+/// Cuts a mesh, triangle by triangle in their order, into parts of at most so many vertices and triangles (3 at least).
+std::vector<MeshChunk> cutIntoChunks(const CMesh& mesh, std::size_t mostVertices, std::size_t mostTriangles);
+
+} // namespace stromar

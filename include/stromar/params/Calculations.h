@@ -1,0 +1,87 @@
+#pragma once
+#include "stromar/params/Params.h"
+#include <memory>
+
+namespace stromar {
+
+/// Relative branch length by crown shape 0..8 (Weber & Penn §4.3). `ratio` is 1 at the bottom of the crown, 0 at its top;
+/// shape 8 is the pruning envelope and takes its profile from `global`.
+double shapeRatio(int shape, double ratio, const GlobalParams& global);
+
+/// The measures of one stem that formulas use. Metres.
+struct StemMeasures {
+    double length = 0;
+    double lengthMax = 0; ///< nLength + var(nLengthV) it was made with
+    double radius = 0;    ///< at its base; without flare, lobes and the least radius
+    double offset = 0;    ///< of its base from its parent's base
+    double parentLength = 0;
+};
+
+/// The formulas of one kind of stem. Pure: everything that varies is an argument. Lengths in metres, angles in radians.
+class CCalculations {
+public:
+    CCalculations(const GlobalParams& global, double scaleTree) : m_global(global), m_scaleTree(scaleTree) {}
+    virtual ~CCalculations() = default;
+
+    /// The length of a stem of this kind that sits at `offset` on `parent` (Weber & Penn §4.3).
+    virtual double length(double lengthMax, const StemMeasures& parent, double offset) const = 0;
+    /// How many children a stem of this kind bears when the child level's most is `branches`; not rounded.
+    virtual double childCount(double branches, const StemMeasures& stem) const = 0;
+    /// The part of a stem of this kind, from its base, that bears nothing. Metres.
+    virtual double bareLength() const { return 0; }
+    /// The wider base of a trunk as a factor on the radius at `z` = position / length (Weber & Penn §4.4).
+    virtual double flareAt(double) const { return 1; }
+
+    /// The down angle of a child at `offset` on a stem of this kind when its variation is negative: graded, not random.
+    double gradedDownAngle(double downAngle, double downAngleV, const StemMeasures& stem, double offset) const;
+    /// Radius at `z` = position / length by taper 0..3 (Weber & Penn §4.4); without flare, lobes and the least radius.
+    static double taperedRadius(double taper, const StemMeasures& stem, double z);
+    /// The same with flare: the wood a child has to fit on.
+    double woodRadius(double taper, const StemMeasures& stem, double z) const {
+        return taperedRadius(taper, stem, z) * flareAt(z);
+    }
+    /// The radius of a child's base (Weber & Penn §4.4); `woodThere` is the parent's woodRadius at the child's offset.
+    double childRadius(const StemMeasures& parent, double childLength, double woodThere) const;
+
+    double scaleTree() const { return m_scaleTree; }
+
+protected:
+    double lengthBase() const { return m_global.baseSize * m_scaleTree; }
+
+    const GlobalParams m_global;
+    double m_scaleTree;
+};
+
+/// The trunk.
+class CTrunkCalc : public CCalculations {
+public:
+    using CCalculations::CCalculations;
+    double length(double lengthMax, const StemMeasures& parent, double offset) const override;
+    double childCount(double branches, const StemMeasures& stem) const override;
+    double bareLength() const override { return lengthBase(); }
+    double flareAt(double z) const override;
+};
+
+/// Branches on the trunk.
+class C0BranchCalc : public CCalculations {
+public:
+    using CCalculations::CCalculations;
+    double length(double lengthMax, const StemMeasures& parent, double offset) const override;
+    double childCount(double branches, const StemMeasures& stem) const override;
+};
+
+/// Branches on branches.
+class C1BranchCalc : public CCalculations {
+public:
+    using CCalculations::CCalculations;
+    double length(double lengthMax, const StemMeasures& parent, double offset) const override;
+    double childCount(double branches, const StemMeasures& stem) const override;
+};
+
+/// 100^max(0, 1 − 8z): how flare and fading lobes fall off above the ground, 100 at z = 0, 1 from z = 1/8.
+double baseFalloff(double z);
+
+/// Whether a point lies inside the pruning envelope (Weber & Penn §4.6). Metres, the trunk's base at the origin.
+bool insideEnvelope(double x, double y, double z, const GlobalParams& global, double scaleTree);
+
+} // namespace stromar

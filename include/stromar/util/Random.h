@@ -1,0 +1,34 @@
+#pragma once
+#include <cstdint>
+
+namespace stromar {
+
+/// Mixes a word into a hash. A good avalanche: every input bit reaches every output bit.
+std::uint64_t hashCombine(std::uint64_t hash, std::uint64_t word);
+
+/// Random numbers without a state: each is a pure function of (seed, id, purpose, place). So numbers can be drawn in any
+/// order and on any thread, and one draw more or less never changes another.
+class CRandom {
+public:
+    /// `varied` false gives the neutral source: every uniform number is 0.5 and every phase 0.
+    CRandom(std::uint64_t seed, bool varied) : m_seed(seed), m_varied(varied) {}
+
+    /// Uniform in [0, 1). `purpose` says what the number is for, `place` where inside the object `id` it is drawn.
+    double uniform(std::uint64_t id, std::uint32_t purpose, std::uint64_t place = 0) const {
+        return m_varied ? draw(id, purpose, place) : 0.5;
+    }
+    /// Uniform in [-v, v).
+    double vary(double v, std::uint64_t id, std::uint32_t purpose, std::uint64_t place = 0) const {
+        return v == 0 ? 0 : v * (2 * uniform(id, purpose, place) - 1);
+    }
+    /// Uniform in [0, 1), 0 for the neutral source: the start of a count's error diffusion.
+    double phase(std::uint64_t id, std::uint32_t purpose) const { return m_varied ? draw(id, purpose, 0) : 0; }
+
+private:
+    double draw(std::uint64_t id, std::uint32_t purpose, std::uint64_t place) const;
+
+    std::uint64_t m_seed;
+    bool m_varied;
+};
+
+} // namespace stromar

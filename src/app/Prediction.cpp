@@ -1,0 +1,71 @@
+#include "stromar/app/Prediction.h"
+#include <algorithm>
+#include <cmath>
+#include <cstdlib>
+
+namespace stromar {
+
+namespace {
+/// Paths and segments that a stem has at most.
+struct StemBound {
+    double paths, segments;
+};
+
+/// Error diffusion makes at most one clone more than the sum of what is wanted, so the paths after joint k are at most
+/// 2 + W(k), W the sum wanted so far; W grows by n per path, by n/2 for paths that already split.
+StemBound boundOfStem(const CParams& params, int generation) {
+    const LevelParams& level = params.level[static_cast<std::size_t>(std::min(generation, kParamLevels - 1))];
+    const GlobalParams& g = params.global;
+    const double base = generation == 0 && level.curveRes > 1 ? g.baseSplits : 0;
+    const double often = g.cloneHalving ? level.segSplits / 2 : level.segSplits;
+    const double extra = level.segSplits > 0 ? 1 : 0;
+    double wanted = 0, paths = 1, segments = 1;
+    for (int joint = 0; joint + 1 < level.curveRes; ++joint) {
+        if (joint > 0 || base == 0) wanted += often * paths + (level.segSplits - often) * (1 + base);
+        paths = 1 + base + extra + wanted;
+        segments += paths;
+    }
+    return {paths, segments};
+}
+
+/// Rings that CSmoother may add between the ends of a stem's segments.
+double addedRings(const CParams& params, const Detail& detail, int generation, const StemBound& bound) {
+    if (generation >= detail.smoothGenerations) return 0;
+    const LevelParams& level = params.level[static_cast<std::size_t>(std::min(generation, kParamLevels - 1))];
+    const double helix = level.curveV < 0 ? 9 * bound.segments : 0;
+    const bool flares = generation == 0 && params.global.flare != 0;
+    const double uneven = level.taper > 2 ? 1024 : (level.taper > 1 ? 40 : 0) + (flares ? 60 : 0);
+    return std::max(helix, uneven * bound.paths);
+}
+
+double ringPoints(const CParams& params, const Detail& detail, int generation) {
+    const double own = detail.ringPoints[static_cast<std::size_t>(std::min(generation, 3))];
+    return generation == 0 && detail.model == Model::Full ? std::max(own, 8.0 * params.global.lobes) : own;
+}
+} // namespace
+
+Prediction predictSize(const CParams& params, const Detail& detail) {
+    const GlobalParams& g = params.global;
+    Prediction size{0, 0, 0};
+    double stems = 1, lastPaths = 1;
+    for (int generation = 0; generation < g.levels; ++generation) {
+        if (generation > 0) {
+            const double most = params.level[static_cast<std::size_t>(std::min(generation, kParamLevels - 1))].branches;
+            stems *= most > 0 ? most + 1 : 0;
+        }
+        const StemBound bound = boundOfStem(params, generation);
+        const double rings = bound.segments + 2 * bound.paths + addedRings(params, detail, generation, bound);
+        size.stems += stems;
+        size.vertices += stems * (rings + 2 * bound.paths) * (ringPoints(params, detail, generation) + 1);
+        lastPaths = bound.paths;
+    }
+    if (g.levels > 1 && g.leaves != 0) {
+        const double each = std::abs(g.leaves) * g.leafQuality;
+        size.leaves = stems * (g.leaves > 0 ? each + 1 : each + lastPaths);
+    }
+    const double drawn = std::min(double(detail.leafBudget), std::ceil(size.leaves * detail.leafShare));
+    size.vertices += 4 * drawn;
+    return size;
+}
+
+} // namespace stromar

@@ -1,0 +1,131 @@
+#include "stromar/app/TreeCreator.h"
+#include "stromar/app/Prediction.h"
+#include "stromar/params/ParamTable.h"
+#include "stromar/util/Text.h"
+#include <algorithm>
+#include <chrono>
+#include <cmath>
+
+namespace stromar {
+
+namespace {
+class CStopwatch {
+public:
+    /// Since the last call or the start.
+    double lap() {
+        const auto now = std::chrono::steady_clock::now();
+        const double ms = std::chrono::duration<double, std::milli>(now - m_last).count();
+        m_last = now;
+        return ms;
+    }
+
+private:
+    std::chrono::steady_clock::time_point m_last = std::chrono::steady_clock::now();
+};
+
+bool meshIsStale(const CParams& made, const CParams& wanted, int generation) {
+    const Obsolete obsolete = firstObsolete(made, wanted);
+    return obsolete.stage <= Stage::Mesh && obsolete.generation <= generation;
+}
+
+std::string millions(double count) {
+    return count < 1e12 ? numberText(std::ceil(count / 1e5) / 10) + " million" : "more than a million million";
+}
+} // namespace
+
+std::vector<std::shared_ptr<const CMesh>> TreeModel::meshes() const {
+    std::vector<std::shared_ptr<const CMesh>> all;
+    for (const auto& mesh : stems)
+        if (mesh->vertexCount() > 0) all.push_back(mesh);
+    if (leaves->vertexCount() > 0) all.push_back(leaves);
+    return all;
+}
+
+std::size_t TreeModel::vertexCount() const {
+    std::size_t count = 0;
+    for (const auto& mesh : meshes()) count += mesh->vertexCount();
+    return count;
+}
+
+std::size_t TreeModel::triangleCount() const {
+    std::size_t count = 0;
+    for (const auto& mesh : meshes()) count += mesh->triangleCount();
+    return count;
+}
+
+CTreeCreator::CTreeCreator(bool varied, double mostVertices)
+    : m_varied(varied), m_mostVertices(mostVertices), m_builder(std::make_unique<CWeberPennBuilder>(varied)),
+      m_made(detailTable().size()) {}
+
+void CTreeCreator::forget() {
+    m_tree.reset();
+    m_made.assign(detailTable().size(), {});
+}
+
+std::shared_ptr<const TreeModel> CTreeCreator::create(const CParams& params, const Detail& detail, const CProgress& progress) {
+    refuseTooLarge(params, detail);
+    auto model = std::make_shared<TreeModel>();
+    CStopwatch watch;
+    updateTree(params, progress);
+    model->params = params;
+    model->detail = &detail;
+    model->tree = m_tree;
+    model->milliseconds.structure = watch.lap();
+    progress.report(0.5);
+
+    MadeMeshes& made = m_made[static_cast<std::size_t>(&detail - detailTable().data())];
+    made.resize(m_tree->generationCount() + 1);
+    const auto keepOr = [&](std::size_t slot, int generation, const std::shared_ptr<const void>& source, auto&& make) {
+        MadeMesh& old = made[slot];
+        if (!old.mesh || old.source != source || meshIsStale(old.params, params, generation)) {
+            old = {}; // the old mesh's memory first
+            old = {source, make(), params};
+        }
+        return old.mesh;
+    };
+    for (std::size_t g = 0; g < m_tree->generationCount(); ++g) {
+        const auto makeStems = [&] {
+            const int generation = static_cast<int>(g);
+            const MeshPlan plan = planRings(*m_tree, generation, params, detail, progress);
+            model->milliseconds.smooth += watch.lap();
+            return meshOfStems(*m_tree, generation, plan, params, progress);
+        };
+        model->stems.push_back(keepOr(g, static_cast<int>(g), m_tree->generations()[g], makeStems));
+        model->milliseconds.mesh += watch.lap();
+        progress.report(0.5 + 0.4 * double(g + 1) / double(m_tree->generationCount()));
+    }
+    model->leaves = keepOr(made.size() - 1, Obsolete::kLeaves, m_tree->sharedLeaves(),
+                           [&] { return meshOfLeaves(*m_tree, detail, progress); });
+    model->milliseconds.mesh += watch.lap();
+    model->milliseconds.total = model->milliseconds.structure + model->milliseconds.smooth + model->milliseconds.mesh;
+    progress.report(1);
+    return model;
+}
+
+void CTreeCreator::refuseTooLarge(const CParams& params, const Detail& detail) const {
+    const Prediction size = predictSize(params, detail);
+    if (size.vertices <= m_mostVertices) return;
+    throw CError("this tree would have up to " + millions(size.stems) + " stems, " + millions(size.leaves) + " leaves and " +
+                 millions(size.vertices) + " vertices; the limit is " + millions(m_mostVertices) + " vertices");
+}
+
+void CTreeCreator::updateTree(const CParams& params, const CProgress& progress) {
+    const Obsolete obsolete = m_tree ? firstObsolete(m_treeParams, params) : Obsolete{Stage::Structure, 0};
+    if (obsolete.stage > Stage::Structure) return;
+    m_tree = m_builder->build(params, m_tree.get(), obsolete.generation, progress);
+    m_treeParams = params;
+    dropStaleMeshes();
+}
+
+/// Frees the meshes of generations that are gone, so that no level of detail keeps an old tree in memory.
+void CTreeCreator::dropStaleMeshes() {
+    for (MadeMeshes& made : m_made)
+        for (MadeMesh& mesh : made) {
+            const auto& generations = m_tree->generations();
+            const bool alive = mesh.source == m_tree->sharedLeaves() ||
+                               std::ranges::any_of(generations, [&](const auto& g) { return g == mesh.source; });
+            if (!alive) mesh = {};
+        }
+}
+
+} // namespace stromar

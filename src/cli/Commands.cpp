@@ -1,0 +1,184 @@
+#include "Commands.h"
+#include "stromar/app/Export.h"
+#include "stromar/app/Formats.h"
+#include "stromar/params/TreeFile.h"
+#include "stromar/util/Text.h"
+#include <algorithm>
+#include <glm/common.hpp>
+#include <iostream>
+#include <nlohmann/json.hpp>
+
+namespace stromar {
+
+namespace {
+using Json = nlohmann::ordered_json;
+
+void say(const CommonOptions& common, const std::string& text) {
+    if (!common.quiet) std::cerr << text << "\n";
+}
+
+void applySetting(CParams& params, const CommonOptions& common, const std::string& setting) {
+    const auto equals = setting.find('=');
+    if (equals == std::string::npos) throw CUsageError("--set wants KEY=VALUE, not '" + setting + "'");
+    const std::string key(trimmed(std::string_view(setting).substr(0, equals)));
+    const std::string value(trimmed(std::string_view(setting).substr(equals + 1)));
+    const auto target = findParam(key);
+    if (!target) throw CUsageError("--set: there is no parameter '" + key + "'" + keySuggestion(key));
+    std::string problem;
+    const SetResult result = setFromText(params, *target, value, problem);
+    if (result == SetResult::BadValue) throw CUsageError("--set: " + problem);
+    if (result == SetResult::Clamped) say(common, "--set: warning: " + problem);
+}
+
+CParams readParams(const CommonOptions& common) {
+    const CTreeFile file = CTreeFile::read(common.file);
+    for (const Message& warning : file.warnings()) say(common, warning.toString());
+    CParams params = file.params();
+    for (const std::string& setting : common.settings) applySetting(params, common, setting);
+    return params;
+}
+
+std::shared_ptr<const TreeModel> createModel(const CommonOptions& common, const Detail& detail, const CProgress& progress) {
+    const CParams params = readParams(common);
+    return CTreeCreator(common.varied, common.mostVertices).create(params, detail, progress);
+}
+
+template <typename Vector>
+Json array(const Vector& v) {
+    return Json::array({v.x, v.y, v.z});
+}
+
+Json generationInfo(const CTree& tree, std::size_t g) {
+    const CGeneration& generation = tree.generation(g);
+    double length = 0, radius = 0;
+    for (const CStem& stem : generation.stems) {
+        length += stem.measures.length;
+        radius += stem.measures.radius;
+    }
+    return {{"generation", g},          {"stems", generation.stems.size()},       {"clones", generation.cloneCount()},
+            {"segments", generation.segments.size()}, {"length_sum", length}, {"radius_sum", radius}};
+}
+
+Json boundsInfo(const TreeModel& model) {
+    const auto meshes = model.meshes();
+    if (meshes.empty()) return nullptr;
+    Bounds all = meshes.front()->bounds();
+    for (const auto& mesh : meshes) {
+        const Bounds own = mesh->bounds();
+        all = {glm::min(all.min, own.min), glm::max(all.max, own.max)};
+    }
+    return {{"min", array(all.min)}, {"max", array(all.max)}};
+}
+
+std::size_t meshBytes(const TreeModel& model) {
+    std::size_t bytes = 0;
+    for (const auto& mesh : model.meshes()) bytes += mesh->bytes();
+    return bytes;
+}
+
+/// Leaves by the stem of the last generation that bears them.
+std::vector<std::size_t> leafCounts(const CTree& tree) {
+    std::vector<std::size_t> counts(tree.generation(tree.generationCount() - 1).stems.size(), 0);
+    for (const CLeaf& leaf : tree.leaves()) ++counts[leaf.stem];
+    return counts;
+}
+
+Json stemInfo(const CGeneration& generation, std::size_t g, std::size_t index, std::size_t leaves) {
+    const CStem& stem = generation.stems[index];
+    const CSegment& first = generation.segments[stem.firstSegment];
+    return {{"generation", g},
+            {"index", index},
+            {"parent", stem.parent},
+            {"path", stem.path},
+            {"segment", stem.position},
+            {"offset", stem.measures.offset},
+            {"length", stem.measures.length},
+            {"radius", stem.measures.radius},
+            {"base", array(first.position)},
+            {"direction", array(first.frame[2])},
+            {"segments", stem.segmentCount},
+            {"clones", stem.pathCount - 1},
+            {"leaves", leaves}};
+}
+} // namespace
+
+void printInfo(const CommonOptions& common, const ModelOptions& options, std::ostream& out, const CProgress& progress) {
+    const auto model = createModel(common, options.detail(), progress);
+    Json generations = Json::array();
+    for (std::size_t g = 0; g < model->tree->generationCount(); ++g) generations.push_back(generationInfo(*model->tree, g));
+    const auto& ms = model->milliseconds;
+    const Json info = {{"species", model->params.text.species},
+                       {"seed", model->params.global.seed},
+                       {"method", model->params.text.method},
+                       {"scale_tree", model->tree->scaleTree()},
+                       {"generations", generations},
+                       {"leaves", model->tree->leaves().size()},
+                       {"model", options.simple ? "simple" : "full"},
+                       {"lod", options.lod},
+                       {"vertices", model->vertexCount()},
+                       {"triangles", model->triangleCount()},
+                       {"bounds", boundsInfo(*model)},
+                       {"milliseconds", {{"structure", ms.structure}, {"smooth", ms.smooth}, {"mesh", ms.mesh}, {"total", ms.total}}},
+                       {"mesh_bytes", meshBytes(*model)}};
+    out << info.dump(2) << "\n";
+}
+
+void printStructure(const CommonOptions& common, std::ostream& out, const CProgress& progress) {
+    const auto model = createModel(common, detailOf(Model::Simple), progress);
+    const CTree& tree = *model->tree;
+    const std::vector<std::size_t> leaves = leafCounts(tree);
+    for (std::size_t g = 0; g < tree.generationCount(); ++g) {
+        const bool last = g + 1 == tree.generationCount();
+        const CGeneration& generation = tree.generation(g);
+        for (std::size_t s = 0; s < generation.stems.size(); ++s) {
+            out << stemInfo(generation, g, s, last ? leaves[s] : 0).dump() << "\n";
+            progress.poll();
+        }
+    }
+}
+
+void exportTree(const CommonOptions& common, const ModelOptions& options, const std::string& path, const CProgress& progress) {
+    if (!formatOf(path)) throw CUsageError(unknownFormat(path));
+    const auto model = createModel(common, options.detail(), progress);
+    exportModel(*model, std::filesystem::path(common.file).parent_path(), path, progress);
+    say(common, path + ": " + std::to_string(model->vertexCount()) + " vertices, " + std::to_string(model->triangleCount()) +
+                    " triangles");
+}
+
+void printParams(ListStyle style, std::ostream& out) {
+    if (style == ListStyle::Markdown) out << paramsAsMarkdown();
+    if (style == ListStyle::Text) out << paramsAsText();
+    if (style != ListStyle::Json) return;
+    Json rows = Json::array();
+    for (const ParamRef& ref : allParams()) {
+        const ParamInfo& p = *ref.info;
+        Json row = {{"key", ref.key()},
+                    {"label", p.label},
+                    {"group", groupName(ref.group())},
+                    {"unit", unitName(p.unit)},
+                    {"type", p.integer() ? "integer" : "number"},
+                    {"min", p.range.min},
+                    {"max", p.range.max},
+                    {"step", p.step},
+                    {"default", p.defaultOf(ref.level)},
+                    {"help", p.help}};
+        if (!p.words.empty()) row["words"] = std::vector<std::string>(p.words.begin(), p.words.end());
+        rows.push_back(row);
+    }
+    for (const TextInfo& text : textTable())
+        rows.push_back({{"key", text.key}, {"label", text.label}, {"group", groupName(text.group)}, {"type", "text"}, {"help", text.help}});
+    out << rows.dump(2) << "\n";
+}
+
+void printFormats(ListStyle style, std::ostream& out) {
+    Json rows = Json::array();
+    for (const Format& format : formatTable()) {
+        if (style == ListStyle::Json)
+            rows.push_back({{"ending", format.ending}, {"name", format.name}, {"up_axis", format.upAxis}, {"loses", format.losses}});
+        else out << format.ending << std::string(7 - format.ending.size(), ' ') << format.name << ", " << format.upAxis
+                 << " up; loses: " << format.losses << "\n";
+    }
+    if (style == ListStyle::Json) out << rows.dump(2) << "\n";
+}
+
+} // namespace stromar

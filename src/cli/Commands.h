@@ -1,0 +1,40 @@
+#pragma once
+#include "stromar/mesh/Detail.h"
+#include "stromar/util/Progress.h"
+#include <ostream>
+#include <string>
+#include <vector>
+
+namespace stromar {
+
+/// The user asked for something that does not exist: exit status 2.
+class CUsageError : public std::runtime_error {
+    using std::runtime_error::runtime_error;
+};
+
+/// What the commands on a tree have in common.
+struct CommonOptions {
+    std::string file;
+    std::vector<std::string> settings; ///< KEY=VALUE
+    bool varied = true;
+    bool quiet = false;
+    int threads = 0;
+    double mostVertices = 20e6;
+};
+
+struct ModelOptions {
+    bool simple = false;
+    int lod = 0;
+    const Detail& detail() const { return detailOf(simple ? Model::Simple : Model::Full, lod); }
+};
+
+enum class ListStyle { Text, Markdown, Json };
+
+// Each writes its data to `out` and messages to standard error, and throws when it cannot do its work.
+void printInfo(const CommonOptions& common, const ModelOptions& model, std::ostream& out, const CProgress& progress);
+void printStructure(const CommonOptions& common, std::ostream& out, const CProgress& progress);
+void exportTree(const CommonOptions& common, const ModelOptions& model, const std::string& path, const CProgress& progress);
+void printParams(ListStyle style, std::ostream& out);
+void printFormats(ListStyle style, std::ostream& out);
+
+} // namespace stromar

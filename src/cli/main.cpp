@@ -1,0 +1,106 @@
+#include "Commands.h"
+#include <CLI/CLI.hpp>
+#include <csignal>
+#include <iostream>
+
+namespace {
+using namespace stromar;
+
+enum ExitStatus { kDone = 0, kFailed = 1, kWrongUsage = 2 };
+
+/// Stopping by Ctrl+C cancels the work, so that no temporary file stays behind.
+const CProgress* g_running = nullptr;
+void onSignal(int) {
+    if (g_running) g_running->cancel();
+}
+
+/// Everything the command line can say.
+struct Options {
+    CommonOptions common;
+    ModelOptions model;
+    std::string modelName = "full", variation = "on", output, seed;
+    bool markdown = false, json = false;
+    bool lodGiven = false;
+
+    ListStyle style() const { return markdown ? ListStyle::Markdown : json ? ListStyle::Json : ListStyle::Text; }
+    void finish() {
+        common.varied = variation == "on";
+        model.simple = modelName == "simple";
+        if (!seed.empty()) common.settings.push_back("Seed=" + seed);
+        if (model.simple && lodGiven) throw CUsageError("--lod belongs to the full model; the simple model has no levels of detail");
+    }
+};
+
+void addCommon(CLI::App& command, Options& options) {
+    command.add_option("file", options.common.file, "The .tree file")->required()->type_name("FILE.tree");
+    command.add_option("--seed", options.seed, "Short for --set Seed=N")->type_name("N");
+    command.add_option("--set", options.common.settings, "Changes a parameter; may be given often")
+        ->type_name("KEY=VALUE")
+        ->allow_extra_args(false);
+    command.add_option("--variation", options.variation, "off: every random number is its middle value")
+        ->check(CLI::IsMember({"on", "off"}));
+    command.add_option("--threads", options.common.threads, "How many threads; default: one per processor")
+        ->check(CLI::Range(1, 1024));
+    command.add_option("--max-vertices", options.common.mostVertices, "Refuse trees that may be larger")
+        ->check(CLI::PositiveNumber)
+        ->capture_default_str();
+    command.add_flag("--quiet", options.common.quiet, "No warnings, no report");
+}
+
+void addModel(CLI::App& command, Options& options) {
+    command.add_option("--model", options.modelName, "Which model")->check(CLI::IsMember({"full", "simple"}))->capture_default_str();
+    command.add_option("--lod", options.model.lod, "Level of detail of the full model, 0 the finest")->check(CLI::Range(0, 3));
+}
+
+void run(const CLI::App& app, Options& options) {
+    const CLI::App& command = *app.get_subcommands().front();
+    const std::string& name = command.get_name();
+    if (name == "info" || name == "export") options.lodGiven = command.count("--lod") > 0;
+    options.finish();
+    const CProgress progress(options.common.threads);
+    g_running = &progress;
+    if (name == "info") printInfo(options.common, options.model, std::cout, progress);
+    if (name == "structure") printStructure(options.common, std::cout, progress);
+    if (name == "export") exportTree(options.common, options.model, options.output, progress);
+    if (name == "params") printParams(options.style(), std::cout);
+    if (name == "formats") printFormats(options.style(), std::cout);
+    if (!std::cout.flush()) throw CError("cannot write to standard output");
+    g_running = nullptr;
+}
+
+void setUp(CLI::App& app, Options& options) {
+    app.require_subcommand(1);
+    CLI::App* info = app.add_subcommand("info", "Counts, sizes and times of a tree, as JSON");
+    CLI::App* structure = app.add_subcommand("structure", "Every stem, as JSON lines");
+    CLI::App* exporter = app.add_subcommand("export", "Writes a model; the ending of its name says the format");
+    CLI::App* params = app.add_subcommand("params", "The table of parameters");
+    CLI::App* formats = app.add_subcommand("formats", "What can be written, and what each format loses");
+    for (CLI::App* command : {info, structure, exporter}) addCommon(*command, options);
+    for (CLI::App* command : {info, exporter}) addModel(*command, options);
+    exporter->add_option("-o,--output", options.output, "The model to write")->required()->type_name("OUT.ext");
+    CLI::Option* markdown = params->add_flag("--markdown", options.markdown, "As a page of the manual");
+    params->add_flag("--json", options.json, "As JSON")->excludes(markdown);
+    formats->add_flag("--json", options.json, "As JSON");
+}
+} // namespace
+
+int main(int argc, char** argv) {
+    std::signal(SIGINT, onSignal);
+    std::signal(SIGTERM, onSignal);
+    CLI::App app("Grows trees from .tree files and writes them as models.", "stromar-cli");
+    Options options;
+    setUp(app, options);
+    try {
+        app.parse(argc, argv);
+        run(app, options);
+        return kDone;
+    } catch (const CLI::ParseError& e) {
+        return app.exit(e) == 0 ? kDone : kWrongUsage;
+    } catch (const CUsageError& e) {
+        std::cerr << "stromar-cli: " << e.what() << "\n";
+        return kWrongUsage;
+    } catch (const std::exception& e) {
+        std::cerr << "stromar-cli: " << e.what() << "\n";
+        return kFailed;
+    }
+}

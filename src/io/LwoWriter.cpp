@@ -1,0 +1,186 @@
+#include "ByteOut.h"
+#include "stromar/io/Writers.h"
+
+namespace stromar {
+
+namespace {
+using Out = CByteOut<std::endian::big>;
+
+constexpr const char* kUvMap = "UV";
+constexpr std::uint32_t kMostPoints = 0xFFFFFF; // indices have 24 bits
+
+/// A chunk or, with a 16-bit length, a sub-chunk; padded to an even length.
+class CChunk {
+public:
+    CChunk(Out& out, const char* id, bool sub = false) : m_out(out), m_sub(sub) {
+        out.text(id);
+        m_length = out.size();
+        if (sub) out.u16(0);
+        else out.u32(0);
+        m_start = out.size();
+    }
+    ~CChunk() {
+        const auto length = static_cast<std::uint32_t>(m_out.size() - m_start);
+        if (m_sub) m_out.patch16(m_length, static_cast<std::uint16_t>(length));
+        else m_out.patch32(m_length, length);
+        if (length % 2 == 1) m_out.u8(0);
+    }
+    CChunk(const CChunk&) = delete;
+    CChunk& operator=(const CChunk&) = delete;
+
+private:
+    Out& m_out;
+    bool m_sub;
+    std::size_t m_length, m_start;
+};
+
+/// Text with a zero behind it, padded to an even length.
+void putName(Out& out, const std::string& text) {
+    out.zeroText(text);
+    if (text.size() % 2 == 0) out.u8(0);
+}
+
+/// An index: two bytes when small, else four with the first 0xFF.
+void putIndex(Out& out, std::size_t index) {
+    if (index < 0xFF00) out.u16(static_cast<std::uint16_t>(index));
+    else out.u32(0xFF000000u | static_cast<std::uint32_t>(index));
+}
+
+void addPoints(Out& out, const ExportModel& model) {
+    const CChunk chunk(out, "PNTS");
+    for (const auto& mesh : model.meshes)
+        for (const glm::vec3& p : mesh->positions) {
+            out.f32(p.x);
+            out.f32(p.z);
+            out.f32(p.y);
+        }
+}
+
+void addTexCoords(Out& out, const ExportModel& model) {
+    const CChunk chunk(out, "VMAP");
+    out.text("TXUV");
+    out.u16(2);
+    putName(out, kUvMap);
+    std::size_t point = 0;
+    for (const auto& mesh : model.meshes)
+        for (const glm::vec2& t : mesh->texCoords) {
+            putIndex(out, point++);
+            out.f32(t.x);
+            out.f32(t.y);
+        }
+}
+
+/// Front faces are clockwise here.
+void addPolygons(Out& out, const ExportModel& model) {
+    const CChunk chunk(out, "POLS");
+    out.text("FACE");
+    std::size_t first = 0;
+    for (const auto& mesh : model.meshes) {
+        for (std::size_t t = 0; t < mesh->indices.size(); t += 3) {
+            out.u16(3);
+            for (const std::size_t corner : {t, t + 2, t + 1}) putIndex(out, first + mesh->indices[corner]);
+        }
+        first += mesh->vertexCount();
+    }
+}
+
+void addPolygonTags(Out& out, const ExportModel& model) {
+    const CChunk chunk(out, "PTAG");
+    out.text("SURF");
+    std::size_t polygon = 0;
+    for (const auto& mesh : model.meshes)
+        for (std::size_t t = 0; t < mesh->triangleCount(); ++t) {
+            putIndex(out, polygon++);
+            out.u16(static_cast<std::uint16_t>(mesh->surface));
+        }
+}
+
+void addImage(Out& out, std::uint32_t number, const std::string& file) {
+    const CChunk clip(out, "CLIP");
+    out.u32(number);
+    const CChunk still(out, "STIL", true);
+    putName(out, file);
+}
+
+void addValue(Out& out, const char* id, float value) {
+    const CChunk chunk(out, id, true);
+    out.f32(value);
+    out.u16(0); // no envelope
+}
+
+void addTextureBlock(Out& out, std::uint32_t image) {
+    const CChunk block(out, "BLOK", true);
+    {
+        const CChunk header(out, "IMAP", true);
+        putName(out, "\x80");
+        {
+            const CChunk channel(out, "CHAN", true);
+            out.text("COLR");
+        }
+        const CChunk enabled(out, "ENAB", true);
+        out.u16(1);
+    }
+    {
+        const CChunk projection(out, "PROJ", true);
+        out.u16(5); // by texture coordinates
+    }
+    {
+        const CChunk map(out, "VMAP", true);
+        putName(out, kUvMap);
+    }
+    const CChunk picture(out, "IMAG", true);
+    putIndex(out, image);
+}
+
+void addSurface(Out& out, const SurfaceLook& look, std::uint32_t image) {
+    const CChunk surface(out, "SURF");
+    putName(out, look.name);
+    putName(out, "");
+    {
+        const CChunk colour(out, "COLR", true);
+        for (int i = 0; i < 3; ++i) out.f32(look.texture.empty() ? look.colour[i] : 1.f);
+        out.u16(0);
+    }
+    addValue(out, "DIFF", 1);
+    {
+        const CChunk smooth(out, "SMAN", true);
+        out.f32(1.56f); // smooth up to this angle, radians
+    }
+    {
+        const CChunk sides(out, "SIDE", true);
+        out.u16(look.cutOut ? 3 : 1);
+    }
+    if (!look.texture.empty()) addTextureBlock(out, image);
+}
+} // namespace
+
+void writeLwo(const ExportModel& model, const std::filesystem::path& path, CFileSet& files) {
+    if (model.vertexCount() > kMostPoints || model.triangleCount() > kMostPoints)
+        throw CError("a LightWave object holds at most 16,777,215 points and polygons; choose a lower level of detail");
+    Out out;
+    {
+        const CChunk form(out, "FORM");
+        out.text("LWO2");
+        {
+            const CChunk tags(out, "TAGS");
+            for (const SurfaceLook& look : model.looks) putName(out, look.name);
+        }
+        {
+            const CChunk layer(out, "LAYR");
+            out.u16(0);
+            out.u16(0);
+            for (int i = 0; i < 3; ++i) out.f32(0);
+            putName(out, model.name);
+        }
+        addPoints(out, model);
+        addTexCoords(out, model);
+        addPolygons(out, model);
+        addPolygonTags(out, model);
+        for (std::uint32_t i = 0; i < model.looks.size(); ++i)
+            if (!model.looks[i].texture.empty()) addImage(out, i + 1, model.looks[i].texture);
+        for (std::uint32_t i = 0; i < model.looks.size(); ++i) addSurface(out, model.looks[i], i + 1);
+    }
+    files.create(path).write(out.bytes().data(), static_cast<std::streamsize>(out.size()));
+}
+
+} // namespace stromar

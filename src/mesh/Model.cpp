@@ -1,0 +1,38 @@
+#include "stromar/mesh/Model.h"
+
+namespace stromar {
+
+std::size_t ExportModel::vertexCount() const {
+    std::size_t count = 0;
+    for (const auto& mesh : meshes) count += mesh->vertexCount();
+    return count;
+}
+
+std::size_t ExportModel::triangleCount() const {
+    std::size_t count = 0;
+    for (const auto& mesh : meshes) count += mesh->triangleCount();
+    return count;
+}
+
+std::vector<MeshChunk> cutIntoChunks(const CMesh& mesh, std::size_t mostVertices, std::size_t mostTriangles) {
+    std::vector<MeshChunk> chunks;
+    std::vector<std::uint32_t> placeOf(mesh.vertexCount()), chunkOf(mesh.vertexCount(), 0); // chunks count from 1 here
+    for (std::size_t t = 0; t < mesh.indices.size(); t += 3) {
+        const bool full = chunks.empty() || chunks.back().vertices.size() + 3 > mostVertices ||
+                          chunks.back().indices.size() / 3 == mostTriangles;
+        if (full) chunks.emplace_back();
+        MeshChunk& chunk = chunks.back();
+        for (std::size_t corner = t; corner < t + 3; ++corner) {
+            const std::uint32_t vertex = mesh.indices[corner];
+            if (chunkOf[vertex] != chunks.size()) {
+                chunkOf[vertex] = static_cast<std::uint32_t>(chunks.size());
+                placeOf[vertex] = static_cast<std::uint32_t>(chunk.vertices.size());
+                chunk.vertices.push_back(vertex);
+            }
+            chunk.indices.push_back(placeOf[vertex]);
+        }
+    }
+    return chunks;
+}
+
+} // namespace stromar

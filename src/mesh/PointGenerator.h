@@ -1,0 +1,64 @@
+#pragma once
+#include "StemSurface.h"
+#include "stromar/mesh/MeshBuilder.h"
+#include <vector>
+
+namespace stromar {
+
+/// A ring in space.
+struct RingShape {
+    glm::dvec3 centre;
+    Frame frame;   ///< the ring lies in its XY plane, angles count from X
+    double radius; ///< mean, at least the drawn floor
+    double slope;  ///< change of the radius per metre along the stem
+    double along;  ///< position / length
+    double lobeDepth;
+    int lobes;
+};
+
+/// A place of a tube's surface to write a vertex to.
+struct VertexSink {
+    glm::vec3* position;
+    glm::vec3* normal;
+    glm::vec2* texCoord;
+    void add(const glm::dvec3& p, const glm::dvec3& n, double u, double v) {
+        *position++ = glm::vec3(p);
+        *normal++ = glm::vec3(n);
+        *texCoord++ = glm::vec2(u, v);
+    }
+};
+
+/// Makes the points of rings: position, normal, texture coordinates.
+class CPointGenerator {
+public:
+    CPointGenerator(const CGeneration& generation, const MeshPlan& plan, const CStemSurface& surface, glm::dvec2 textureWrap)
+        : m_generation(generation), m_plan(plan), m_surface(surface), m_wrap(textureWrap) {}
+
+    /// Looks at all rings of a tube; the others speak of this one.
+    void startTube(const Tube& tube);
+    /// Points + 1 vertices: the seam is doubled.
+    void addRing(std::size_t ring, VertexSink& sink) const;
+    /// The tip of a pointed tube: one vertex per side.
+    void addTip(VertexSink& sink) const;
+    /// A flat lid on the first (`base`) or last ring; a lobed one has a middle vertex in front.
+    void addLid(bool base, VertexSink& sink) const;
+
+private:
+    RingShape shapeOf(const Tube& tube, const Ring& ring, std::uint32_t index) const;
+    Frame frameOf(const Tube& tube, const Ring& ring, std::uint32_t index) const;
+    void setSlopes();
+    double radiusAt(const RingShape& ring, double angle) const;
+    glm::dvec3 pointAt(const RingShape& ring, std::uint32_t i) const;
+    glm::dvec3 normalAt(const RingShape& ring, double angle, glm::dvec2 direction) const;
+
+    const CGeneration& m_generation;
+    const MeshPlan& m_plan;
+    const CStemSurface& m_surface;
+    glm::dvec2 m_wrap;
+    std::uint32_t m_points = 0;
+    double m_floor = 0;
+    std::vector<RingShape> m_rings;
+    std::vector<glm::dvec2> m_circle; ///< cosine and sine of each point's angle
+};
+
+} // namespace stromar

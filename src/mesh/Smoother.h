@@ -1,0 +1,33 @@
+#pragma once
+#include "StemSurface.h"
+#include <vector>
+
+namespace stromar {
+
+/// Decides where a segment needs rings between its ends: where the radius bends (flare, round ends, spheres) and along
+/// a helix. At most kMostRings per stem and path.
+class CSmoother {
+public:
+    static constexpr int kHelixRings = 10;
+    static constexpr std::size_t kMostRings = 1024;
+
+    explicit CSmoother(const CStemSurface& surface) : m_surface(surface) {}
+
+    /// Appends the places, 0 < t < 1, in rising order.
+    void subdivide(const CStem& stem, const CSegment& segment, std::uint32_t position, std::vector<double>& places) const;
+
+private:
+    struct Place {
+        double t, radius;
+    };
+    Place at(const CStem& stem, const CSegment& segment, std::uint32_t position, double t) const {
+        return {t, m_surface.woodRadius(stem, segment, position, t)};
+    }
+    void addWhereRadiusBends(const CStem& stem, const CSegment& segment, std::uint32_t position, Place low, Place high,
+                             int depth, std::vector<double>& places) const;
+    static int startPieces(const CStem& stem, const CSegment& segment);
+
+    const CStemSurface& m_surface;
+};
+
+} // namespace stromar

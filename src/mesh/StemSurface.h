@@ -1,0 +1,50 @@
+#pragma once
+#include "stromar/params/TreeParams.h"
+#include "stromar/tree/Tree.h"
+#include <algorithm>
+
+namespace stromar {
+
+/// The form of the stems' wood in one generation: radius by taper, flare, lobes and the least radius. Metres, radians.
+class CStemSurface {
+public:
+    CStemSurface(const CParams& params, int generation, double scaleTree)
+        : m_params(params, generation, scaleTree), m_trunk(generation == 0) {}
+
+    /// Radius at a place of a segment, before lobes and the least radius.
+    double woodRadius(const CStem& stem, const CSegment& segment, std::uint32_t position, double t) const {
+        const double z = along(stem, position, t);
+        const double tapered = stem.taper > 1 ? CCalculations::taperedRadius(stem.taper, stem.measures, z)
+                                              : segment.radiusBase + t * (segment.radiusEnd - segment.radiusBase);
+        return tapered * m_params.calc().flareAt(z);
+    }
+    /// Position / length.
+    static double along(const CStem& stem, std::uint32_t position, double t) { return (position + t) / stem.curveRes; }
+
+    /// Whether the radius changes other than evenly along a segment.
+    bool uneven(const CStem& stem) const { return stem.taper > 1 || (m_trunk && m_params.global().flare != 0); }
+
+    int lobes() const { return m_trunk && m_params.global().lobeDepth > 0 ? m_params.global().lobes : 0; }
+    /// How far lobes stand out at z = position / length (Weber & Penn §4.4; LobeFade ends them as the thesis draws).
+    double lobeDepth(double z) const {
+        const GlobalParams& g = m_params.global();
+        return g.lobeDepth * (1 + g.lobeFade * ((baseFalloff(z) - 1) / 99 - 1));
+    }
+    double minRadius() const { return m_params.global().minRadius; }
+
+    /// Lengths below this vanish in the rounding of single-precision coordinates near the stem.
+    static double leastDrawn(const CStem& stem, const CSegment& first) {
+        const glm::dvec3 p = glm::abs(first.position);
+        return 1e-5 * (std::max({p.x, p.y, p.z}) + stem.measures.length);
+    }
+    /// The radius below which a ring is drawn with this radius.
+    double drawnFloor(const CStem& stem, const CSegment& first) const {
+        return std::max(minRadius(), leastDrawn(stem, first));
+    }
+
+private:
+    CTreeParams m_params;
+    bool m_trunk;
+};
+
+} // namespace stromar

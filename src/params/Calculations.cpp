@@ -1,0 +1,87 @@
+#include "stromar/params/Calculations.h"
+#include <algorithm>
+#include <cmath>
+#include <numbers>
+
+namespace stromar {
+
+namespace {
+constexpr double kPi = std::numbers::pi;
+
+double flame(double r) { return r <= 0.7 ? r / 0.7 : (1 - r) / 0.3; }
+
+double envelopeRatio(double r, const GlobalParams& g) {
+    if (r < 0 || r > 1) return 0;
+    const double peak = g.pruneWidthPeak;
+    if (r < 1 - peak) return std::pow(r / (1 - peak), g.prunePowerHigh);
+    return peak == 0 ? 1 : std::pow((1 - r) / peak, g.prunePowerLow);
+}
+} // namespace
+
+double shapeRatio(int shape, double ratio, const GlobalParams& global) {
+    if (shape == 8) return envelopeRatio(ratio, global);
+    const double r = std::clamp(ratio, 0.0, 1.0);
+    switch (shape) {
+    case 0: return 0.2 + 0.8 * r;
+    case 1: return 0.2 + 0.8 * std::sin(kPi * r);
+    case 2: return 0.2 + 0.8 * std::sin(0.5 * kPi * r);
+    case 3: return 1;
+    case 4: return 0.5 + 0.5 * r;
+    case 5: return flame(r);
+    case 6: return 1 - 0.8 * r;
+    default: return 0.5 + 0.5 * flame(r);
+    }
+}
+
+double CCalculations::gradedDownAngle(double downAngle, double downAngleV, const StemMeasures& stem, double offset) const {
+    const double ratio = (stem.length - offset) / (stem.length - bareLength());
+    return downAngle + downAngleV * (1 - 2 * shapeRatio(0, ratio, m_global));
+}
+
+double CCalculations::taperedRadius(double taper, const StemMeasures& stem, double z) {
+    const double unit = taper < 1 ? taper : taper < 2 ? 2 - taper : 0;
+    const double radius = stem.radius * (1 - unit * z);
+    if (taper < 1 || radius <= 0) return std::max(0.0, radius);
+    const double toTip = (1 - z) * stem.length;
+    const double depth = taper < 2 || toTip < radius ? 1 : taper - 2;
+    const double inSphere = taper < 2 ? toTip : std::abs(toTip - 2 * radius * std::floor(toTip / (2 * radius) + 0.5));
+    if (taper < 2 && inSphere >= radius) return radius;
+    const double sphere = std::sqrt(std::max(0.0, radius * radius - (inSphere - radius) * (inSphere - radius)));
+    return (1 - depth) * radius + depth * sphere;
+}
+
+double CCalculations::childRadius(const StemMeasures& parent, double childLength, double woodThere) const {
+    return std::min(parent.radius * std::pow(childLength / parent.length, m_global.ratioPower), woodThere);
+}
+
+double CTrunkCalc::length(double lengthMax, const StemMeasures&, double) const { return lengthMax * m_scaleTree; }
+
+double CTrunkCalc::childCount(double branches, const StemMeasures&) const { return branches; }
+
+double CTrunkCalc::flareAt(double z) const { return 1 + m_global.flare * (baseFalloff(z) - 1) / 100; }
+
+double C0BranchCalc::length(double lengthMax, const StemMeasures& parent, double offset) const {
+    const double ratio = (parent.length - offset) / (parent.length - lengthBase());
+    return parent.length * lengthMax * shapeRatio(m_global.shape, ratio, m_global);
+}
+
+double C0BranchCalc::childCount(double branches, const StemMeasures& stem) const {
+    return branches * (0.2 + 0.8 * (stem.length / stem.parentLength) / stem.lengthMax);
+}
+
+double C1BranchCalc::length(double lengthMax, const StemMeasures& parent, double offset) const {
+    return lengthMax * (parent.length - 0.6 * offset);
+}
+
+double C1BranchCalc::childCount(double branches, const StemMeasures& stem) const {
+    return branches * (1 - 0.5 * stem.offset / stem.parentLength);
+}
+
+double baseFalloff(double z) { return std::pow(100.0, std::max(0.0, 1 - 8 * z)); }
+
+bool insideEnvelope(double x, double y, double z, const GlobalParams& global, double scaleTree) {
+    const double ratio = (scaleTree - z) / (scaleTree * (1 - global.baseSize));
+    return std::hypot(x, y) / scaleTree < global.pruneWidth * shapeRatio(8, ratio, global);
+}
+
+} // namespace stromar

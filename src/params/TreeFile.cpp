@@ -1,0 +1,289 @@
+#include "stromar/params/TreeFile.h"
+#include "stromar/util/FileSet.h"
+#include "stromar/util/Text.h"
+#include <algorithm>
+#include <cmath>
+#include <map>
+#include <optional>
+
+namespace stromar {
+
+namespace {
+constexpr std::string_view kByteOrderMark = "\xEF\xBB\xBF";
+constexpr std::string_view kFormatKey = "Format";
+constexpr std::size_t kMostBytes = 16u << 20;
+
+/// Where the first byte is that is no UTF-8, or npos.
+std::size_t firstBadByte(std::string_view text) {
+    for (std::size_t i = 0; i < text.size();) {
+        const auto byte = static_cast<unsigned char>(text[i]);
+        const std::size_t length = byte < 0x80 ? 1 : byte >= 0xC2 && byte < 0xE0 ? 2 : byte >= 0xE0 && byte < 0xF0 ? 3
+                                   : byte >= 0xF0 && byte < 0xF5 ? 4 : 0;
+        if (length == 0 || i + length > text.size()) return i;
+        for (std::size_t k = 1; k < length; ++k)
+            if ((static_cast<unsigned char>(text[i + k]) & 0xC0) != 0x80) return i;
+        i += length;
+    }
+    return std::string_view::npos;
+}
+
+/// Columns count characters, not bytes.
+int columnOf(std::string_view line, std::size_t byte) {
+    const auto head = line.substr(0, byte);
+    return 1 + static_cast<int>(std::ranges::count_if(head, [](char c) { return (static_cast<unsigned char>(c) & 0xC0) != 0x80; }));
+}
+
+/// Why the bytes are no text of ours, or nothing.
+std::optional<std::string> whyNotText(std::string_view text) {
+    if (text.size() >= 11 && text.substr(4, 7) == "<Kraut>")
+        return "this is a binary tree of the program Kraut, which uses the same file ending; it cannot be read here";
+    if (text.starts_with("\xFF\xFE") || text.starts_with("\xFE\xFF")) return "this is UTF-16 text; save it as UTF-8";
+    const bool binary = std::ranges::any_of(text, [](char c) { return c == '\0' || (c > 0 && c < ' ' && c != '\t' && c != '\n' && c != '\r' && c != '\f'); });
+    if (binary || text.size() > kMostBytes) return "this is not a text file of parameters";
+    if (std::ranges::all_of(text, [](char c) { return c == ' ' || c == '\t' || c == '\r' || c == '\n'; })) return "the file is empty";
+    return {};
+}
+
+/// Finds where the comment of a line starts: '#' at the start or after white space, outside a quoted value.
+std::size_t commentStart(std::string_view line, std::size_t from) {
+    for (std::size_t i = from; i < line.size(); ++i)
+        if (line[i] == '#' && (i == 0 || line[i - 1] == ' ' || line[i - 1] == '\t')) return i;
+    return line.size();
+}
+
+/// The end of a quoted text that begins at `begin` (behind its closing quote), or npos.
+std::size_t quoteEnd(std::string_view line, std::size_t begin) {
+    for (std::size_t i = begin + 1; i < line.size(); ++i) {
+        if (line[i] != '"') continue;
+        if (i + 1 < line.size() && line[i + 1] == '"') ++i;
+        else return i + 1;
+    }
+    return std::string_view::npos;
+}
+
+std::string unquoted(std::string_view value) {
+    if (!value.starts_with('"')) return std::string(value);
+    std::string text;
+    for (std::size_t i = 1; i + 1 < value.size(); ++i) {
+        text += value[i];
+        if (value[i] == '"') ++i;
+    }
+    return text;
+}
+} // namespace
+
+/// Reads the lines of one text; collects what is wrong.
+class CTreeFile::CParser {
+public:
+    explicit CParser(std::string name) : m_name(std::move(name)) {}
+
+    CTreeFile parse(std::string_view text) {
+        if (const auto why = whyNotText(text)) fail(0, 0, *why);
+        else parseLines(text);
+        if (!m_errors.empty()) throw CInputError(std::move(m_errors));
+        if (!m_seen.contains(std::string(kFormatKey)))
+            m_file.m_warnings.insert(m_file.m_warnings.begin(),
+                                     {Severity::Warning, m_name, 0, 0, "no line 'Format = 1'; read as format 1"});
+        return std::move(m_file);
+    }
+
+private:
+    void parseLines(std::string_view text) {
+        for (int number = 1; !text.empty(); ++number) {
+            const std::size_t end = text.find('\n');
+            const std::string_view raw = text.substr(0, end == std::string_view::npos ? text.size() : end + 1);
+            text.remove_prefix(raw.size());
+            m_file.m_lines.push_back(parseLine(raw, number));
+        }
+    }
+
+    Line parseLine(std::string_view raw, int number) {
+        Line line{std::string(raw), {}, 0, 0};
+        const std::size_t mark = number == 1 && raw.starts_with(kByteOrderMark) ? kByteOrderMark.size() : 0;
+        const std::string_view content = raw.substr(0, raw.find_last_not_of("\r\n") + 1);
+        if (const std::size_t bad = firstBadByte(content); bad != std::string_view::npos) {
+            fail(number, columnOf(content, bad), "this character is not UTF-8");
+            return line;
+        }
+        const std::size_t start = content.find_first_not_of(" \t\f", mark);
+        if (start == std::string_view::npos || content[start] == '#') return line;
+        const std::size_t equals = content.substr(0, commentStart(content, start)).find('=', start);
+        if (equals == std::string_view::npos) {
+            const std::string_view word = content.substr(start, content.find_first_of(" \t", start) - start);
+            fail(number, columnOf(content, start) - int(mark > 0), "this line is not 'Key = Value'" + keySuggestion(word));
+            return line;
+        }
+        line.key = trimmed(content.substr(start, equals - start));
+        if (!findValue(content, equals + 1, number, line)) return line;
+        takeValue(content, start, number, line);
+        return line;
+    }
+
+    bool findValue(std::string_view content, std::size_t from, int number, Line& line) {
+        std::size_t begin = content.find_first_not_of(" \t", from);
+        if (begin == std::string_view::npos) begin = content.size();
+        std::size_t end = 0;
+        if (begin < content.size() && content[begin] == '"') {
+            end = quoteEnd(content, begin);
+            if (end == std::string_view::npos) return failed(number, columnOf(content, begin), "the quote is not closed");
+            const std::size_t rest = content.find_first_not_of(" \t", end);
+            if (rest != std::string_view::npos && content[rest] != '#')
+                return failed(number, columnOf(content, rest), "nothing but a comment may follow the closing quote");
+        } else {
+            const std::size_t stop = std::max(commentStart(content, begin), begin);
+            end = begin + trimmed(content.substr(begin, stop - begin)).size();
+        }
+        line.valueBegin = begin;
+        line.valueEnd = end;
+        return true;
+    }
+
+    void takeValue(std::string_view content, std::size_t keyStart, int number, const Line& line) {
+        const int keyColumn = columnOf(content, keyStart), column = columnOf(content, line.valueBegin);
+        if (line.key.empty()) return fail(number, keyColumn, "there is no key in front of '='");
+        const std::string value = unquoted(content.substr(line.valueBegin, line.valueEnd - line.valueBegin));
+        if (line.key == kFormatKey) return takeFormat(value, number, keyColumn, column);
+        const auto target = findParam(line.key);
+        if (!target) return warn(number, keyColumn, "unknown key '" + line.key + "' is kept" + keySuggestion(line.key));
+        const std::string mainKey = std::holds_alternative<ParamRef>(*target) ? std::get<ParamRef>(*target).key()
+                                                                             : std::string(std::get<const TextInfo*>(*target)->key);
+        if (isSecond(mainKey, number, keyColumn)) return;
+        std::string problem;
+        switch (setFromText(m_file.m_params, *target, value, problem)) {
+        case SetResult::Done: break;
+        case SetResult::Clamped: warn(number, column, problem); break;
+        case SetResult::BadValue: fail(number, column, problem); break;
+        }
+    }
+
+    void takeFormat(const std::string& value, int number, int keyColumn, int column) {
+        if (isSecond(std::string(kFormatKey), number, keyColumn)) return;
+        const auto format = parseNumber(value);
+        if (!format || *format < 1 || *format != std::floor(*format))
+            return fail(number, column, "Format must be a whole number from 1, not '" + value + "'");
+        if (*format > kFormat)
+            fail(number, column, "the file has format " + value + ", but this version reads only up to " +
+                                     std::to_string(kFormat) + "; a newer Stromar is needed");
+    }
+
+    bool isSecond(const std::string& key, int number, int column) {
+        const auto [first, isNew] = m_seen.emplace(key, number);
+        if (!isNew) fail(number, column, "a second value for " + key + "; the first is in line " + std::to_string(first->second));
+        return !isNew;
+    }
+
+    void fail(int line, int column, std::string text) { m_errors.push_back({Severity::Error, m_name, line, column, std::move(text)}); }
+    bool failed(int line, int column, std::string text) {
+        fail(line, column, std::move(text));
+        return false;
+    }
+    void warn(int line, int column, std::string text) {
+        m_file.m_warnings.push_back({Severity::Warning, m_name, line, column, std::move(text)});
+    }
+
+    std::string m_name;
+    CTreeFile m_file;
+    Messages m_errors;
+    std::map<std::string, int> m_seen;
+};
+
+namespace {
+/// The groups of a file as a writer lays them out: a heading and its values.
+struct FileGroup {
+    std::string heading;
+    std::vector<ParamTarget> values;
+};
+
+std::string headingOf(const ParamRef& ref) {
+    const std::string name(groupName(ref.group()));
+    return ref.group() == Group::Branches ? name + " " + std::to_string(ref.level) : name;
+}
+
+std::vector<FileGroup> makeFileGroups() {
+    std::vector<FileGroup> groups;
+    for (const ParamRef& ref : allParams()) {
+        if (groups.empty() || groups.back().heading != headingOf(ref)) groups.push_back({headingOf(ref), {}});
+        groups.back().values.emplace_back(ref);
+    }
+    for (const TextInfo& text : textTable()) {
+        const auto group = std::ranges::find(groups, groupName(text.group), &FileGroup::heading);
+        const auto behindTexts = std::ranges::find_if(group->values, [](const ParamTarget& t) { return t.index() == 0; });
+        group->values.insert(behindTexts, &text);
+    }
+    return groups;
+}
+
+const std::vector<FileGroup>& fileGroups() {
+    static const std::vector<FileGroup> groups = makeFileGroups();
+    return groups;
+}
+
+std::string keyOf(const ParamTarget& target) {
+    if (const auto* ref = std::get_if<ParamRef>(&target)) return ref->key();
+    return std::string(std::get<const TextInfo*>(target)->key);
+}
+
+bool differs(const CParams& a, const CParams& b, const ParamTarget& target) {
+    return valueText(a, target) != valueText(b, target);
+}
+
+std::string newFileText(const CParams& params) {
+    std::string text = "Format = " + std::to_string(CTreeFile::kFormat) + "\n";
+    for (const FileGroup& group : fileGroups()) {
+        text += "\n# " + group.heading + "\n";
+        for (const ParamTarget& target : group.values) text += keyOf(target) + " = " + valueText(params, target) + "\n";
+    }
+    return text;
+}
+} // namespace
+
+CTreeFile CTreeFile::read(const std::filesystem::path& path) {
+    if (std::filesystem::is_directory(path))
+        throw CInputError({{Severity::Error, path.string(), 0, 0, "this is a folder, not a .tree file"}});
+    return parse(readFile(path), path.string());
+}
+
+CTreeFile CTreeFile::parse(const std::string& text, const std::string& name) { return CParser(name).parse(text); }
+
+std::string CTreeFile::text(const CParams& params) const {
+    if (m_lines.empty()) return newFileText(params);
+    std::vector<std::string> lines;
+    std::map<std::string, std::size_t> lineOf;
+    for (const Line& line : m_lines) {
+        lines.push_back(line.raw);
+        const auto target = line.key.empty() ? std::nullopt : findParam(line.key);
+        if (!target) continue;
+        lineOf[keyOf(*target)] = lines.size() - 1;
+        if (differs(params, m_params, *target)) {
+            const bool glued = line.valueBegin > 0 && line.raw[line.valueBegin - 1] == '=';
+            lines.back().replace(line.valueBegin, line.valueEnd - line.valueBegin, (glued ? " " : "") + valueText(params, *target));
+        }
+    }
+    const bool crlf = m_lines.front().raw.ends_with("\r\n");
+    for (const FileGroup& group : fileGroups()) {
+        std::size_t last = lines.size() - 1;
+        bool found = false;
+        for (const ParamTarget& target : group.values)
+            if (const auto at = lineOf.find(keyOf(target)); at != lineOf.end()) {
+                last = found ? std::max(last, at->second) : at->second;
+                found = true;
+            }
+        for (const ParamTarget& target : group.values) {
+            if (lineOf.contains(keyOf(target)) || !differs(params, m_params, target)) continue;
+            if (!lines[last].ends_with('\n')) lines[last] += crlf ? "\r\n" : "\n";
+            lines[last] += keyOf(target) + " = " + valueText(params, target) + (crlf ? "\r\n" : "\n");
+        }
+    }
+    std::string all;
+    for (const std::string& line : lines) all += line;
+    return all;
+}
+
+CTreeFile CTreeFile::write(const std::filesystem::path& path, const CParams& params) const {
+    const std::string content = text(params);
+    writeFile(path, content);
+    CTreeFile saved = parse(content, path.string());
+    return saved;
+}
+
+} // namespace stromar

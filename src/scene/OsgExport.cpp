@@ -1,0 +1,67 @@
+#include "stromar/scene/OsgExport.h"
+#include "stromar/scene/OsgGeometry.h"
+#include <osg/AlphaFunc>
+#include <osg/Group>
+#include <osg/Material>
+#include <osg/Texture2D>
+#include <osgDB/Registry>
+
+namespace stromar {
+
+namespace {
+osg::ref_ptr<osg::Texture2D> textureNamed(const std::string& file) {
+    osg::ref_ptr<osg::Image> image = new osg::Image;
+    image->setFileName(file);
+    image->setWriteHint(osg::Image::EXTERNAL_FILE);
+    osg::ref_ptr<osg::Texture2D> texture = new osg::Texture2D(image);
+    texture->setWrap(osg::Texture::WRAP_S, osg::Texture::REPEAT);
+    texture->setWrap(osg::Texture::WRAP_T, osg::Texture::REPEAT);
+    texture->setFilter(osg::Texture::MIN_FILTER, osg::Texture::LINEAR_MIPMAP_LINEAR);
+    return texture;
+}
+
+/// Fixed-function state that every viewer of these files shows.
+osg::ref_ptr<osg::StateSet> stateOf(const SurfaceLook& look) {
+    osg::ref_ptr<osg::StateSet> state = new osg::StateSet;
+    state->setName(look.name);
+    osg::ref_ptr<osg::Material> material = new osg::Material;
+    material->setName(look.name);
+    const glm::vec3 colour = look.texture.empty() ? look.colour : glm::vec3(1);
+    material->setDiffuse(osg::Material::FRONT_AND_BACK, {colour.x, colour.y, colour.z, 1});
+    material->setAmbient(osg::Material::FRONT_AND_BACK, {0.5f * colour.x, 0.5f * colour.y, 0.5f * colour.z, 1});
+    state->setAttributeAndModes(material);
+    if (!look.texture.empty()) state->setTextureAttributeAndModes(0, textureNamed(look.texture));
+    if (look.cutOut) state->setAttributeAndModes(new osg::AlphaFunc(osg::AlphaFunc::GREATER, 0.4f));
+    state->setMode(GL_CULL_FACE, osg::StateAttribute::OFF);
+    return state;
+}
+
+osg::ref_ptr<osg::Node> makeNode(const ExportModel& model) {
+    std::vector<osg::ref_ptr<osg::StateSet>> states;
+    for (const SurfaceLook& look : model.looks) states.push_back(stateOf(look));
+    osg::ref_ptr<osg::Group> root = new osg::Group;
+    root->setName(model.name);
+    for (const auto& mesh : model.meshes) {
+        osg::ref_ptr<osg::Geometry> geometry = makeGeometry(*mesh);
+        geometry->setStateSet(states[static_cast<std::size_t>(mesh->surface)]);
+        root->addChild(geometry);
+    }
+    return root;
+}
+} // namespace
+
+void writeOsg(const ExportModel& model, const std::filesystem::path& path, CFileSet& files) {
+    const std::string ending = path.extension().string().substr(1);
+    osgDB::ReaderWriter* writer = osgDB::Registry::instance()->getReaderWriterForExtension(ending);
+    if (!writer) throw CError("OpenSceneGraph's plug-in for ." + ending + " is not installed");
+    osg::ref_ptr<osgDB::Options> options = new osgDB::Options("precision 9 WriteImageHint=UseExternal");
+    options->setPluginStringData("fileType", ending == "osgb" ? "Binary" : "Ascii");
+    options->setPluginStringData("WriteImageHint", "UseExternal");
+    std::ostream& out = files.create(path);
+    const auto result = writer->writeNode(*makeNode(model), out, options.get());
+    if (!result.success()) throw CError("OpenSceneGraph cannot write " + path.string() + ": " + result.message());
+    // A writer that says it is done may have written nothing: no format takes less than two bytes a coordinate.
+    if (files.bytes() + 65536 < 6 * model.vertexCount()) throw CError("OpenSceneGraph wrote " + path.string() + " incompletely");
+}
+
+} // namespace stromar

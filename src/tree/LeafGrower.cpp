@@ -1,0 +1,133 @@
+#include "LeafGrower.h"
+#include "Draw.h"
+#include "Placement.h"
+#include "stromar/util/Parallel.h"
+#include <cmath>
+#include <cstdlib>
+#include <glm/geometric.hpp>
+#include <numbers>
+
+namespace stromar {
+
+namespace {
+constexpr std::size_t kGrain = 256;
+constexpr int kTaperedShape = 4; // ShapeRatio of the leaves along the parent
+
+double wrapped(double angle) { return std::remainder(angle, 2 * std::numbers::pi); }
+
+std::uint64_t leafId(const CStem& stem, const CPath& path, std::uint32_t position, int i) {
+    const std::uint64_t site = hashCombine(hashCombine(stem.id, path.id), (std::uint64_t{position} << 32) | static_cast<std::uint32_t>(i));
+    return hashCombine(site, kDrawLeafId);
+}
+} // namespace
+
+Frame bentToLight(const Frame& frame, const glm::dvec3& position, double bend) {
+    if (bend == 0) return frame;
+    const glm::dvec3 n = frame[1];
+    const double outwards = wrapped(std::atan2(position.y, position.x) - std::atan2(n.y, n.x));
+    const Frame turned = rotatedWorldZ(frame, bend * outwards);
+    const glm::dvec3 m = turned[1];
+    const double level = std::hypot(m.x, m.y);
+    const glm::dvec3 axis = level > 1e-12 ? glm::dvec3(m.y, -m.x, 0) / level : turned[0];
+    return rotatedAbout(turned, axis, bend * std::atan2(level, m.z));
+}
+
+std::shared_ptr<const LeafArray> CLeafGrower::grow(const CGeneration& generation, const CProgress& progress) const {
+    const std::size_t stems = generation.stems.size();
+    std::vector<std::size_t> first(stems + 1, 0);
+    parallelFor(stems, kGrain,
+                [&](std::size_t begin, std::size_t end) {
+                    for (std::size_t s = begin; s < end; ++s) first[s + 1] = countOn(generation, generation.stems[s]);
+                },
+                progress);
+    for (std::size_t s = 0; s < stems; ++s) first[s + 1] += first[s];
+    auto leaves = std::make_shared<LeafArray>();
+    leaves->resize(first[stems]);
+    parallelFor(stems, kGrain,
+                [&](std::size_t begin, std::size_t end) {
+                    for (std::size_t s = begin; s < end; ++s)
+                        growOn(generation, static_cast<std::uint32_t>(s), leaves->data() + first[s]);
+                },
+                progress);
+    return leaves;
+}
+
+double CLeafGrower::numberOn(const CStem& stem) const {
+    const GlobalParams& g = m_bearing.global();
+    const double along = stem.measures.offset / stem.measures.parentLength;
+    return std::abs(g.leaves) * shapeRatio(kTaperedShape, along, g) * g.leafQuality;
+}
+
+double CLeafGrower::startError(const CStem& stem) const {
+    return centred(stem.key + 2.0 / 3 + m_random.phase(stem.id, kDrawCountPhase));
+}
+
+int CLeafGrower::fanSize(const CGeneration& generation, const CStem& stem, const CPath& path) const {
+    const CSegment& last = generation.segments[path.firstSegment + path.segmentCount - 1];
+    return static_cast<int>(std::floor(numberOn(stem) * last.density + 0.5));
+}
+
+std::size_t CLeafGrower::countOn(const CGeneration& generation, const CStem& stem) const {
+    std::size_t count = 0;
+    if (m_bearing.global().leaves < 0) {
+        for (std::uint32_t p = 0; p < stem.pathCount; ++p)
+            count += static_cast<std::size_t>(fanSize(generation, stem, generation.paths[stem.firstPath + p]));
+        return count;
+    }
+    distribute(generation, stem, m_bearing.calc().bareLength(), numberOn(stem), startError(stem),
+               [&](const SegmentShare& share) { count += static_cast<std::size_t>(share.count); });
+    return count;
+}
+
+void CLeafGrower::growOn(const CGeneration& generation, std::uint32_t stem, CLeaf* leaf) const {
+    if (m_bearing.global().leaves < 0) growFans(generation, stem, leaf);
+    else growAlong(generation, stem, leaf);
+}
+
+void CLeafGrower::growAlong(const CGeneration& generation, std::uint32_t s, CLeaf* leaf) const {
+    const CStem& stem = generation.stems[s];
+    const LevelParams& level = m_leafLevel.level();
+    CRotation rotation(level.rotate);
+    std::uint32_t path = stem.pathCount;
+    distribute(generation, stem, m_bearing.calc().bareLength(), numberOn(stem), startError(stem), [&](const SegmentShare& share) {
+        const CPath& own = generation.paths[stem.firstPath + share.path];
+        if (share.path != path) rotation.startPath(own.phase);
+        path = share.path;
+        const CSegment& segment = generation.segments[share.segment];
+        for (int i = 0; i < share.count; ++i) {
+            const std::uint64_t id = leafId(stem, own, share.position, i);
+            const double w = placeInSegment(share, i, 1, m_random.vary(level.branchDistV, id, kDrawPlace));
+            const double offset = (share.position + w) * segment.length;
+            const double turn = rotation.next(m_random.vary(level.rotateV, id, kDrawRotation));
+            const double down = downAngle(level, m_bearing.calc(), stem.measures, offset, m_random.uniform(id, kDrawDownAngle));
+            *leaf++ = makeLeaf(segment.centre(w), rotatedX(rotatedZ(segment.frame, turn), down), s);
+        }
+    });
+}
+
+void CLeafGrower::growFans(const CGeneration& generation, std::uint32_t s, CLeaf* leaf) const {
+    const CStem& stem = generation.stems[s];
+    const LevelParams& level = m_leafLevel.level();
+    for (std::uint32_t p = 0; p < stem.pathCount; ++p) {
+        const CPath& path = generation.paths[stem.firstPath + p];
+        const CSegment& last = generation.segments[path.firstSegment + path.segmentCount - 1];
+        const int count = fanSize(generation, stem, path);
+        for (int i = 0; i < count; ++i) {
+            const std::uint64_t id = leafId(stem, path, stem.curveRes, i);
+            const double inFan = count > 1 ? level.rotate * (double(i) / (count - 1) - 0.5) : 0;
+            const double turn = inFan + m_random.vary(level.rotateV, id, kDrawRotation);
+            const double down =
+                downAngle(level, m_bearing.calc(), stem.measures, stem.measures.length, m_random.uniform(id, kDrawDownAngle));
+            *leaf++ = makeLeaf(last.centre(1), rotatedX(rotatedY(last.frame, turn), down), s);
+        }
+    }
+}
+
+CLeaf CLeafGrower::makeLeaf(const glm::dvec3& position, const Frame& frame, std::uint32_t stem) const {
+    const GlobalParams& g = m_bearing.global();
+    const Frame bent = bentToLight(frame, position, g.leafBend);
+    const double length = g.leafScale / std::sqrt(g.leafQuality);
+    return {position, bent[2], bent[1], length, length * g.leafScaleX, stem};
+}
+
+} // namespace stromar

@@ -1,0 +1,28 @@
+#include "stromar/tree/Tree.h"
+#include <glm/geometric.hpp>
+#include <numbers>
+
+namespace stromar {
+
+namespace {
+constexpr double kTurn = 2 * std::numbers::pi;
+}
+
+glm::dvec3 CSegment::centre(double t) const {
+    if (helixRadius == 0) return axisPoint(t);
+    return axisPoint(t) + helixRadius * (std::cos(kTurn * t) - 1) * frame[0] + helixRadius * std::sin(kTurn * t) * frame[1];
+}
+
+glm::dvec3 CSegment::tangent(double t) const {
+    if (helixRadius == 0) return frame[2];
+    const double around = kTurn * helixRadius;
+    return glm::normalize(length * frame[2] - around * std::sin(kTurn * t) * frame[0] + around * std::cos(kTurn * t) * frame[1]);
+}
+
+std::size_t CTree::stemCount() const {
+    std::size_t count = 0;
+    for (const auto& generation : m_generations) count += generation->stems.size();
+    return count;
+}
+
+} // namespace stromar

@@ -1,0 +1,279 @@
+#include "Draw.h"
+#include "LeafGrower.h"
+#include "Placement.h"
+#include "StemAxis.h"
+#include "stromar/params/TreeParams.h"
+#include "stromar/tree/TreeBuilder.h"
+#include "stromar/util/Parallel.h"
+#include <cmath>
+#include <iterator>
+
+namespace stromar {
+
+namespace {
+constexpr std::uint64_t kTrunkId = 1;
+constexpr double kTrunkKey = 0.20710678118654752; // (√2 − 1) / 2
+constexpr double kLeastLength = 1e-5;             // metres; shorter stems are not grown
+constexpr std::size_t kParentGrain = 16, kStemGrain = 64;
+
+/// A place where a stem will grow, with all that its parent says about it.
+struct Site {
+    std::uint64_t id;
+    double key;
+    Frame frame;
+    glm::dvec3 base;
+    StemMeasures measures; ///< length before pruning; radius not yet known
+    StemMeasures parentMeasures;
+    double woodThere;
+    std::int32_t parent;
+    std::uint32_t path, position;
+};
+
+/// Appends `part`, whose indices count from its own arrays.
+void append(CGeneration& whole, CGeneration&& part) {
+    const auto paths = static_cast<std::uint32_t>(whole.paths.size());
+    const auto segments = static_cast<std::uint32_t>(whole.segments.size());
+    for (CStem& stem : part.stems) {
+        stem.firstPath += paths;
+        stem.firstSegment += segments;
+    }
+    for (CPath& path : part.paths) path.firstSegment += segments;
+    whole.stems.insert(whole.stems.end(), part.stems.begin(), part.stems.end());
+    whole.paths.insert(whole.paths.end(), part.paths.begin(), part.paths.end());
+    whole.segments.insert(whole.segments.end(), part.segments.begin(), part.segments.end());
+}
+
+/// Finds where children of one generation grow on the stems of the one before.
+class CSiteFinder {
+public:
+    CSiteFinder(const CTreeParams& parents, const CTreeParams& children, const CRandom& random)
+        : m_parents(parents), m_children(children), m_random(random) {}
+
+    std::vector<Site> find(const CGeneration& generation, const CProgress& progress) const {
+        const std::size_t count = generation.stems.size();
+        std::vector<std::vector<Site>> parts((count + kParentGrain - 1) / kParentGrain);
+        parallelFor(count, kParentGrain,
+                    [&](std::size_t begin, std::size_t end) {
+                        for (std::size_t s = begin; s < end; ++s)
+                            findOn(generation, static_cast<std::int32_t>(s), parts[begin / kParentGrain]);
+                    },
+                    progress);
+        std::vector<Site> sites;
+        for (std::vector<Site>& part : parts)
+            if (sites.empty()) sites = std::move(part);
+            else sites.insert(sites.end(), part.begin(), part.end());
+        return sites;
+    }
+
+private:
+    void findOn(const CGeneration& generation, std::int32_t parent, std::vector<Site>& sites) const {
+        const CStem& stem = generation.stems[static_cast<std::size_t>(parent)];
+        const LevelParams& level = m_children.level();
+        const double number = m_parents.calc().childCount(level.branches, stem.measures);
+        const double error = centred(stem.key + 1.0 / 3 + m_random.phase(stem.id, kDrawCountPhase));
+        CRotation rotation(level.rotate);
+        std::uint32_t path = stem.pathCount;
+        distribute(generation, stem, m_parents.calc().bareLength(), number, error, [&](const SegmentShare& share) {
+            if (share.path != path) rotation.startPath(generation.paths[stem.firstPath + share.path].phase);
+            path = share.path;
+            for (int i = 0; i < share.count; ++i) {
+                const Site site = makeSite(generation, parent, share, i, rotation);
+                if (site.measures.length > kLeastLength) sites.push_back(site);
+            }
+        });
+    }
+
+    Site makeSite(const CGeneration& generation, std::int32_t parent, const SegmentShare& share, int i, CRotation& rotation) const {
+        const CStem& stem = generation.stems[static_cast<std::size_t>(parent)];
+        const CSegment& segment = generation.segments[share.segment];
+        const LevelParams& level = m_children.level();
+        Site site{};
+        site.id = siteId(stem, generation.paths[stem.firstPath + share.path], share.position, i);
+        site.key = fraction(stem.key + 0.6180339887498949 * (i + 1) + 0.7320508075688772 * share.position +
+                            0.41421356237309515 * share.path);
+        const double w = placeInSegment(share, i, level.branchDist, m_random.vary(level.branchDistV, site.id, kDrawPlace));
+        const double offset = (share.position + w) * segment.length;
+        const double turn = rotation.next(m_random.vary(level.rotateV, site.id, kDrawRotation));
+        const double down =
+            downAngle(level, m_parents.calc(), stem.measures, offset, m_random.uniform(site.id, kDrawDownAngle));
+        site.frame = rotatedX(rotatedZ(segment.frame, turn), down);
+        site.base = segment.centre(w);
+        site.measures.lengthMax = level.length + m_random.vary(level.lengthV, site.id, kDrawLength);
+        site.measures.length = m_children.calc().length(site.measures.lengthMax, stem.measures, offset);
+        site.measures.offset = offset;
+        site.measures.parentLength = stem.measures.length;
+        site.parentMeasures = stem.measures;
+        site.woodThere = m_parents.calc().woodRadius(stem.taper, stem.measures, offset / stem.measures.length);
+        site.parent = parent;
+        site.path = share.path;
+        site.position = share.position;
+        return site;
+    }
+
+    static std::uint64_t siteId(const CStem& stem, const CPath& path, std::uint32_t position, int i) {
+        return hashCombine(hashCombine(stem.id, path.id), (std::uint64_t{position} << 32) | static_cast<std::uint32_t>(i));
+    }
+
+    const CTreeParams& m_parents;
+    const CTreeParams& m_children;
+    const CRandom& m_random;
+};
+
+/// Grows stems at their sites: form, pruning, radius, segments.
+class CStemGrower {
+public:
+    CStemGrower(const CTreeParams& params, const CRandom& random) : m_params(params), m_grower(params, random) {}
+
+    void grow(const Site& site, CGeneration& generation) {
+        m_grower.grow(site.id, site.key, site.frame, m_axis);
+        StemMeasures measures = site.measures;
+        if (site.parent >= 0) {
+            measures.length = prunedLength(site);
+            if (measures.length <= kLeastLength) return;
+            measures.radius = m_params.calc().childRadius(site.parentMeasures, measures.length, site.woodThere);
+        }
+        addStem(site, measures, generation);
+    }
+
+private:
+    /// Weber & Penn §4.6; every segment's end of every path is tested.
+    double prunedLength(const Site& site) const {
+        const double original = site.measures.length, ratio = m_params.global().pruneRatio;
+        if (ratio == 0) return original;
+        double fitted = original;
+        while (!fits(site.base, fitted)) {
+            fitted *= 0.9;
+            if (fitted >= 0.05 * original) continue;
+            fitted = 0;
+            break;
+        }
+        return original * (1 - ratio) + fitted * ratio;
+    }
+
+    bool fits(const glm::dvec3& base, double length) const {
+        for (const StemAxis::Segment& segment : m_axis.segments) {
+            const glm::dvec3 end = base + length * m_axis.end(segment);
+            if (!insideEnvelope(end.x, end.y, end.z, m_params.global(), m_params.calc().scaleTree())) return false;
+        }
+        return true;
+    }
+
+    void addStem(const Site& site, const StemMeasures& measures, CGeneration& generation) const {
+        CStem stem{};
+        stem.id = site.id;
+        stem.key = site.key;
+        stem.measures = measures;
+        stem.woodAtBase = site.woodThere;
+        stem.taper = m_params.level().taper;
+        stem.parent = site.parent;
+        stem.path = site.path;
+        stem.position = site.position;
+        stem.firstPath = static_cast<std::uint32_t>(generation.paths.size());
+        stem.pathCount = static_cast<std::uint32_t>(m_axis.paths.size());
+        stem.firstSegment = static_cast<std::uint32_t>(generation.segments.size());
+        stem.segmentCount = static_cast<std::uint32_t>(m_axis.segments.size());
+        stem.curveRes = static_cast<std::uint32_t>(m_axis.curveRes);
+        for (CPath path : m_axis.paths) {
+            for (std::uint32_t s = 0; s < path.segmentCount; ++s)
+                generation.segments.push_back(makeSegment(site, stem, m_axis.segments[path.firstSegment + s], path.firstPosition + s));
+            path.firstSegment += stem.firstSegment;
+            generation.paths.push_back(path);
+        }
+        generation.stems.push_back(stem);
+    }
+
+    CSegment makeSegment(const Site& site, const CStem& stem, const StemAxis::Segment& form, std::uint32_t position) const {
+        const double n = stem.curveRes, length = stem.measures.length / n;
+        const auto radius = [&](double z) { return CCalculations::taperedRadius(stem.taper, stem.measures, z); };
+        const double curveV = m_params.level().curveV;
+        return {.position = site.base + stem.measures.length * form.position,
+                .frame = form.frame,
+                .length = length,
+                .radiusBase = radius(position / n),
+                .radiusEnd = radius((position + 1) / n),
+                .density = form.density,
+                .helixRadius = curveV < 0 ? length * std::tan(-curveV) / (2 * 3.14159265358979323846) : 0,
+                .forks = form.forks};
+    }
+
+    const CTreeParams& m_params;
+    CAxisGrower m_grower;
+    StemAxis m_axis;
+};
+
+std::shared_ptr<const CGeneration> growStems(const CTreeParams& params, const CRandom& random, const std::vector<Site>& sites,
+                                             const CProgress& progress) {
+    std::vector<CGeneration> parts((sites.size() + kStemGrain - 1) / kStemGrain);
+    parallelFor(sites.size(), kStemGrain,
+                [&](std::size_t begin, std::size_t end) {
+                    CStemGrower grower(params, random);
+                    for (std::size_t s = begin; s < end; ++s) grower.grow(sites[s], parts[begin / kStemGrain]);
+                },
+                progress);
+    auto generation = std::make_shared<CGeneration>();
+    std::size_t stems = 0, paths = 0, segments = 0;
+    for (const CGeneration& part : parts) {
+        stems += part.stems.size();
+        paths += part.paths.size();
+        segments += part.segments.size();
+    }
+    generation->stems.reserve(stems);
+    generation->paths.reserve(paths);
+    generation->segments.reserve(segments);
+    for (CGeneration& part : parts) append(*generation, std::move(part));
+    return generation;
+}
+
+Site trunkSite(const CTreeParams& params, const CRandom& random) {
+    const GlobalParams& g = params.global();
+    Site site{};
+    site.id = kTrunkId;
+    site.key = kTrunkKey;
+    site.frame = Frame(1.0);
+    site.parent = -1;
+    site.measures.lengthMax = params.level().length + random.vary(params.level().lengthV, kTrunkId, kDrawLength);
+    site.measures.length = params.calc().length(site.measures.lengthMax, {}, 0);
+    site.measures.radius =
+        site.measures.length * g.ratio * (g.trunkScale + random.vary(g.trunkScaleV, kTrunkId, kDrawTrunkScale));
+    return site;
+}
+
+std::vector<Site> sitesOf(int generation, const std::vector<std::shared_ptr<const CGeneration>>& grown,
+                          const std::vector<CTreeParams>& params, const CRandom& random, const CProgress& progress) {
+    const auto g = static_cast<std::size_t>(generation);
+    if (generation > 0) return CSiteFinder(params[g - 1], params[g], random).find(*grown[g - 1], progress);
+    const Site trunk = trunkSite(params[0], random);
+    return trunk.measures.length > kLeastLength ? std::vector<Site>{trunk} : std::vector<Site>{};
+}
+
+CRandom randomOf(const CParams& params, bool varied) {
+    return {static_cast<std::uint64_t>(static_cast<std::int64_t>(params.global.seed)), varied};
+}
+} // namespace
+
+double scaleOfTree(const CParams& params, bool varied) {
+    const GlobalParams& g = params.global;
+    return std::max(g.scale + randomOf(params, varied).vary(g.scaleV, kTrunkId, kDrawTreeScale), 0.1 * g.scale);
+}
+
+std::shared_ptr<const CTree> CWeberPennBuilder::build(const CParams& params, const CTree* previous, int firstObsolete,
+                                                      const CProgress& progress) const {
+    const CRandom random = randomOf(params, m_varied);
+    const double scale = scaleOfTree(params, m_varied);
+    const int levels = params.global.levels;
+    std::vector<CTreeParams> seen;
+    for (int g = 0; g <= levels; ++g) seen.emplace_back(params, g, scale);
+    std::vector<std::shared_ptr<const CGeneration>> grown;
+    for (int g = 0; g < levels; ++g) {
+        progress.poll();
+        const bool kept = previous && g < firstObsolete && g < static_cast<int>(previous->generationCount());
+        grown.push_back(kept ? previous->generations()[static_cast<std::size_t>(g)]
+                             : growStems(seen[static_cast<std::size_t>(g)], random, sitesOf(g, grown, seen, random, progress), progress));
+    }
+    const auto last = static_cast<std::size_t>(levels) - 1;
+    auto leaves = levels < 2 ? std::make_shared<const LeafArray>()
+                             : CLeafGrower(seen[last], seen[last + 1], random).grow(*grown[last], progress);
+    return std::make_shared<const CTree>(scale, std::move(grown), std::move(leaves));
+}
+
+} // namespace stromar

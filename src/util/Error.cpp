@@ -1,0 +1,21 @@
+#include "stromar/util/Error.h"
+
+namespace stromar {
+
+namespace {
+std::string join(const Messages& messages) {
+    std::string all;
+    for (const Message& m : messages) all += (all.empty() ? "" : "\n") + m.toString();
+    return all;
+}
+} // namespace
+
+std::string Message::toString() const {
+    std::string place = file;
+    if (line > 0) place += ":" + std::to_string(line) + ":" + std::to_string(column);
+    return place + (place.empty() ? "" : ": ") + (severity == Severity::Error ? "error: " : "warning: ") + text;
+}
+
+CInputError::CInputError(Messages messages) : CError(join(messages)), m_messages(std::move(messages)) {}
+
+} // namespace stromar

@@ -1,0 +1,74 @@
+#include "stromar/util/Text.h"
+#include <algorithm>
+#include <array>
+#include <charconv>
+#include <cmath>
+#include <numeric>
+#include <vector>
+
+namespace stromar {
+
+namespace {
+std::size_t editDistance(std::string_view a, std::string_view b) {
+    std::vector<std::size_t> row(b.size() + 1);
+    std::iota(row.begin(), row.end(), std::size_t{0});
+    for (std::size_t i = 0; i < a.size(); ++i) {
+        std::size_t diagonal = row[0]++;
+        for (std::size_t j = 0; j < b.size(); ++j) {
+            const std::size_t above = row[j + 1];
+            row[j + 1] = std::min({above + 1, row[j] + 1, diagonal + (a[i] == b[j] ? 0 : 1)});
+            diagonal = above;
+        }
+    }
+    return row.back();
+}
+} // namespace
+
+std::string_view trimmed(std::string_view text) {
+    constexpr std::string_view kBlanks = " \t\r";
+    const auto first = text.find_first_not_of(kBlanks);
+    if (first == std::string_view::npos) return {};
+    return text.substr(first, text.find_last_not_of(kBlanks) - first + 1);
+}
+
+std::string numberText(double value) {
+    std::array<char, 40> buffer{};
+    const auto end = std::to_chars(buffer.data(), buffer.data() + buffer.size(), value).ptr;
+    return {buffer.data(), end};
+}
+
+std::optional<double> parseNumber(std::string_view text) {
+    if (text.starts_with('+') && !text.starts_with("+-")) text.remove_prefix(1);
+    double value = 0;
+    const auto [end, problem] = std::from_chars(text.data(), text.data() + text.size(), value);
+    if (problem != std::errc{} || end != text.data() + text.size() || !std::isfinite(value)) return {};
+    return value;
+}
+
+std::string lowerCase(std::string_view text) {
+    std::string lower(text);
+    for (char& c : lower)
+        if (c >= 'A' && c <= 'Z') c = static_cast<char>(c - 'A' + 'a');
+    return lower;
+}
+
+std::optional<std::string> nearestWord(std::string_view word, std::span<const std::string> known) {
+    const std::string wanted = lowerCase(word);
+    const std::string* best = nullptr;
+    std::size_t bestDistance = 1 + wanted.size() / 3;
+    for (const std::string& candidate : known) {
+        const std::size_t distance = editDistance(wanted, lowerCase(candidate));
+        if (distance < bestDistance || (!best && distance == bestDistance)) {
+            best = &candidate;
+            bestDistance = distance;
+        }
+    }
+    return best ? std::optional(*best) : std::nullopt;
+}
+
+std::string suggestion(std::string_view word, std::span<const std::string> known) {
+    const auto near = nearestWord(word, known);
+    return near ? ", did you mean '" + *near + "'?" : std::string();
+}
+
+} // namespace stromar
