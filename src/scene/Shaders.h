@@ -37,26 +37,30 @@ void main() {
     vec3 up = (osg_ViewMatrix * vec4(0.0, 0.0, 1.0, 0.0)).xyz;
     float facing = dot(n, normalize(sun));
     float direct = max(facing, 0.0) + leaf * 0.55 * max(-facing, 0.0);
-    vec3 sky = mix(vec3(0.30, 0.30, 0.24), vec3(0.62, 0.70, 0.82), 0.5 + 0.5 * dot(n, up));
+    vec3 sky = mix(vec3(0.44, 0.43, 0.34), vec3(0.70, 0.78, 0.88), 0.5 + 0.5 * dot(n, up));
     colour.rgb *= mix(vec3(1.0), vec3(0.82 + 0.36 * shade, 0.88 + 0.24 * shade, 0.80 + 0.2 * shade), leaf);
-    float open = mix(0.45, 1.0, openness);
-    vec3 light = sky * open * 0.75 + vec3(1.15, 1.08, 0.95) * direct * mix(0.55, 1.0, openness);
+    vec3 light = sky * mix(0.55, 0.95, openness) + vec3(1.05, 0.99, 0.86) * direct * mix(0.5, 1.0, openness);
     gl_FragColor = vec4(colour.rgb * light, 1.0);
 }
 )";
 
 inline constexpr const char* kSkyVertexShader = R"(#version 120
-varying float height;
+varying vec3 direction;
 void main() {
     gl_Position = vec4(gl_Vertex.xy, 0.999, 1.0);
-    height = 0.5 + 0.5 * gl_Vertex.y;
+    vec4 near_ = gl_ModelViewProjectionMatrixInverse * vec4(gl_Vertex.xy, -1.0, 1.0);
+    vec4 far_ = gl_ModelViewProjectionMatrixInverse * vec4(gl_Vertex.xy, 1.0, 1.0);
+    direction = far_.xyz / far_.w - near_.xyz / near_.w;
 }
 )";
 
 inline constexpr const char* kSkyFragmentShader = R"(#version 120
-varying float height;
+varying vec3 direction;
 void main() {
-    gl_FragColor = vec4(mix(vec3(0.83, 0.86, 0.88), vec3(0.56, 0.69, 0.83), height), 1.0);
+    float height = normalize(direction).z;
+    vec3 above = mix(vec3(0.86, 0.89, 0.90), vec3(0.47, 0.63, 0.81), smoothstep(0.0, 0.45, height));
+    vec3 below = mix(vec3(0.86, 0.89, 0.90), vec3(0.60, 0.64, 0.55), smoothstep(0.0, 0.25, -height));
+    gl_FragColor = vec4(height > 0.0 ? above : below, 1.0);
 }
 )";
 
@@ -77,8 +81,8 @@ void main() {
     vec2 inShadow = (place - crownMiddle.xy - vec2(-0.35, 0.45) * crownMiddle.z) / (crownSize.xy + 0.02 * size);
     float shadow = 0.45 * (1.0 - smoothstep(0.25, 1.15, length(inShadow)));
     float trunk = 0.35 * (1.0 - smoothstep(0.0, 0.25, length(place) / size));
-    vec3 grass = vec3(0.50, 0.55, 0.40) * (1.0 - max(shadow, trunk));
-    gl_FragColor = vec4(grass, 1.0 - smoothstep(1.2, 5.5, far_));
+    vec3 grass = vec3(0.54, 0.59, 0.44) * (1.0 - max(shadow, trunk));
+    gl_FragColor = vec4(grass, 1.0 - smoothstep(1.0, 5.8, far_));
 }
 )";
 

@@ -1,0 +1,42 @@
+#pragma once
+#include "stromar/app/Export.h"
+#include <QObject>
+#include <QString>
+#include <filesystem>
+#include <thread>
+
+namespace stromar {
+
+/// One export, on a thread of its own. Tells once how it ended: done, failed or cancelled.
+class CExportJob : public QObject {
+    Q_OBJECT
+public:
+    struct Task {
+        CParams params;
+        std::shared_ptr<const TreeModel> model; ///< when it is already made; else it is made first
+        std::filesystem::path treeFolder, path;
+        double mostVertices = CTreeCreator::kMostVertices;
+    };
+
+    explicit CExportJob(Task task, QObject* parent = nullptr) : QObject(parent), m_task(std::move(task)) {}
+    /// Cancels and waits.
+    ~CExportJob() override;
+
+    /// Once, after the signal is connected.
+    void start();
+    void cancel() { m_progress.cancel(); }
+    double progress() const { return m_progress.done(); }
+
+signals:
+    /// `why` is empty when all went well; cancelled tells that the user stopped it.
+    void finished(const QString& why, bool cancelled);
+
+private:
+    void work();
+
+    Task m_task;
+    CProgress m_progress;
+    std::jthread m_thread;
+};
+
+} // namespace stromar

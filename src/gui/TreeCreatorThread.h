@@ -1,0 +1,65 @@
+#pragma once
+#include "stromar/app/TreeCreator.h"
+#include "stromar/scene/ViewScene.h"
+#include <QThread>
+#include <chrono>
+#include <condition_variable>
+#include <mutex>
+#include <optional>
+
+namespace stromar {
+
+/// A model ready for the viewport.
+struct ViewModel {
+    std::shared_ptr<const TreeModel> model;
+    std::vector<ViewPart> parts;
+};
+
+/// Creates trees away from the GUI thread. One slot: a newer request replaces the waiting one and cancels the running
+/// one. Results arrive as queued signals.
+class CTreeCreatorThread : public QThread {
+    Q_OBJECT
+public:
+    explicit CTreeCreatorThread(std::unique_ptr<CTreeCreator> creator, QObject* parent = nullptr);
+    /// Cancels what runs and waits for it to stop.
+    ~CTreeCreatorThread() override;
+
+    /// Any thread; returns at once. `anew` forgets what was made before.
+    void request(const CParams& params, const Detail& detail, bool anew = false);
+    /// Share of the running work that is done, 0..1; nothing when idle.
+    std::optional<double> progress() const;
+
+signals:
+    void created(std::shared_ptr<const stromar::ViewModel> view);
+    void failed(const QString& why);
+
+protected:
+    void run() override;
+
+private:
+    struct Request {
+        CParams params;
+        const Detail* detail;
+        bool anew;
+    };
+    using Clock = std::chrono::steady_clock;
+
+    std::optional<Request> nextRequest();
+    std::shared_ptr<const ViewModel> create(const Request& request, const CProgress& progress);
+    bool mayFinish() const;
+
+    std::unique_ptr<CTreeCreator> m_creator; // this and the next: run() only
+    std::vector<std::pair<std::shared_ptr<const CMesh>, ViewPart>> m_parts;
+
+    mutable std::mutex m_mutex; // std: ThreadSanitizer cannot see QMutex. Guards all below.
+    std::condition_variable m_wake;
+    std::optional<Request> m_wanted;
+    std::optional<CProgress> m_running;
+    bool m_runningSimple = false;
+    Clock::time_point m_lastResult;
+    bool m_quit = false;
+};
+
+} // namespace stromar
+
+Q_DECLARE_METATYPE(std::shared_ptr<const stromar::ViewModel>)

@@ -1,0 +1,96 @@
+#include "MainWindow.h"
+#include "Viewport.h"
+#include <QApplication>
+#include <QCommandLineParser>
+#include <QFileInfo>
+#include <QTimer>
+#include <cstdio>
+
+namespace {
+using namespace stromar;
+
+/// What the command line asks for.
+struct Options {
+    QString file, screenshot;
+    QSize size;
+    Model model = Model::Full;
+    double mostVertices = CTreeCreator::kMostVertices;
+};
+
+int wrongUsage(const QString& why) {
+    std::fprintf(stderr, "stromar: %s\n", qPrintable(why));
+    return 2;
+}
+
+/// Fills `options`; the text is what is wrong with the command line.
+QString read(const QApplication& app, Options& options) {
+    QCommandLineParser parser;
+    parser.setApplicationDescription(QStringLiteral("Shows and edits trees."));
+    parser.addHelpOption();
+    parser.addVersionOption();
+    parser.addPositionalArgument(QStringLiteral("FILE.tree"), QStringLiteral("The tree to open."), QStringLiteral("[FILE.tree]"));
+    const QCommandLineOption screenshot(QStringLiteral("screenshot"), QStringLiteral("Saves a picture of the window and leaves."), QStringLiteral("OUT.png"));
+    const QCommandLineOption size(QStringLiteral("size"), QStringLiteral("Size of the window."), QStringLiteral("WxH"));
+    const QCommandLineOption model(QStringLiteral("model"), QStringLiteral("The model of the picture: full or simple."), QStringLiteral("NAME"), QStringLiteral("full"));
+    const QCommandLineOption most(QStringLiteral("max-vertices"), QStringLiteral("Refuses trees that may be larger."), QStringLiteral("N"));
+    parser.addOptions({screenshot, size, model, most});
+    parser.process(app);
+    const QStringList files = parser.positionalArguments();
+    if (files.size() > 1) return QStringLiteral("only one file can be opened");
+    options.file = files.value(0);
+    options.screenshot = parser.value(screenshot);
+    if (parser.isSet(size)) {
+        const QStringList sides = parser.value(size).split(QLatin1Char('x'));
+        options.size = QSize(sides.value(0).toInt(), sides.value(1).toInt());
+        if (sides.size() != 2 || options.size.width() < 100 || options.size.height() < 100 || options.size.width() > 16384 || options.size.height() > 16384)
+            return QStringLiteral("--size wants WxH, at least 100x100");
+    }
+    if (parser.value(model) != QLatin1String("full") && parser.value(model) != QLatin1String("simple")) return QStringLiteral("--model is full or simple");
+    if (parser.value(model) == QLatin1String("simple")) options.model = Model::Simple;
+    if (parser.isSet(most)) {
+        options.mostVertices = parser.value(most).toDouble();
+        if (!(options.mostVertices > 0)) return QStringLiteral("--max-vertices wants a number");
+    }
+    return {};
+}
+
+/// Waits until the wanted model is drawn, saves the window's picture and leaves.
+void takeScreenshot(CMainWindow& window, const Options& options) {
+    window.showOnly(options.model);
+    QObject::connect(&window, &CMainWindow::modelShown, &window, [&window, options] {
+        if (window.shown()->model->detail->model != options.model || window.shown()->model->params != window.document().params()) return;
+        // Once more around the event loop, so that the viewport has drawn and the bars are laid out.
+        QTimer::singleShot(300, &window, [&window, options] {
+            const bool done = window.grab().save(options.screenshot);
+            if (!done) std::fprintf(stderr, "stromar: cannot write %s\n", qPrintable(options.screenshot));
+            QApplication::exit(done ? 0 : 1);
+        });
+    });
+}
+} // namespace
+
+int main(int argc, char** argv) {
+    QCoreApplication::setOrganizationName(QStringLiteral("Stromar"));
+    QCoreApplication::setApplicationName(QStringLiteral("Stromar"));
+    QCoreApplication::setApplicationVersion(QStringLiteral(STROMAR_VERSION));
+    QCoreApplication::setAttribute(Qt::AA_ShareOpenGLContexts);
+    QSurfaceFormat::setDefaultFormat(CViewport::surfaceFormat(0));
+    QApplication app(argc, argv);
+    Options options;
+    if (const QString why = read(app, options); !why.isEmpty()) return wrongUsage(why);
+    try {
+        CMainWindow window(options.mostVertices);
+        if (options.size.isValid()) window.resize(options.size);
+        if (!options.screenshot.isEmpty() && !options.file.isEmpty() && !QFileInfo::exists(options.file)) {
+            std::fprintf(stderr, "stromar: cannot read %s\n", qPrintable(options.file));
+            return 1;
+        }
+        window.show();
+        if (!options.file.isEmpty() && !window.open(options.file) && !options.screenshot.isEmpty()) return 1;
+        if (!options.screenshot.isEmpty()) takeScreenshot(window, options);
+        return QApplication::exec();
+    } catch (const std::exception& e) {
+        std::fprintf(stderr, "stromar: %s\n", e.what());
+        return 1;
+    }
+}
