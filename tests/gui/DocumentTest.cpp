@@ -1,0 +1,101 @@
+#include "Document.h"
+#include "Support.h"
+#include "stromar/util/FileSet.h"
+#include <QFile>
+#include <QSignalSpy>
+#include <QTemporaryDir>
+#include <gtest/gtest.h>
+
+namespace stromar {
+namespace {
+
+double valueOf(const CDocument& document, const char* key) { return paramRef(key).get(document.params()); }
+
+TEST(Document, ADragIsOneStepAndGesturesAreApart) {
+    CDocument document;
+    for (const double v : {11.0, 12.0, 13.0}) document.setValue(paramRef("Scale"), v, 1);
+    document.setValue(paramRef("Scale"), 14, 2);
+    document.setValue(paramRef("Ratio"), 0.5, 2);
+    EXPECT_EQ(document.history().count(), 3);
+    document.history().undo();
+    EXPECT_EQ(valueOf(document, "Ratio"), CDocument().params().global.ratio);
+    document.history().undo();
+    EXPECT_EQ(valueOf(document, "Scale"), 13);
+    document.history().undo();
+    EXPECT_EQ(document.params(), CParams());
+    EXPECT_TRUE(document.history().isClean());
+    document.history().redo();
+    EXPECT_EQ(valueOf(document, "Scale"), 13);
+}
+
+TEST(Document, ADragBackToItsStartLeavesNoStep) {
+    CDocument document;
+    for (const double v : {11.0, 12.0, 10.0}) document.setValue(paramRef("Scale"), v, 1);
+    EXPECT_EQ(document.history().count(), 0);
+    EXPECT_TRUE(document.history().isClean());
+}
+
+TEST(Document, EditsOfEveryValueAreTakenBack) {
+    for (const ParamRef& ref : allParams()) {
+        CDocument document;
+        const double other = ref.get(document.params()) == ref.info->range.max ? ref.info->range.min : ref.info->range.max;
+        document.setValue(ref, other, 0);
+        EXPECT_EQ(ref.get(document.params()), other) << ref.key();
+        document.history().undo();
+        EXPECT_EQ(document.params(), CParams()) << ref.key();
+    }
+}
+
+TEST(Document, AFileThatCannotBeReadChangesNothing) {
+    QTemporaryDir folder;
+    const QString bad = folder.filePath(QStringLiteral("bad.tree"));
+    writeFile(bad.toStdString(), "Format = 1\nScale = big\n");
+    CDocument document;
+    document.open(presetPath("black_tupelo"));
+    document.setValue(paramRef("Scale"), 11, 0);
+    const CParams before = document.params();
+    EXPECT_THROW(document.open(bad), CInputError);
+    EXPECT_THROW(document.open(folder.filePath(QStringLiteral("missing.tree"))), CError);
+    EXPECT_EQ(document.params(), before);
+    EXPECT_EQ(document.path(), presetPath("black_tupelo"));
+    EXPECT_EQ(document.history().count(), 1);
+}
+
+TEST(Document, SavingMakesItCleanAndReadsBack) {
+    QTemporaryDir folder;
+    CDocument document;
+    document.open(presetPath("quaking_aspen"));
+    document.setValue(paramRef("1DownAngle"), 33, 0);
+    EXPECT_FALSE(document.history().isClean());
+    const QString path = folder.filePath(QStringLiteral("a.tree"));
+    document.save(path);
+    EXPECT_TRUE(document.history().isClean());
+    EXPECT_EQ(document.path(), path);
+    EXPECT_EQ(CTreeFile::read(path.toStdString()).params(), document.params());
+    document.history().undo();
+    EXPECT_FALSE(document.history().isClean());
+}
+
+TEST(Document, TexturePathsFollowTheFile) {
+    QTemporaryDir folder;
+    QDir(folder.path()).mkpath(QStringLiteral("trees/deep"));
+    CDocument document;
+    document.save(folder.filePath(QStringLiteral("trees/a.tree")));
+    document.setText(*std::get<const TextInfo*>(*findParam("BarkTexture")), QStringLiteral("oak.png"));
+    document.save(folder.filePath(QStringLiteral("trees/deep/b.tree")));
+    EXPECT_EQ(document.params().text.barkTexture, "../oak.png");
+    EXPECT_EQ(document.params().text.leafTexture, "");
+}
+
+TEST(Document, AFailedSaveKeepsFileAndChanges) {
+    QTemporaryDir folder;
+    CDocument document;
+    document.setValue(paramRef("Scale"), 20, 0);
+    EXPECT_THROW(document.save(folder.filePath(QStringLiteral("no/such/a.tree"))), CError);
+    EXPECT_THROW(document.save(folder.path()), CError);
+    EXPECT_TRUE(document.path().isEmpty());
+    EXPECT_FALSE(document.history().isClean());
+}
+
+} // namespace
+} // namespace stromar

@@ -1,0 +1,323 @@
+#include "Commands.h"
+#include "MainWindow.h"
+#include "ParamEditor.h"
+#include "ParamPanel.h"
+#include "Support.h"
+#include "Viewport.h"
+#include "stromar/app/Formats.h"
+#include <QAbstractButton>
+#include <QAction>
+#include <QApplication>
+#include <QDockWidget>
+#include <QFileInfo>
+#include <QLabel>
+#include <QListWidget>
+#include <QMenu>
+#include <QMessageBox>
+#include <QProcess>
+#include <QSignalSpy>
+#include <QSlider>
+#include <QSpinBox>
+#include <QStyleOptionSlider>
+#include <QTemporaryDir>
+#include <QTimer>
+#include <gtest/gtest.h>
+
+namespace stromar {
+namespace {
+
+class WindowTest : public ::testing::Test {
+protected:
+    void SetUp() override {
+        window.show();
+        ASSERT_TRUE(QTest::qWaitForWindowExposed(&window));
+        QApplication::setActiveWindow(&window); // a bare X server has no window manager to do it
+        ASSERT_TRUE(window.open(presetPath("quaking_aspen")));
+        ASSERT_TRUE(showsNow(Model::Full));
+    }
+    /// Waits until the viewport shows the document's tree by this model.
+    bool showsNow(Model model) {
+        return waitFor([&] {
+            const ViewModel* shown = window.shown();
+            return shown && shown->model->detail->model == model && shown->model->params == window.document().params();
+        });
+    }
+    QAction* action(const char* name) { return window.findChild<QAction*>(QLatin1String(name)); }
+    QSlider* slider(const char* key) { return window.panel().editor(paramRef(key))->findChild<QSlider*>(); }
+    double value(const char* key) { return paramRef(key).get(window.document().params()); }
+    QString notice() { return window.findChild<QLabel*>(QStringLiteral("notice"))->text(); }
+    QImage picture() { return window.viewport().grabFramebuffer(); }
+
+    /// Presses a button of the next message box.
+    void answerNext(QMessageBox::StandardButton button) {
+        asked = false;
+        auto* poll = new QTimer(&window);
+        QObject::connect(poll, &QTimer::timeout, poll, [this, poll, button] {
+            auto* box = qobject_cast<QMessageBox*>(QApplication::activeModalWidget());
+            if (!box) return;
+            asked = true;
+            question = box->text();
+            poll->deleteLater();
+            box->button(button)->click();
+        });
+        poll->start(20);
+    }
+
+    CMainWindow window;
+    bool asked = false;
+    QString question;
+};
+
+TEST_F(WindowTest, ADragShowsTheSimpleModelThenTheFullOneAndIsOneStep) {
+    window.panel().setCurrentIndex(2);
+    QSlider* down = slider("1DownAngle");
+    QTest::qWait(50);
+    std::vector<Model> models;
+    QObject::connect(&window, &CMainWindow::modelShown, &window, [&] { models.push_back(window.shown()->model->detail->model); });
+    const double before = value("1DownAngle");
+    const int y = down->height() / 2;
+    QStyleOptionSlider option;
+    option.initFrom(down);
+    const int handle = QStyle::sliderPositionFromValue(down->minimum(), down->maximum(), down->value(), down->width() - 14) + 7;
+    QTest::mousePress(down, Qt::LeftButton, {}, {handle, y});
+    ASSERT_TRUE(down->isSliderDown());
+    for (int i = 1; i <= 10; ++i) {
+        QTest::mouseMove(down, {handle + 5 * i, y});
+        QTest::qWait(20);
+    }
+    QTest::qWait(600); // longer than the pause: the hand holds the slider, so the full model waits
+    EXPECT_EQ(std::ranges::count(models, Model::Full), 0);
+    EXPECT_GT(std::ranges::count(models, Model::Simple), 2);
+    QTest::mouseRelease(down, Qt::LeftButton, {}, {handle + 50, y});
+    EXPECT_TRUE(showsNow(Model::Full));
+    EXPECT_GT(value("1DownAngle"), before + 5);
+    EXPECT_EQ(window.document().history().count(), 1);
+    EXPECT_TRUE(window.isWindowModified());
+    action("undo")->trigger();
+    EXPECT_EQ(value("1DownAngle"), before);
+    EXPECT_FALSE(window.isWindowModified());
+    EXPECT_TRUE(showsNow(Model::Full));
+    action("redo")->trigger();
+    EXPECT_GT(value("1DownAngle"), before + 5);
+    window.document().history().setClean();
+}
+
+TEST_F(WindowTest, TheMouseTurnsZoomsPansAndSpaceRecentres) {
+    CViewport& view = window.viewport();
+    QTest::qWait(50);
+    view.recentre();
+    const osg::Vec3d home = view.eye();
+    const double distance = view.distance();
+    const QPoint middle = view.rect().center();
+    const auto drag = [&](Qt::MouseButton button, QPoint by) {
+        QTest::mousePress(&view, button, {}, middle);
+        for (int i = 1; i <= 4; ++i) {
+            QMouseEvent move(QEvent::MouseMove, QPointF(middle + by * i / 4), view.mapToGlobal(QPointF(middle + by * i / 4)), Qt::NoButton, button, {});
+            QCoreApplication::sendEvent(&view, &move);
+            QTest::qWait(10);
+        }
+        QTest::mouseRelease(&view, button, {}, middle + by);
+        QTest::qWait(30);
+    };
+    const QImage before = picture();
+    drag(Qt::LeftButton, {120, 0});
+    EXPECT_GT((view.eye() - home).length(), 1) << "left drag turns";
+    EXPECT_NEAR(view.distance(), distance, 1e-6);
+    EXPECT_NE(picture(), before);
+    drag(Qt::RightButton, {0, 60});
+    EXPECT_GT(std::abs(view.distance() - distance), 0.1) << "right drag zooms";
+    QTest::keyClick(&view, Qt::Key_Space);
+    QTest::qWait(50);
+    EXPECT_LT((view.eye() - home).length(), 1e-6) << "space recentres";
+    drag(Qt::MiddleButton, {80, 0});
+    EXPECT_GT((view.eye() - home).length(), 0.1) << "middle drag pans";
+    EXPECT_NEAR(view.distance(), distance, 1e-6);
+    view.recentre();
+    QTest::qWait(30);
+    QWheelEvent wheel(middle, view.mapToGlobal(QPointF(middle)), {}, {0, 120}, Qt::NoButton, Qt::NoModifier, Qt::NoScrollPhase, false);
+    QCoreApplication::sendEvent(&view, &wheel);
+    QTest::qWait(50);
+    EXPECT_LT(view.distance(), distance) << "wheel forward comes nearer";
+    window.panel().setFocus();
+    QTest::keyClick(&window, Qt::Key_Space);
+    QTest::qWait(50);
+    EXPECT_LT((view.eye() - home).length(), 1e-6);
+}
+
+TEST_F(WindowTest, DrawsOnlyWhenSomethingChanges) {
+    QTest::qWait(200);
+    const int frames = window.viewport().framesDrawn();
+    QTest::qWait(700);
+    EXPECT_LE(window.viewport().framesDrawn(), frames + 1);
+    action("wired")->trigger();
+    QTest::qWait(100);
+    EXPECT_GT(window.viewport().framesDrawn(), frames);
+}
+
+TEST_F(WindowTest, WiredChangesThePicture) {
+    const QImage filled = picture();
+    action("wired")->trigger();
+    QTest::qWait(100);
+    const QImage wired = picture();
+    EXPECT_NE(filled, wired);
+    action("wired")->trigger();
+    QTest::qWait(100);
+    EXPECT_EQ(filled, picture());
+}
+
+TEST_F(WindowTest, ThePictureShowsATree) {
+    const QImage image = picture();
+    int green = 0;
+    for (int y = 0; y < image.height(); ++y)
+        for (int x = 0; x < image.width(); ++x) {
+            const QColor c = image.pixelColor(x, y);
+            green += c.green() > c.red() + 15 && c.green() > c.blue() + 40;
+        }
+    EXPECT_GT(green, image.width() * image.height() / 50);
+}
+
+TEST_F(WindowTest, GenerateAndDice) {
+    const auto before = window.shown()->model;
+    action("generate")->trigger();
+    ASSERT_TRUE(waitFor([&] { return window.shown()->model != before; }));
+    EXPECT_EQ(window.shown()->model->vertexCount(), before->vertexCount());
+    const double seed = value("Seed");
+    QTest::mouseClick(window.panel().editor(paramRef("Seed"))->findChild<QWidget*>(QStringLiteral("dice")), Qt::LeftButton);
+    action("randomSeed")->trigger();
+    EXPECT_NE(value("Seed"), seed);
+    action("undo")->trigger();
+    action("undo")->trigger();
+    EXPECT_EQ(value("Seed"), seed);
+}
+
+TEST_F(WindowTest, SavesReopensAndRemembers) {
+    QTemporaryDir folder;
+    window.document().setValue(paramRef("Scale"), 17, 0);
+    EXPECT_TRUE(window.isWindowModified());
+    const QString path = folder.filePath(QStringLiteral("mine.tree"));
+    ASSERT_TRUE(window.save(path));
+    EXPECT_FALSE(window.isWindowModified());
+    EXPECT_TRUE(window.windowTitle().startsWith(QLatin1String("mine.tree[*]")));
+    ASSERT_TRUE(window.open(presetPath("black_tupelo")));
+    EXPECT_EQ(value("Scale"), 23);
+    ASSERT_TRUE(window.open(path));
+    EXPECT_EQ(value("Scale"), 17);
+    bool listed = false;
+    for (QMenu* menu : window.findChildren<QMenu*>())
+        for (QAction* entry : menu->actions()) listed |= entry->statusTip() == path;
+    EXPECT_TRUE(listed);
+}
+
+TEST_F(WindowTest, AsksBeforeChangesAreLost) {
+    window.document().setValue(paramRef("Scale"), 17, 0);
+    answerNext(QMessageBox::Cancel);
+    EXPECT_FALSE(window.close());
+    EXPECT_TRUE(asked);
+    EXPECT_TRUE(question.contains(QLatin1String("quaking_aspen.tree")));
+    EXPECT_EQ(value("Scale"), 17);
+    answerNext(QMessageBox::Discard);
+    EXPECT_TRUE(window.close());
+    EXPECT_TRUE(asked);
+}
+
+TEST_F(WindowTest, ABadFileIsShownAndTheTreeStays) {
+    QTemporaryDir folder;
+    const QString bad = folder.filePath(QStringLiteral("bad.tree"));
+    QFile file(bad);
+    ASSERT_TRUE(file.open(QIODevice::WriteOnly));
+    file.write("Format = 1\nScal = 3\nLevels = 3.5\n");
+    file.close();
+    answerNext(QMessageBox::Ok);
+    EXPECT_FALSE(window.open(bad));
+    EXPECT_TRUE(asked);
+    EXPECT_TRUE(question.contains(QLatin1String("bad.tree:3:10"))) << question.toStdString();
+    EXPECT_EQ(window.document().path(), presetPath("quaking_aspen"));
+}
+
+TEST_F(WindowTest, WarningsStayReadable) {
+    QTemporaryDir folder;
+    const QString path = folder.filePath(QStringLiteral("w.tree"));
+    QFile file(path);
+    ASSERT_TRUE(file.open(QIODevice::WriteOnly));
+    file.write("Format = 1\nScal = 3\nLevels = 99\n");
+    file.close();
+    ASSERT_TRUE(window.open(path));
+    const auto* list = window.findChild<QListWidget*>();
+    ASSERT_EQ(list->count(), 2);
+    EXPECT_TRUE(list->isVisible());
+    EXPECT_TRUE(list->item(0)->text().contains(QLatin1String("did you mean 'Scale'")));
+    EXPECT_TRUE(list->item(1)->text().contains(QLatin1String("w.tree:3:10")));
+}
+
+TEST_F(WindowTest, ExportsEveryFormat) {
+    QTemporaryDir folder;
+    for (const Format& format : formatTable()) {
+        const QString path = folder.filePath(QStringLiteral("tree") + toQString(format.ending));
+        QSignalSpy ended(&window, &CMainWindow::exportEnded);
+        window.exportTo(path);
+        ASSERT_TRUE(waitFor([&] { return ended.count() == 1; })) << format.ending;
+        EXPECT_TRUE(ended[0][0].toString().isEmpty()) << ended[0][0].toString().toStdString();
+        EXPECT_GT(QFileInfo(path).size(), 100000) << format.ending;
+        EXPECT_TRUE(notice().contains(path));
+    }
+}
+
+TEST_F(WindowTest, AFailedExportIsShown) {
+    QTemporaryDir folder;
+    QSignalSpy ended(&window, &CMainWindow::exportEnded);
+    answerNext(QMessageBox::Ok);
+    window.exportTo(folder.filePath(QStringLiteral("no/such/folder/a.obj")));
+    ASSERT_TRUE(waitFor([&] { return ended.count() == 1; }));
+    EXPECT_TRUE(asked);
+    EXPECT_TRUE(question.contains(QLatin1String("No such file"))) << question.toStdString();
+    EXPECT_TRUE(QDir(folder.path()).isEmpty());
+}
+
+TEST_F(WindowTest, CommandsHaveTextsIconsAndShortcutsOfTheirOwn) {
+    QStringList shortcuts;
+    for (const Command& command : commandTable()) {
+        QAction* made = action(command.name);
+        ASSERT_TRUE(made) << command.name;
+        EXPECT_FALSE(made->statusTip().isEmpty()) << command.name;
+        EXPECT_EQ(made->icon().pixmap(24).isNull(), !*command.icon) << command.name;
+        if (!*command.shortcut) continue;
+        EXPECT_FALSE(made->shortcut().isEmpty()) << command.name;
+        EXPECT_FALSE(shortcuts.contains(made->shortcut().toString())) << command.name;
+        shortcuts << made->shortcut().toString();
+    }
+}
+
+TEST_F(WindowTest, ATreeThatWouldBeTooLargeIsRefusedInWords) {
+    window.document().edit(QStringLiteral("many"), [](CParams& p) { p.level[1].branches = p.level[2].branches = 5000; });
+    ASSERT_TRUE(waitFor([&] { return notice().contains(QLatin1String("million")); }));
+    EXPECT_TRUE(notice().contains(QLatin1String("20 million vertices"))) << notice().toStdString();
+    action("undo")->trigger();
+    EXPECT_TRUE(showsNow(Model::Full));
+}
+
+TEST(Program, TakesAScreenshotOfTheWholeWindow) {
+    QTemporaryDir folder;
+    const QString path = folder.filePath(QStringLiteral("shot.png"));
+    QProcess program;
+    program.start(QStringLiteral(STROMAR_BIN "/stromar"), {presetPath("quaking_aspen"), QStringLiteral("--screenshot"), path, QStringLiteral("--size"), QStringLiteral("900x700"), QStringLiteral("--model"), QStringLiteral("simple")});
+    ASSERT_TRUE(program.waitForFinished(60000));
+    EXPECT_EQ(program.exitCode(), 0) << program.readAllStandardError().toStdString();
+    EXPECT_EQ(QImage(path).size(), QSize(900, 700));
+}
+
+TEST(Program, SaysWhatIsWrongWithItsCommandLine) {
+    const QString missing = QStringLiteral("/no/such.tree"), picture = QStringLiteral("/tmp/never.png");
+    for (const auto& [arguments, status] : {std::pair{QStringList{QStringLiteral("a.tree"), QStringLiteral("b.tree")}, 2},
+                                            {QStringList{QStringLiteral("--size"), QStringLiteral("12")}, 2},
+                                            {QStringList{QStringLiteral("--model"), QStringLiteral("best")}, 2},
+                                            {QStringList{missing, QStringLiteral("--screenshot"), picture}, 1}}) {
+        QProcess program;
+        program.start(QStringLiteral(STROMAR_BIN "/stromar"), arguments);
+        ASSERT_TRUE(program.waitForFinished(60000));
+        EXPECT_EQ(program.exitCode(), status);
+        EXPECT_FALSE(program.readAllStandardError().isEmpty());
+    }
+}
+
+} // namespace
+} // namespace stromar
