@@ -1,5 +1,6 @@
 #include "MainWindow.h"
 #include "Viewport.h"
+#include <QAction>
 #include <QApplication>
 #include <QCommandLineParser>
 #include <QFileInfo>
@@ -14,6 +15,7 @@ struct Options {
     QString file, screenshot;
     QSize size;
     Model model = Model::Full;
+    bool wired = false;
     double mostVertices = CTreeCreator::kMostVertices;
 };
 
@@ -33,12 +35,14 @@ QString read(const QApplication& app, Options& options) {
     const QCommandLineOption size(QStringLiteral("size"), QStringLiteral("Size of the window."), QStringLiteral("WxH"));
     const QCommandLineOption model(QStringLiteral("model"), QStringLiteral("The model of the picture: full or simple."), QStringLiteral("NAME"), QStringLiteral("full"));
     const QCommandLineOption most(QStringLiteral("max-vertices"), QStringLiteral("Refuses trees that may be larger."), QStringLiteral("N"));
-    parser.addOptions({screenshot, size, model, most});
+    const QCommandLineOption wired(QStringLiteral("wired"), QStringLiteral("Shows the wire frame."));
+    parser.addOptions({screenshot, size, model, wired, most});
     parser.process(app);
     const QStringList files = parser.positionalArguments();
     if (files.size() > 1) return QStringLiteral("only one file can be opened");
     options.file = files.value(0);
     options.screenshot = parser.value(screenshot);
+    options.wired = parser.isSet(wired);
     if (parser.isSet(size)) {
         const QStringList sides = parser.value(size).split(QLatin1Char('x'));
         options.size = QSize(sides.value(0).toInt(), sides.value(1).toInt());
@@ -87,6 +91,7 @@ int main(int argc, char** argv) {
         }
         window.show();
         if (!options.file.isEmpty() && !window.open(options.file) && !options.screenshot.isEmpty()) return 1;
+        if (options.wired) window.findChild<QAction*>(QStringLiteral("wired"))->trigger();
         if (!options.screenshot.isEmpty()) takeScreenshot(window, options);
         return QApplication::exec();
     } catch (const std::exception& e) {

@@ -44,7 +44,7 @@ void main() {
 }
 )";
 
-inline constexpr const char* kSkyVertexShader = R"(#version 120
+inline constexpr const char* kBackgroundVertexShader = R"(#version 120
 varying vec3 direction;
 void main() {
     gl_Position = vec4(gl_Vertex.xy, 0.999, 1.0);
@@ -54,35 +54,26 @@ void main() {
 }
 )";
 
-inline constexpr const char* kSkyFragmentShader = R"(#version 120
-varying vec3 direction;
-void main() {
-    float height = normalize(direction).z;
-    vec3 above = mix(vec3(0.86, 0.89, 0.90), vec3(0.47, 0.63, 0.81), smoothstep(0.0, 0.45, height));
-    vec3 below = mix(vec3(0.86, 0.89, 0.90), vec3(0.60, 0.64, 0.55), smoothstep(0.0, 0.25, -height));
-    gl_FragColor = vec4(height > 0.0 ? above : below, 1.0);
-}
-)";
-
-inline constexpr const char* kGroundVertexShader = R"(#version 120
-varying vec2 place;
-void main() {
-    gl_Position = ftransform();
-    place = gl_Vertex.xy;
-}
-)";
-
-inline constexpr const char* kGroundFragmentShader = R"(#version 120
+// The ground is the plane z = 0, seen along each ray, with a soft shadow under the crown.
+inline constexpr const char* kBackgroundFragmentShader = R"(#version 120
+uniform mat4 osg_ViewMatrixInverse;
 uniform vec3 crownMiddle, crownSize;
-varying vec2 place;
-void main() {
+varying vec3 direction;
+const vec3 haze = vec3(0.86, 0.89, 0.90);
+vec3 ground(vec2 place) {
     float size = max(crownSize.x, max(crownSize.y, crownSize.z));
-    float far_ = length(place - crownMiddle.xy) / size;
     vec2 inShadow = (place - crownMiddle.xy - vec2(-0.35, 0.45) * crownMiddle.z) / (crownSize.xy + 0.02 * size);
     float shadow = 0.45 * (1.0 - smoothstep(0.25, 1.15, length(inShadow)));
     float trunk = 0.35 * (1.0 - smoothstep(0.0, 0.25, length(place) / size));
-    vec3 grass = vec3(0.54, 0.59, 0.44) * (1.0 - max(shadow, trunk));
-    gl_FragColor = vec4(grass, 1.0 - smoothstep(1.0, 5.8, far_));
+    float away = length(place - crownMiddle.xy) / size;
+    return mix(vec3(0.55, 0.60, 0.44) * (1.0 - max(shadow, trunk)), haze, 1.0 - exp(-0.09 * max(away - 1.0, 0.0)));
+}
+void main() {
+    vec3 eye = osg_ViewMatrixInverse[3].xyz;
+    vec3 ray = normalize(direction);
+    vec3 sky = mix(haze, vec3(0.47, 0.63, 0.81), smoothstep(0.0, 0.45, abs(ray.z)));
+    bool down = ray.z < 0.0 && eye.z > 0.0;
+    gl_FragColor = vec4(down ? ground(eye.xy - ray.xy * eye.z / ray.z) : sky, 1.0);
 }
 )";
 

@@ -17,42 +17,27 @@ osg::ref_ptr<osg::Program> makeProgram(const char* name, const char* vertex, con
     return program;
 }
 
-osg::ref_ptr<osg::Geometry> makeQuad(const osg::Vec3& a, const osg::Vec3& b, const osg::Vec3& c, const osg::Vec3& d) {
-    osg::ref_ptr<osg::Geometry> quad = new osg::Geometry;
-    osg::ref_ptr<osg::Vec3Array> corners = new osg::Vec3Array;
-    for (const osg::Vec3& p : {a, b, c, a, c, d}) corners->push_back(p);
-    quad->setVertexArray(corners);
-    quad->setUseDisplayList(false);
-    quad->setUseVertexBufferObjects(true);
-    quad->addPrimitiveSet(new osg::DrawArrays(GL_TRIANGLES, 0, 6));
-    quad->setDataVariance(osg::Object::DYNAMIC);
-    return quad;
-}
-
 /// Takes no room, so that it changes neither what is framed nor the depth range.
 struct NoBounds : osg::Drawable::ComputeBoundingBoxCallback {
     osg::BoundingBox computeBound(const osg::Drawable&) const override { return {}; }
 };
 
-osg::ref_ptr<osg::Geometry> makeSky() {
-    osg::ref_ptr<osg::Geometry> sky = makeQuad({-1, -1, 0}, {1, -1, 0}, {1, 1, 0}, {-1, 1, 0});
-    sky->setCullingActive(false);
-    sky->setComputeBoundingBoxCallback(new NoBounds);
-    osg::StateSet* state = sky->getOrCreateStateSet();
-    state->setAttributeAndModes(makeProgram("sky", kSkyVertexShader, kSkyFragmentShader));
+/// Sky and ground, behind everything.
+osg::ref_ptr<osg::Geometry> makeBackground() {
+    osg::ref_ptr<osg::Geometry> background = new osg::Geometry;
+    osg::ref_ptr<osg::Vec3Array> corners = new osg::Vec3Array;
+    for (const osg::Vec3& corner : {osg::Vec3(-1, -1, 0), osg::Vec3(3, -1, 0), osg::Vec3(-1, 3, 0)}) corners->push_back(corner);
+    background->setVertexArray(corners);
+    background->setUseDisplayList(false);
+    background->setUseVertexBufferObjects(true);
+    background->addPrimitiveSet(new osg::DrawArrays(GL_TRIANGLES, 0, 3));
+    background->setCullingActive(false);
+    background->setComputeBoundingBoxCallback(new NoBounds);
+    osg::StateSet* state = background->getOrCreateStateSet();
+    state->setAttributeAndModes(makeProgram("background", kBackgroundVertexShader, kBackgroundFragmentShader));
     state->setAttributeAndModes(new osg::Depth(osg::Depth::ALWAYS, 0, 1, false));
     state->setRenderBinDetails(-10, "RenderBin");
-    return sky;
-}
-
-osg::ref_ptr<osg::Geometry> makeGround() {
-    osg::ref_ptr<osg::Geometry> ground = makeQuad({}, {}, {}, {});
-    osg::StateSet* state = ground->getOrCreateStateSet();
-    state->setAttributeAndModes(makeProgram("ground", kGroundVertexShader, kGroundFragmentShader));
-    state->setMode(GL_BLEND, osg::StateAttribute::ON);
-    state->setAttributeAndModes(new osg::Depth(osg::Depth::LESS, 0, 1, false));
-    state->setRenderBinDetails(-5, "RenderBin");
-    return ground;
+    return background;
 }
 
 osg::ref_ptr<osg::Image> plainImage(const osg::Vec4& colour) {
@@ -76,9 +61,8 @@ const osg::Vec4 kPlain[] = {{0.42f, 0.34f, 0.26f, 1}, {0.30f, 0.45f, 0.18f, 1}};
 
 CViewScene::CViewScene()
     : m_root(new osg::Group), m_tree(new osg::Group), m_crownMiddle(new osg::Uniform("crownMiddle", osg::Vec3(0, 0, 1))),
-      m_crownSize(new osg::Uniform("crownSize", osg::Vec3(1, 1, 1))), m_ground(makeGround()) {
-    m_root->addChild(makeSky());
-    m_root->addChild(m_ground);
+      m_crownSize(new osg::Uniform("crownSize", osg::Vec3(1, 1, 1))) {
+    m_root->addChild(makeBackground());
     m_root->addChild(m_tree);
     m_root->getOrCreateStateSet()->addUniform(m_crownMiddle);
     m_root->getOrCreateStateSet()->addUniform(m_crownSize);
@@ -129,12 +113,6 @@ void CViewScene::updateLight() {
     const osg::Vec3 half = (box._max - box._min) / 2;
     m_crownMiddle->set(box.center());
     m_crownSize->set(osg::Vec3(std::max(half.x(), 0.01f), std::max(half.y(), 0.01f), std::max(half.z(), 0.01f)));
-    const float radius = 6 * std::max({half.x(), half.y(), half.z()});
-    auto* corners = static_cast<osg::Vec3Array*>(m_ground->getVertexArray());
-    const osg::Vec3 a(-radius, -radius, 0), b(radius, -radius, 0), c(radius, radius, 0), d(-radius, radius, 0);
-    std::ranges::copy(std::array{a, b, c, a, c, d}, corners->begin());
-    corners->dirty();
-    m_ground->dirtyBound();
 }
 
 } // namespace stromar
