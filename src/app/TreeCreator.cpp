@@ -28,6 +28,17 @@ bool meshIsStale(const CParams& made, const CParams& wanted, int generation) {
     return obsolete.stage <= Stage::Mesh && obsolete.generation <= generation;
 }
 
+/// The mesh that was made before, if it still shows `source` with these values, else a new one.
+template <typename Made, typename Make>
+std::shared_ptr<const CMesh> keptOr(Made& made, int generation, const std::shared_ptr<const void>& source, const CParams& params,
+                                    Make&& make) {
+    if (!made.mesh || made.source != source || meshIsStale(made.params, params, generation)) {
+        made = {}; // first the memory of the old mesh
+        made = {source, make(), params};
+    }
+    return made.mesh;
+}
+
 std::string millions(double count) {
     return count < 1e12 ? numberText(std::ceil(count / 1e5) / 10) + " million" : "more than a million million";
 }
@@ -74,27 +85,19 @@ std::shared_ptr<const TreeModel> CTreeCreator::create(const CParams& params, con
     progress.report(0.5);
 
     MadeMeshes& made = m_made[static_cast<std::size_t>(&detail - detailTable().data())];
+    const int generations = static_cast<int>(m_tree->generationCount());
     made.resize(m_tree->generationCount() + 1);
-    const auto keepOr = [&](std::size_t slot, int generation, const std::shared_ptr<const void>& source, auto&& make) {
-        MadeMesh& old = made[slot];
-        if (!old.mesh || old.source != source || meshIsStale(old.params, params, generation)) {
-            old = {}; // the old mesh's memory first
-            old = {source, make(), params};
-        }
-        return old.mesh;
-    };
-    for (std::size_t g = 0; g < m_tree->generationCount(); ++g) {
-        const auto makeStems = [&] {
-            const int generation = static_cast<int>(g);
-            const MeshPlan plan = planRings(*m_tree, generation, params, detail, progress);
+    for (int g = 0; g < generations; ++g) {
+        const auto slot = static_cast<std::size_t>(g);
+        model->stems.push_back(keptOr(made[slot], g, m_tree->generations()[slot], params, [&] {
+            const MeshPlan plan = planRings(*m_tree, g, params, detail, progress);
             model->milliseconds.smooth += watch.lap();
-            return meshOfStems(*m_tree, generation, plan, params, progress);
-        };
-        model->stems.push_back(keepOr(g, static_cast<int>(g), m_tree->generations()[g], makeStems));
+            return meshOfStems(*m_tree, g, plan, params, progress);
+        }));
         model->milliseconds.mesh += watch.lap();
-        progress.report(0.5 + 0.4 * double(g + 1) / double(m_tree->generationCount()));
+        progress.report(0.5 + 0.4 * (g + 1) / generations);
     }
-    model->leaves = keepOr(made.size() - 1, Obsolete::kLeaves, m_tree->sharedLeaves(),
+    model->leaves = keptOr(made.back(), Obsolete::kLeaves, m_tree->sharedLeaves(), params,
                            [&] { return meshOfLeaves(*m_tree, detail, progress); });
     model->milliseconds.mesh += watch.lap();
     model->milliseconds.total = model->milliseconds.structure + model->milliseconds.smooth + model->milliseconds.mesh;

@@ -60,7 +60,6 @@ QString read(const QApplication& app, Options& options) {
 
 /// Waits until the wanted model is drawn, saves the window's picture and leaves.
 void takeScreenshot(CMainWindow& window, const Options& options) {
-    window.showOnly(options.model);
     QObject::connect(&window, &CMainWindow::modelShown, &window, [&window, options] {
         if (window.shown()->model->detail->model != options.model || window.shown()->model->params != window.document().params()) return;
         // Once more around the event loop, so that the viewport has drawn and the bars are laid out.
@@ -90,6 +89,7 @@ int main(int argc, char** argv) {
             return 1;
         }
         window.show();
+        if (!options.screenshot.isEmpty()) window.showOnly(options.model);
         if (!options.file.isEmpty() && !window.open(options.file) && !options.screenshot.isEmpty()) return 1;
         if (options.wired) window.findChild<QAction*>(QStringLiteral("wired"))->trigger();
         if (!options.screenshot.isEmpty()) takeScreenshot(window, options);

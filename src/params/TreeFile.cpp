@@ -227,6 +227,20 @@ bool differs(const CParams& a, const CParams& b, const ParamTarget& target) {
     return valueText(a, target) != valueText(b, target);
 }
 
+/// The last line with a value of the group, else the last of the file.
+std::size_t lastLineOf(const FileGroup& group, const std::map<std::string, std::size_t>& lineOf, std::size_t lineCount) {
+    std::optional<std::size_t> last;
+    for (const ParamTarget& target : group.values)
+        if (const auto at = lineOf.find(keyOf(target)); at != lineOf.end()) last = std::max(last.value_or(0), at->second);
+    return last.value_or(lineCount - 1);
+}
+
+std::string joined(const std::vector<std::string>& lines) {
+    std::string all;
+    for (const std::string& line : lines) all += line;
+    return all;
+}
+
 std::string newFileText(const CParams& params) {
     std::string text = "Format = " + std::to_string(CTreeFile::kFormat) + "\n";
     for (const FileGroup& group : fileGroups()) {
@@ -250,40 +264,33 @@ std::string CTreeFile::text(const CParams& params) const {
     std::vector<std::string> lines;
     std::map<std::string, std::size_t> lineOf;
     for (const Line& line : m_lines) {
-        lines.push_back(line.raw);
-        const auto target = line.key.empty() ? std::nullopt : findParam(line.key);
-        if (!target) continue;
-        lineOf[keyOf(*target)] = lines.size() - 1;
-        if (differs(params, m_params, *target)) {
-            const bool glued = line.valueBegin > 0 && line.raw[line.valueBegin - 1] == '=';
-            lines.back().replace(line.valueBegin, line.valueEnd - line.valueBegin, (glued ? " " : "") + valueText(params, *target));
-        }
+        if (const auto target = line.key.empty() ? std::nullopt : findParam(line.key)) lineOf[keyOf(*target)] = lines.size();
+        lines.push_back(changedLine(line, params));
     }
-    const bool crlf = m_lines.front().raw.ends_with("\r\n");
+    const std::string lineEnd = m_lines.front().raw.ends_with("\r\n") ? "\r\n" : "\n";
     for (const FileGroup& group : fileGroups()) {
-        std::size_t last = lines.size() - 1;
-        bool found = false;
-        for (const ParamTarget& target : group.values)
-            if (const auto at = lineOf.find(keyOf(target)); at != lineOf.end()) {
-                last = found ? std::max(last, at->second) : at->second;
-                found = true;
-            }
+        std::string& last = lines[lastLineOf(group, lineOf, lines.size())];
         for (const ParamTarget& target : group.values) {
             if (lineOf.contains(keyOf(target)) || !differs(params, m_params, target)) continue;
-            if (!lines[last].ends_with('\n')) lines[last] += crlf ? "\r\n" : "\n";
-            lines[last] += keyOf(target) + " = " + valueText(params, target) + (crlf ? "\r\n" : "\n");
+            if (!last.ends_with('\n')) last += lineEnd;
+            last += keyOf(target) + " = " + valueText(params, target) + lineEnd;
         }
     }
-    std::string all;
-    for (const std::string& line : lines) all += line;
-    return all;
+    return joined(lines);
+}
+
+std::string CTreeFile::changedLine(const Line& line, const CParams& params) const {
+    const auto target = line.key.empty() ? std::nullopt : findParam(line.key);
+    if (!target || !differs(params, m_params, *target)) return line.raw;
+    const bool glued = line.valueBegin > 0 && line.raw[line.valueBegin - 1] == '=';
+    std::string changed = line.raw;
+    return changed.replace(line.valueBegin, line.valueEnd - line.valueBegin, (glued ? " " : "") + valueText(params, *target));
 }
 
 CTreeFile CTreeFile::write(const std::filesystem::path& path, const CParams& params) const {
     const std::string content = text(params);
     writeFile(path, content);
-    CTreeFile saved = parse(content, path.string());
-    return saved;
+    return parse(content, path.string());
 }
 
 } // namespace stromar

@@ -37,6 +37,8 @@ private:
     };
     class CParser;
 
+    std::string changedLine(const Line& line, const CParams& params) const;
+
     std::vector<Line> m_lines;
     CParams m_params;
     Messages m_warnings;

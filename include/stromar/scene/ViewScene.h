@@ -21,7 +21,6 @@ public:
     CViewScene();
 
     osg::Group* root() { return m_root; }
-    osg::Group* tree() { return m_tree; }
     /// Replaces the tree; parts that were shown before stay on the graphics card.
     void show(const std::vector<ViewPart>& parts);
     /// Empty on success, else why the picture cannot be shown; then the surface is plain.
@@ -35,7 +34,6 @@ private:
     osg::ref_ptr<osg::Group> m_root, m_tree;
     std::array<osg::ref_ptr<osg::Group>, 2> m_surfaces;
     osg::ref_ptr<osg::Uniform> m_crownMiddle, m_crownSize;
-    osg::ref_ptr<osg::Geometry> m_ground;
 };
 
 } // namespace stromar
