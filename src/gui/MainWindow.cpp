@@ -65,7 +65,7 @@ void CMainWindow::makeDocks() {
     params->setObjectName(QStringLiteral("parameters"));
     params->setWidget(m_panel);
     params->setFeatures(QDockWidget::DockWidgetMovable | QDockWidget::DockWidgetFloatable);
-    m_panel->setMinimumWidth(440);
+    m_panel->setMinimumWidth(470);
     addDockWidget(Qt::RightDockWidgetArea, params);
 
     m_messages = new QListWidget;

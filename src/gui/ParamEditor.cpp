@@ -2,8 +2,11 @@
 #include <QCheckBox>
 #include <QComboBox>
 #include <QDoubleSpinBox>
+#include <QCoreApplication>
 #include <QEvent>
 #include <QHBoxLayout>
+#include <QPointer>
+#include <QProxyStyle>
 #include <QRandomGenerator>
 #include <QSignalBlocker>
 #include <QSlider>
@@ -15,12 +18,29 @@
 namespace stromar {
 
 namespace {
-constexpr int kSliderSteps = 1000;
 constexpr int kMostSeed = 9999; // what the dice throws: easy to tell others
 
 int nextGesture() {
     static int last = 0;
     return ++last;
+}
+
+/// A click beside the handle takes it there, and the drag goes on.
+class CJumpStyle : public QProxyStyle {
+public:
+    int styleHint(StyleHint hint, const QStyleOption* option, const QWidget* widget, QStyleHintReturn* data) const override {
+        if (hint == SH_Slider_AbsoluteSetButtons) return Qt::LeftButton;
+        return QProxyStyle::styleHint(hint, option, widget, data);
+    }
+};
+
+QStyle* jumpStyle() {
+    static QPointer<QStyle> style;
+    if (!style) {
+        style = new CJumpStyle;
+        style->setParent(qApp);
+    }
+    return style;
 }
 
 QString suffixOf(Unit unit) {
@@ -74,11 +94,11 @@ void CParamEditor::addSeed() {
 void CParamEditor::addSliderAndBox() {
     m_slider = new QSlider(Qt::Horizontal);
     const ParamInfo& p = *m_ref.info;
-    m_slider->setRange(0, p.integer() ? static_cast<int>(p.useful.max - p.useful.min) : kSliderSteps);
+    m_slider->setStyle(jumpStyle());
+    m_slider->setRange(0, static_cast<int>(std::lround((p.useful.max - p.useful.min) / p.step)));
     m_slider->setPageStep(std::max(1, m_slider->maximum() / 10));
     m_slider->setAccessibleName(toQString(p.label));
     guardWheel(m_slider);
-    connect(m_slider, &QSlider::sliderPressed, this, [this] { m_gesture = nextGesture(); });
     connect(m_slider, &QSlider::sliderReleased, this, [this] {
         m_gesture = 0;
         emit released();
@@ -107,7 +127,7 @@ QAbstractSpinBox* CParamEditor::makeBox() {
         box = m_real;
     }
     box->setKeyboardTracking(false);
-    box->setFixedWidth(92);
+    box->setFixedWidth(86);
     box->setAccessibleName(toQString(p.label));
     guardWheel(box);
     return box;
@@ -123,6 +143,7 @@ bool CParamEditor::eventFilter(QObject* watched, QEvent* event) {
         event->ignore(); // the panel behind scrolls
         return true;
     }
+    if (event->type() == QEvent::MouseButtonPress && watched == m_slider) m_gesture = nextGesture(); // before the handle jumps
     return QWidget::eventFilter(watched, event);
 }
 
@@ -134,9 +155,10 @@ int CParamEditor::sliderPosition(double value) const {
 
 double CParamEditor::sliderValue(int position) const {
     const ParamInfo& p = *m_ref.info;
-    const double value = p.useful.min + (p.useful.max - p.useful.min) * position / m_slider->maximum();
+    const double raw = p.useful.min + (p.useful.max - p.useful.min) * position / m_slider->maximum();
     const double digits = std::pow(10.0, p.decimals);
-    return std::round(value * digits) / digits;
+    const double onStep = std::round(std::round(raw / p.step) * p.step * digits) / digits; // numbers one can remember
+    return std::clamp(onStep, p.useful.min, p.useful.max);
 }
 
 void CParamEditor::onSlider(int position) {
