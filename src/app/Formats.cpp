@@ -15,8 +15,10 @@ constexpr Format kFormats[] = {
     {".osgt", "OpenSceneGraph text", "z", "nothing", writeOsg, 160},
     {".osgb", "OpenSceneGraph binary", "z", "nothing", writeOsg, 45},
 #endif
-    {".3ds", "3D Studio", "z", "normals (programs make their own), names beyond ten letters; large meshes are cut into parts", write3ds, 40},
-    {".lwo", "LightWave object", "y", "normals (the program makes its own), transparency of the leaf picture", writeLwo, 45},
+    {".3ds", "3D Studio", "z",
+     "normals (programs make their own), names beyond ten letters; large meshes are cut into parts", write3ds, 40},
+    {".lwo", "LightWave object", "y", "normals (the program makes its own), transparency of the leaf picture", writeLwo,
+     45},
     {".obj", "Wavefront OBJ", "y", "nothing; two-sided leaves are up to the program", writeObj, 120},
     {".pov", "POV-Ray scene", "y", "nothing; a camera, lights and ground are added", writePov, 130},
 };

@@ -30,8 +30,8 @@ bool meshIsStale(const CParams& made, const CParams& wanted, int generation) {
 
 /// The mesh that was made before, if it still shows `source` with these values, else a new one.
 template <typename Made, typename Make>
-std::shared_ptr<const CMesh> keptOr(Made& made, int generation, const std::shared_ptr<const void>& source, const CParams& params,
-                                    Make&& make) {
+std::shared_ptr<const CMesh> keptOr(Made& made, int generation, const std::shared_ptr<const void>& source,
+                                    const CParams& params, Make&& make) {
     if (!made.mesh || made.source != source || meshIsStale(made.params, params, generation)) {
         made = {}; // first the memory of the old mesh
         made = {source, make(), params};
@@ -73,7 +73,8 @@ void CTreeCreator::forget() {
     m_made.assign(detailTable().size(), {});
 }
 
-std::shared_ptr<const TreeModel> CTreeCreator::create(const CParams& params, const Detail& detail, const CProgress& progress) {
+std::shared_ptr<const TreeModel> CTreeCreator::create(const CParams& params, const Detail& detail,
+                                                      const CProgress& progress) {
     refuseTooLarge(params, detail);
     auto model = std::make_shared<TreeModel>();
     CStopwatch watch;
@@ -108,8 +109,9 @@ std::shared_ptr<const TreeModel> CTreeCreator::create(const CParams& params, con
 void CTreeCreator::refuseTooLarge(const CParams& params, const Detail& detail) const {
     const Prediction size = predictSize(params, detail);
     if (size.vertices <= m_mostVertices) return;
-    throw CError("this tree would have up to " + millions(size.stems) + " stems, " + millions(size.leaves) + " leaves and " +
-                 millions(size.vertices) + " vertices; the limit is " + millions(m_mostVertices) + " vertices");
+    throw CError("this tree would have up to " + millions(size.stems) + " stems, " + millions(size.leaves) +
+                 " leaves and " + millions(size.vertices) + " vertices; the limit is " + millions(m_mostVertices) +
+                 " vertices");
 }
 
 void CTreeCreator::updateTree(const CParams& params, const CProgress& progress) {

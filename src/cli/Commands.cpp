@@ -38,7 +38,8 @@ CParams readParams(const CommonOptions& common) {
     return params;
 }
 
-std::shared_ptr<const TreeModel> createModel(const CommonOptions& common, const Detail& detail, const CProgress& progress) {
+std::shared_ptr<const TreeModel> createModel(const CommonOptions& common, const Detail& detail,
+                                             const CProgress& progress) {
     const CParams params = readParams(common);
     return CTreeCreator(common.varied, common.mostVertices).create(params, detail, progress);
 }
@@ -55,8 +56,12 @@ Json generationInfo(const CTree& tree, std::size_t g) {
         length += stem.measures.length;
         radius += stem.measures.radius;
     }
-    return {{"generation", g},          {"stems", generation.stems.size()},       {"clones", generation.cloneCount()},
-            {"segments", generation.segments.size()}, {"length_sum", length}, {"radius_sum", radius}};
+    return {{"generation", g},
+            {"stems", generation.stems.size()},
+            {"clones", generation.cloneCount()},
+            {"segments", generation.segments.size()},
+            {"length_sum", length},
+            {"radius_sum", radius}};
 }
 
 Json boundsInfo(const TreeModel& model) {
@@ -105,21 +110,23 @@ Json stemInfo(const CGeneration& generation, std::size_t g, std::size_t index, s
 void printInfo(const CommonOptions& common, const ModelOptions& options, std::ostream& out, const CProgress& progress) {
     const auto model = createModel(common, options.detail(), progress);
     Json generations = Json::array();
-    for (std::size_t g = 0; g < model->tree->generationCount(); ++g) generations.push_back(generationInfo(*model->tree, g));
+    for (std::size_t g = 0; g < model->tree->generationCount(); ++g)
+        generations.push_back(generationInfo(*model->tree, g));
     const auto& ms = model->milliseconds;
-    const Json info = {{"species", model->params.text.species},
-                       {"seed", model->params.global.seed},
-                       {"method", model->params.text.method},
-                       {"scale_tree", model->tree->scaleTree()},
-                       {"generations", generations},
-                       {"leaves", model->tree->leaves().size()},
-                       {"model", options.simple ? "simple" : "full"},
-                       {"lod", options.lod},
-                       {"vertices", model->vertexCount()},
-                       {"triangles", model->triangleCount()},
-                       {"bounds", boundsInfo(*model)},
-                       {"milliseconds", {{"structure", ms.structure}, {"smooth", ms.smooth}, {"mesh", ms.mesh}, {"total", ms.total}}},
-                       {"mesh_bytes", meshBytes(*model)}};
+    const Json info = {
+        {"species", model->params.text.species},
+        {"seed", model->params.global.seed},
+        {"method", model->params.text.method},
+        {"scale_tree", model->tree->scaleTree()},
+        {"generations", generations},
+        {"leaves", model->tree->leaves().size()},
+        {"model", options.simple ? "simple" : "full"},
+        {"lod", options.lod},
+        {"vertices", model->vertexCount()},
+        {"triangles", model->triangleCount()},
+        {"bounds", boundsInfo(*model)},
+        {"milliseconds", {{"structure", ms.structure}, {"smooth", ms.smooth}, {"mesh", ms.mesh}, {"total", ms.total}}},
+        {"mesh_bytes", meshBytes(*model)}};
     out << info.dump(2) << "\n";
 }
 
@@ -137,12 +144,13 @@ void printStructure(const CommonOptions& common, std::ostream& out, const CProgr
     }
 }
 
-void exportTree(const CommonOptions& common, const ModelOptions& options, const std::string& path, const CProgress& progress) {
+void exportTree(const CommonOptions& common, const ModelOptions& options, const std::string& path,
+                const CProgress& progress) {
     if (!formatOf(path)) throw CUsageError(unknownFormat(path));
     const auto model = createModel(common, options.detail(), progress);
     exportModel(*model, std::filesystem::path(common.file).parent_path(), path, progress);
-    say(common, path + ": " + std::to_string(model->vertexCount()) + " vertices, " + std::to_string(model->triangleCount()) +
-                    " triangles");
+    say(common, path + ": " + std::to_string(model->vertexCount()) + " vertices, " +
+                    std::to_string(model->triangleCount()) + " triangles");
 }
 
 void printParams(ListStyle style, std::ostream& out) {
@@ -166,7 +174,11 @@ void printParams(ListStyle style, std::ostream& out) {
         rows.push_back(row);
     }
     for (const TextInfo& text : textTable())
-        rows.push_back({{"key", text.key}, {"label", text.label}, {"group", groupName(text.group)}, {"type", "text"}, {"help", text.help}});
+        rows.push_back({{"key", text.key},
+                        {"label", text.label},
+                        {"group", groupName(text.group)},
+                        {"type", "text"},
+                        {"help", text.help}});
     out << rows.dump(2) << "\n";
 }
 
@@ -174,9 +186,13 @@ void printFormats(ListStyle style, std::ostream& out) {
     Json rows = Json::array();
     for (const Format& format : formatTable()) {
         if (style == ListStyle::Json)
-            rows.push_back({{"ending", format.ending}, {"name", format.name}, {"up_axis", format.upAxis}, {"loses", format.losses}});
-        else out << format.ending << std::string(7 - format.ending.size(), ' ') << format.name << ", " << format.upAxis
-                 << " up; loses: " << format.losses << "\n";
+            rows.push_back({{"ending", format.ending},
+                            {"name", format.name},
+                            {"up_axis", format.upAxis},
+                            {"loses", format.losses}});
+        else
+            out << format.ending << std::string(7 - format.ending.size(), ' ') << format.name << ", " << format.upAxis
+                << " up; loses: " << format.losses << "\n";
     }
     if (style == ListStyle::Json) out << rows.dump(2) << "\n";
 }

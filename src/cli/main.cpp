@@ -27,7 +27,8 @@ struct Options {
         common.varied = variation == "on";
         model.simple = modelName == "simple";
         if (!seed.empty()) common.settings.push_back("Seed=" + seed);
-        if (model.simple && lodGiven) throw CUsageError("--lod belongs to the full model; the simple model has no levels of detail");
+        if (model.simple && lodGiven)
+            throw CUsageError("--lod belongs to the full model; the simple model has no levels of detail");
     }
 };
 
@@ -48,8 +49,11 @@ void addCommon(CLI::App& command, Options& options) {
 }
 
 void addModel(CLI::App& command, Options& options) {
-    command.add_option("--model", options.modelName, "Which model")->check(CLI::IsMember({"full", "simple"}))->capture_default_str();
-    command.add_option("--lod", options.model.lod, "Level of detail of the full model, 0 the finest")->check(CLI::Range(0, 3));
+    command.add_option("--model", options.modelName, "Which model")
+        ->check(CLI::IsMember({"full", "simple"}))
+        ->capture_default_str();
+    command.add_option("--lod", options.model.lod, "Level of detail of the full model, 0 the finest")
+        ->check(CLI::Range(0, 3));
 }
 
 void run(const CLI::App& app, Options& options) {

@@ -10,8 +10,8 @@ namespace fs = std::filesystem;
 class CEditCommand : public QUndoCommand {
 public:
     CEditCommand(CDocument& document, const QString& text, CParams after, int gesture, QString subject)
-        : QUndoCommand(text), m_document(document), m_before(document.params()), m_after(std::move(after)), m_gesture(gesture),
-          m_subject(std::move(subject)) {}
+        : QUndoCommand(text), m_document(document), m_before(document.params()), m_after(std::move(after)),
+          m_gesture(gesture), m_subject(std::move(subject)) {}
 
     void undo() override { m_document.assign(m_before); }
     void redo() override { m_document.assign(m_after); }
@@ -54,7 +54,9 @@ QString CDocument::displayName() const { return m_path.isEmpty() ? tr("new.tree"
 
 void CDocument::startNew() { replace(CTreeFile(), {}); }
 
-void CDocument::open(const QString& path) { replace(CTreeFile::read(toPath(path)), QFileInfo(path).absoluteFilePath()); }
+void CDocument::open(const QString& path) {
+    replace(CTreeFile::read(toPath(path)), QFileInfo(path).absoluteFilePath());
+}
 
 void CDocument::replace(CTreeFile file, const QString& path) {
     m_file = std::move(file);
@@ -69,7 +71,8 @@ void CDocument::save(const QString& path) {
     const QString target = QFileInfo(path).absoluteFilePath();
     CParams saved = m_params;
     for (const TextInfo& text : textTable())
-        if (text.path) saved.text.*text.field = rebasedPath(m_params.text.*text.field, folder(), toPath(target).parent_path());
+        if (text.path)
+            saved.text.*text.field = rebasedPath(m_params.text.*text.field, folder(), toPath(target).parent_path());
     m_file = m_file.write(toPath(target), saved);
     m_params = saved;
     m_path = target;
@@ -77,7 +80,8 @@ void CDocument::save(const QString& path) {
     emit nameChanged();
 }
 
-void CDocument::edit(const QString& text, const std::function<void(CParams&)>& change, int gesture, const QString& subject) {
+void CDocument::edit(const QString& text, const std::function<void(CParams&)>& change, int gesture,
+                     const QString& subject) {
     CParams after = m_params;
     change(after);
     if (after != m_params) m_history.push(new CEditCommand(*this, text, std::move(after), gesture, subject));
@@ -85,7 +89,8 @@ void CDocument::edit(const QString& text, const std::function<void(CParams&)>& c
 
 void CDocument::setValue(const ParamRef& ref, double value, int gesture) {
     const QString key = toQString(ref.key());
-    edit(tr("Change %1").arg(key), [&](CParams& p) { ref.set(p, value); }, gesture, key);
+    edit(
+        tr("Change %1").arg(key), [&](CParams& p) { ref.set(p, value); }, gesture, key);
 }
 
 void CDocument::setText(const TextInfo& text, const QString& value) {

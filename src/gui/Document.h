@@ -30,13 +30,14 @@ public:
 
     /// Changes values through `change`; one step of the history. Changes with the same positive `gesture` on the same
     /// `subject` are one step.
-    void edit(const QString& text, const std::function<void(CParams&)>& change, int gesture = 0, const QString& subject = {});
+    void edit(const QString& text, const std::function<void(CParams&)>& change, int gesture = 0,
+              const QString& subject = {});
     void setValue(const ParamRef& ref, double value, int gesture);
     void setText(const TextInfo& text, const QString& value);
 
 signals:
-    void changed();         ///< the values
-    void replaced();        ///< another document: new or opened
+    void changed();  ///< the values
+    void replaced(); ///< another document: new or opened
     void nameChanged();
 
 private:

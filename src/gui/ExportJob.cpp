@@ -7,7 +7,9 @@ CExportJob::~CExportJob() {
     if (m_thread.joinable()) m_thread.join();
 }
 
-void CExportJob::start() { m_thread = std::jthread([this] { work(); }); }
+void CExportJob::start() {
+    m_thread = std::jthread([this] { work(); });
+}
 
 void CExportJob::work() {
     try {

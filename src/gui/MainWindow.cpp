@@ -93,7 +93,10 @@ void CMainWindow::makeActions() {
         action->setObjectName(QString::fromLatin1(command.name));
         action->setShortcut(QKeySequence(QString::fromLatin1(command.shortcut)));
         action->setStatusTip(tr2(command.help));
-        action->setToolTip(tr2(command.help) + (action->shortcut().isEmpty() ? QString() : QStringLiteral(" (%1)").arg(action->shortcut().toString(QKeySequence::NativeText))));
+        action->setToolTip(tr2(command.help) +
+                           (action->shortcut().isEmpty()
+                                ? QString()
+                                : QStringLiteral(" (%1)").arg(action->shortcut().toString(QKeySequence::NativeText))));
         action->setCheckable(command.checkable);
         if (*command.icon) action->setIcon(QIcon(QStringLiteral(":/icons/%1.svg").arg(QLatin1String(command.icon))));
         if (command.onToolBar) {
@@ -129,7 +132,8 @@ void CMainWindow::makeStatusBar() {
 
 void CMainWindow::connectParts() {
     connect(m_panel, &CParamPanel::edited, &m_document, &CDocument::setValue);
-    connect(m_panel, &CParamPanel::textEdited, this, [this](const TextInfo* text, const QString& value) { m_document.setText(*text, value); });
+    connect(m_panel, &CParamPanel::textEdited, this,
+            [this](const TextInfo* text, const QString& value) { m_document.setText(*text, value); });
     connect(m_panel, &CParamPanel::pathWanted, this, [this](const TextInfo* text) { chooseTexture(*text); });
     connect(m_panel, &CParamPanel::released, this, [this] { m_pause.start(); });
     connect(&m_document, &CDocument::replaced, this, &CMainWindow::onReplaced);
@@ -138,7 +142,8 @@ void CMainWindow::connectParts() {
     connect(m_thread.get(), &CTreeCreatorThread::created, this, &CMainWindow::onCreated);
     connect(m_thread.get(), &CTreeCreatorThread::failed, this, &CMainWindow::onFailed);
     connect(m_viewport, &CViewport::unusable, this, [this](const QString& why) { tellError(tr("No picture"), why); });
-    for (const auto& [name, signal] : {std::pair{"undo", &QUndoStack::canUndoChanged}, {"redo", &QUndoStack::canRedoChanged}}) {
+    for (const auto& [name, signal] :
+         {std::pair{"undo", &QUndoStack::canUndoChanged}, {"redo", &QUndoStack::canRedoChanged}}) {
         auto* action = findChild<QAction*>(QLatin1String(name));
         action->setEnabled(false);
         connect(&m_document.history(), signal, action, &QAction::setEnabled);
@@ -228,8 +233,10 @@ void CMainWindow::onFailed(const QString& why) {
 void CMainWindow::updateProgress() {
     const auto done = m_export ? std::optional(m_export->progress()) : m_thread->progress();
     m_progress->setVisible(done.has_value());
-    if (done) m_progress->setValue(static_cast<int>(*done * m_progress->maximum()));
-    else m_progressTimer.stop();
+    if (done)
+        m_progress->setValue(static_cast<int>(*done * m_progress->maximum()));
+    else
+        m_progressTimer.stop();
 }
 
 void CMainWindow::updateTitle() {
@@ -250,7 +257,8 @@ void CMainWindow::updateTextures() {
 
 void CMainWindow::updateMessages() {
     m_messages->clear();
-    for (const Message& message : m_document.warnings()) m_messages->addItem(QString::fromStdString(message.toString()));
+    for (const Message& message : m_document.warnings())
+        m_messages->addItem(QString::fromStdString(message.toString()));
     m_messageDock->setVisible(!m_document.warnings().empty());
 }
 
@@ -311,7 +319,8 @@ void CMainWindow::chooseAndExport() {
 void CMainWindow::exportTo(const QString& path) {
     if (m_export) return;
     QSettings().setValue(QLatin1String(kExportFolderKey), QFileInfo(path).absolutePath());
-    const bool ready = m_shown && m_shown->model->detail == &detailOf(Model::Full) && m_shown->model->params == m_document.params();
+    const bool ready =
+        m_shown && m_shown->model->detail == &detailOf(Model::Full) && m_shown->model->params == m_document.params();
     m_export = std::make_unique<CExportJob>(CExportJob::Task{m_document.params(), ready ? m_shown->model : nullptr,
                                                              m_document.folder(), toPath(path), m_mostVertices});
     auto* dialog = new QProgressDialog(tr("Writing %1").arg(QFileInfo(path).fileName()), tr("Cancel"), 0, 1000, this);
@@ -326,24 +335,35 @@ void CMainWindow::exportTo(const QString& path) {
     connect(dialog, &QProgressDialog::canceled, this, [this] {
         if (m_export) m_export->cancel();
     });
-    connect(m_export.get(), &CExportJob::finished, this, [this, dialog, path](const QString& why, bool cancelled) {
-        dialog->disconnect(this);
-        dialog->close();
-        m_export.reset();
-        if (!why.isEmpty()) tellError(tr("Cannot export the tree"), why);
-        else m_notice->setText(cancelled ? tr("Export cancelled; no file was changed") : tr("Exported %1").arg(path));
-        emit exportEnded(why, cancelled);
-    }, Qt::QueuedConnection);
+    connect(
+        m_export.get(), &CExportJob::finished, this,
+        [this, dialog, path](const QString& why, bool cancelled) {
+            dialog->disconnect(this);
+            dialog->close();
+            m_export.reset();
+            if (!why.isEmpty())
+                tellError(tr("Cannot export the tree"), why);
+            else
+                m_notice->setText(cancelled ? tr("Export cancelled; no file was changed")
+                                            : tr("Exported %1").arg(path));
+            emit exportEnded(why, cancelled);
+        },
+        Qt::QueuedConnection);
     m_export->start();
     m_progressTimer.start();
 }
 
 void CMainWindow::chooseTexture(const TextInfo& text) {
-    const QString start = m_document.folder().empty() ? fromPath(dataFolder() / "textures") : fromPath(m_document.folder());
-    const QString path = QFileDialog::getOpenFileName(this, toQString(text.label), start, tr("Pictures (*.png *.jpg *.jpeg *.tga *.tif *.tiff *.bmp);;All files (*)"));
+    const QString start =
+        m_document.folder().empty() ? fromPath(dataFolder() / "textures") : fromPath(m_document.folder());
+    const QString path =
+        QFileDialog::getOpenFileName(this, toQString(text.label), start,
+                                     tr("Pictures (*.png *.jpg *.jpeg *.tga *.tif *.tiff *.bmp);;All files (*)"));
     if (path.isEmpty()) return;
     const bool saved = !m_document.path().isEmpty();
-    const std::string own = saved ? rebasedPath(QFileInfo(path).fileName().toStdString(), toPath(QFileInfo(path).absolutePath()), m_document.folder()) : path.toStdString();
+    const std::string own = saved ? rebasedPath(QFileInfo(path).fileName().toStdString(),
+                                                toPath(QFileInfo(path).absolutePath()), m_document.folder())
+                                  : path.toStdString();
     m_document.setText(text, QString::fromStdString(own));
 }
 
@@ -376,18 +396,23 @@ void CMainWindow::recentre() { m_viewport->recentre(); }
 void CMainWindow::showShortcuts() {
     QString text = tr("<p><b>In the picture</b><br>Left drag: turn<br>Right drag or wheel: nearer and farther<br>"
                       "Both buttons or middle drag: move<br>Space: see the whole tree again</p>"
-                      "<p><b>In the parameters</b><br>The wheel changes an editor only after a click into it.</p><p><b>Keys</b><table>");
+                      "<p><b>In the parameters</b><br>The wheel changes an editor only after a click into "
+                      "it.</p><p><b>Keys</b><table>");
     for (const Command& command : commandTable())
         if (*command.shortcut)
-            text += QStringLiteral("<tr><td>%1&nbsp;&nbsp;</td><td>%2</td></tr>").arg(QLatin1String(command.shortcut), tr2(command.text).remove(QLatin1Char('&')).remove(QChar(0x2026)));
-    QMessageBox box(QMessageBox::NoIcon, tr("Mouse and keys"), text + QStringLiteral("</table></p>"), QMessageBox::Close, this);
+            text += QStringLiteral("<tr><td>%1&nbsp;&nbsp;</td><td>%2</td></tr>")
+                        .arg(QLatin1String(command.shortcut),
+                             tr2(command.text).remove(QLatin1Char('&')).remove(QChar(0x2026)));
+    QMessageBox box(QMessageBox::NoIcon, tr("Mouse and keys"), text + QStringLiteral("</table></p>"),
+                    QMessageBox::Close, this);
     box.exec();
 }
 
 void CMainWindow::showAbout() {
     QMessageBox::about(this, tr("About Stromar"),
                        tr("<p><b>Stromar %1</b></p><p>Grows trees by the model of Weber and Penn, "
-                          "“Creation and Rendering of Realistic Trees”, SIGGRAPH ’95.</p>").arg(QApplication::applicationVersion()));
+                          "“Creation and Rendering of Realistic Trees”, SIGGRAPH ’95.</p>")
+                           .arg(QApplication::applicationVersion()));
 }
 
 // Files
@@ -405,16 +430,20 @@ void CMainWindow::fillRecentMenu() {
     m_recentMenu->clear();
     const QStringList files = QSettings().value(QLatin1String(kRecentKey)).toStringList();
     for (const QString& file : files)
-        m_recentMenu->addAction(QFileInfo(file).fileName(), this, [this, file] {
-            if (mayLoseChanges()) open(file);
-        })->setStatusTip(file);
+        m_recentMenu
+            ->addAction(QFileInfo(file).fileName(), this,
+                        [this, file] {
+                            if (mayLoseChanges()) open(file);
+                        })
+            ->setStatusTip(file);
     m_recentMenu->setEnabled(!files.isEmpty());
 }
 
 bool CMainWindow::mayLoseChanges() {
     if (m_document.history().isClean()) return true;
-    const auto answer = QMessageBox::question(this, tr("Unsaved changes"), tr("Save the changes of %1?").arg(m_document.displayName()),
-                                              QMessageBox::Save | QMessageBox::Discard | QMessageBox::Cancel, QMessageBox::Save);
+    const auto answer =
+        QMessageBox::question(this, tr("Unsaved changes"), tr("Save the changes of %1?").arg(m_document.displayName()),
+                              QMessageBox::Save | QMessageBox::Discard | QMessageBox::Cancel, QMessageBox::Save);
     if (answer == QMessageBox::Save) return saveOrChoose();
     return answer == QMessageBox::Discard;
 }

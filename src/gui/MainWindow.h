@@ -96,7 +96,7 @@ private:
     QLabel* m_counts = nullptr;
     QLabel* m_notice = nullptr;
     QProgressBar* m_progress = nullptr;
-    QTimer m_pause;    ///< until the full model follows
+    QTimer m_pause; ///< until the full model follows
     QTimer m_progressTimer;
     std::shared_ptr<const ViewModel> m_shown;
     std::unique_ptr<CExportJob> m_export;

@@ -1,8 +1,8 @@
 #include "ParamEditor.h"
 #include <QCheckBox>
 #include <QComboBox>
-#include <QDoubleSpinBox>
 #include <QCoreApplication>
+#include <QDoubleSpinBox>
 #include <QEvent>
 #include <QHBoxLayout>
 #include <QPointer>
@@ -28,7 +28,8 @@ int nextGesture() {
 /// A click beside the handle takes it there, and the drag goes on.
 class CJumpStyle : public QProxyStyle {
 public:
-    int styleHint(StyleHint hint, const QStyleOption* option, const QWidget* widget, QStyleHintReturn* data) const override {
+    int styleHint(StyleHint hint, const QStyleOption* option, const QWidget* widget,
+                  QStyleHintReturn* data) const override {
         if (hint == SH_Slider_AbsoluteSetButtons) return Qt::LeftButton;
         return QProxyStyle::styleHint(hint, option, widget, data);
     }
@@ -58,10 +59,14 @@ CParamEditor::CParamEditor(const ParamRef& ref, QWidget* parent) : QWidget(paren
     auto* row = new QHBoxLayout(this);
     row->setContentsMargins(0, 0, 0, 0);
     row->setSpacing(6);
-    if (ref.info->field == ParamInfo::Field(&GlobalParams::seed)) addSeed();
-    else if (ref.info->words.size() == 2) addSwitch();
-    else if (!ref.info->words.empty()) addChoice();
-    else addSliderAndBox();
+    if (ref.info->field == ParamInfo::Field(&GlobalParams::seed))
+        addSeed();
+    else if (ref.info->words.size() == 2)
+        addSwitch();
+    else if (!ref.info->words.empty())
+        addChoice();
+    else
+        addSliderAndBox();
 }
 
 void CParamEditor::addChoice() {
@@ -88,7 +93,8 @@ void CParamEditor::addSeed() {
     layout()->addWidget(makeBox());
     layout()->addWidget(dice);
     static_cast<QHBoxLayout*>(layout())->addStretch(1);
-    connect(dice, &QToolButton::clicked, this, [this] { emit edited(m_ref, QRandomGenerator::global()->bounded(kMostSeed + 1), 0); });
+    connect(dice, &QToolButton::clicked, this,
+            [this] { emit edited(m_ref, QRandomGenerator::global()->bounded(kMostSeed + 1), 0); });
 }
 
 void CParamEditor::addSliderAndBox() {
@@ -143,7 +149,8 @@ bool CParamEditor::eventFilter(QObject* watched, QEvent* event) {
         event->ignore(); // the panel behind scrolls
         return true;
     }
-    if (event->type() == QEvent::MouseButtonPress && watched == m_slider) m_gesture = nextGesture(); // before the handle jumps
+    if (event->type() == QEvent::MouseButtonPress && watched == m_slider)
+        m_gesture = nextGesture(); // before the handle jumps
     return QWidget::eventFilter(watched, event);
 }
 

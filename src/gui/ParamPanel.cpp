@@ -30,7 +30,8 @@ protected:
             initStyleOption(&option, i);
             painter.drawControl(QStyle::CE_TabBarTabShape, option);
             const QRect text = tabRect(i).adjusted(fontMetrics().height() / 2, 0, 0, 0);
-            painter.drawItemText(text, Qt::AlignVCenter | Qt::AlignLeft, palette(), isTabEnabled(i), tabText(i), QPalette::WindowText);
+            painter.drawItemText(text, Qt::AlignVCenter | Qt::AlignLeft, palette(), isTabEnabled(i), tabText(i),
+                                 QPalette::WindowText);
             if (i == currentIndex() && hasFocus()) {
                 QStyleOptionFocusRect focus;
                 focus.initFrom(this);

@@ -65,7 +65,8 @@ QSurfaceFormat CViewport::surfaceFormat(int samples) {
     return format;
 }
 
-CViewport::CViewport(QWidget* parent) : QOpenGLWidget(parent), m_viewer(new CRedrawViewer), m_orbit(new osgGA::OrbitManipulator) {
+CViewport::CViewport(QWidget* parent)
+    : QOpenGLWidget(parent), m_viewer(new CRedrawViewer), m_orbit(new osgGA::OrbitManipulator) {
     setFormat(surfaceFormat(drawsInSoftware() ? 0 : kSamples));
     setFocusPolicy(Qt::StrongFocus);
     setMinimumSize(200, 200);
@@ -106,9 +107,10 @@ void CViewport::release() {
 void CViewport::initializeGL() {
     const QSurfaceFormat format = context()->format();
     if (format.version() < qMakePair(2, 1))
-        emit unusable(tr("OpenGL 2.1 is needed to show the tree; this display has %1.%2. Files can still be edited and exported.")
-                          .arg(format.majorVersion())
-                          .arg(format.minorVersion()));
+        emit unusable(
+            tr("OpenGL 2.1 is needed to show the tree; this display has %1.%2. Files can still be edited and exported.")
+                .arg(format.majorVersion())
+                .arg(format.minorVersion()));
     m_window = new osgViewer::GraphicsWindowEmbedded(0, 0, width(), height());
     m_pixels = QSize();
     m_viewer->getCamera()->setGraphicsContext(m_window.get());
@@ -126,14 +128,16 @@ void CViewport::applySize() {
     m_window->getEventQueue()->windowResize(0, 0, pixels.width(), pixels.height());
     osg::Camera* camera = m_viewer->getCamera();
     camera->setViewport(0, 0, pixels.width(), pixels.height());
-    camera->setProjectionMatrixAsPerspective(kFieldOfView, double(pixels.width()) / std::max(1, pixels.height()), 0.01, 1000);
+    camera->setProjectionMatrixAsPerspective(kFieldOfView, double(pixels.width()) / std::max(1, pixels.height()), 0.01,
+                                             1000);
 }
 
 void CViewport::resizeGL(int, int) { applySize(); }
 
 void CViewport::paintGL() {
     applySize();
-    m_window->setDefaultFboId(defaultFramebufferObject()); // changes when the widget is resized or moved to another parent
+    m_window->setDefaultFboId(
+        defaultFramebufferObject()); // changes when the widget is resized or moved to another parent
     m_viewer->frame();
     ++m_frames;
     emit drawn();
@@ -200,14 +204,17 @@ void CViewport::mouseDoubleClickEvent(QMouseEvent* event) { mousePressEvent(even
 
 void CViewport::wheelEvent(QWheelEvent* event) {
     if (!events() || event->angleDelta().y() == 0) return;
-    events()->mouseScroll(event->angleDelta().y() > 0 ? osgGA::GUIEventAdapter::SCROLL_UP : osgGA::GUIEventAdapter::SCROLL_DOWN);
+    events()->mouseScroll(event->angleDelta().y() > 0 ? osgGA::GUIEventAdapter::SCROLL_UP
+                                                      : osgGA::GUIEventAdapter::SCROLL_DOWN);
     event->accept();
     update();
 }
 
 void CViewport::keyPressEvent(QKeyEvent* event) {
-    if (event->key() == Qt::Key_Space) recentre();
-    else QOpenGLWidget::keyPressEvent(event);
+    if (event->key() == Qt::Key_Space)
+        recentre();
+    else
+        QOpenGLWidget::keyPressEvent(event);
 }
 
 } // namespace stromar

@@ -30,11 +30,16 @@ QString read(const QApplication& app, Options& options) {
     parser.setApplicationDescription(QStringLiteral("Shows and edits trees."));
     parser.addHelpOption();
     parser.addVersionOption();
-    parser.addPositionalArgument(QStringLiteral("FILE.tree"), QStringLiteral("The tree to open."), QStringLiteral("[FILE.tree]"));
-    const QCommandLineOption screenshot(QStringLiteral("screenshot"), QStringLiteral("Saves a picture of the window and leaves."), QStringLiteral("OUT.png"));
+    parser.addPositionalArgument(QStringLiteral("FILE.tree"), QStringLiteral("The tree to open."),
+                                 QStringLiteral("[FILE.tree]"));
+    const QCommandLineOption screenshot(QStringLiteral("screenshot"),
+                                        QStringLiteral("Saves a picture of the window and leaves."),
+                                        QStringLiteral("OUT.png"));
     const QCommandLineOption size(QStringLiteral("size"), QStringLiteral("Size of the window."), QStringLiteral("WxH"));
-    const QCommandLineOption model(QStringLiteral("model"), QStringLiteral("The model of the picture: full or simple."), QStringLiteral("NAME"), QStringLiteral("full"));
-    const QCommandLineOption most(QStringLiteral("max-vertices"), QStringLiteral("Refuses trees that may be larger."), QStringLiteral("N"));
+    const QCommandLineOption model(QStringLiteral("model"), QStringLiteral("The model of the picture: full or simple."),
+                                   QStringLiteral("NAME"), QStringLiteral("full"));
+    const QCommandLineOption most(QStringLiteral("max-vertices"), QStringLiteral("Refuses trees that may be larger."),
+                                  QStringLiteral("N"));
     const QCommandLineOption wired(QStringLiteral("wired"), QStringLiteral("Shows the wire frame."));
     parser.addOptions({screenshot, size, model, wired, most});
     parser.process(app);
@@ -46,10 +51,12 @@ QString read(const QApplication& app, Options& options) {
     if (parser.isSet(size)) {
         const QStringList sides = parser.value(size).split(QLatin1Char('x'));
         options.size = QSize(sides.value(0).toInt(), sides.value(1).toInt());
-        if (sides.size() != 2 || options.size.width() < 100 || options.size.height() < 100 || options.size.width() > 16384 || options.size.height() > 16384)
+        if (sides.size() != 2 || options.size.width() < 100 || options.size.height() < 100 ||
+            options.size.width() > 16384 || options.size.height() > 16384)
             return QStringLiteral("--size wants WxH, at least 100x100");
     }
-    if (parser.value(model) != QLatin1String("full") && parser.value(model) != QLatin1String("simple")) return QStringLiteral("--model is full or simple");
+    if (parser.value(model) != QLatin1String("full") && parser.value(model) != QLatin1String("simple"))
+        return QStringLiteral("--model is full or simple");
     if (parser.value(model) == QLatin1String("simple")) options.model = Model::Simple;
     if (parser.isSet(most)) {
         options.mostVertices = parser.value(most).toDouble();
@@ -61,7 +68,9 @@ QString read(const QApplication& app, Options& options) {
 /// Waits until the wanted model is drawn, saves the window's picture and leaves.
 void takeScreenshot(CMainWindow& window, const Options& options) {
     QObject::connect(&window, &CMainWindow::modelShown, &window, [&window, options] {
-        if (window.shown()->model->detail->model != options.model || window.shown()->model->params != window.document().params()) return;
+        if (window.shown()->model->detail->model != options.model ||
+            window.shown()->model->params != window.document().params())
+            return;
         // Once more around the event loop, so that the viewport has drawn and the bars are laid out.
         QTimer::singleShot(300, &window, [&window, options] {
             const bool done = window.grab().save(options.screenshot);

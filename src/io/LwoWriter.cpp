@@ -15,14 +15,18 @@ public:
     CChunk(Out& out, const char* id, bool sub = false) : m_out(out), m_sub(sub) {
         out.text(id);
         m_length = out.size();
-        if (sub) out.u16(0);
-        else out.u32(0);
+        if (sub)
+            out.u16(0);
+        else
+            out.u32(0);
         m_start = out.size();
     }
     ~CChunk() {
         const auto length = static_cast<std::uint32_t>(m_out.size() - m_start);
-        if (m_sub) m_out.patch16(m_length, static_cast<std::uint16_t>(length));
-        else m_out.patch32(m_length, length);
+        if (m_sub)
+            m_out.patch16(m_length, static_cast<std::uint16_t>(length));
+        else
+            m_out.patch32(m_length, length);
         if (length % 2 == 1) m_out.u8(0);
     }
     CChunk(const CChunk&) = delete;
@@ -42,8 +46,10 @@ void putName(Out& out, const std::string& text) {
 
 /// An index: two bytes when small, else four with the first 0xFF.
 void putIndex(Out& out, std::size_t index) {
-    if (index < 0xFF00) out.u16(static_cast<std::uint16_t>(index));
-    else out.u32(0xFF000000u | static_cast<std::uint32_t>(index));
+    if (index < 0xFF00)
+        out.u16(static_cast<std::uint16_t>(index));
+    else
+        out.u32(0xFF000000u | static_cast<std::uint32_t>(index));
 }
 
 void addPoints(Out& out, const ExportModel& model) {

@@ -8,8 +8,10 @@ void writeMaterials(const ExportModel& model, std::ostream& stream) {
     CTextOut out(stream);
     for (const SurfaceLook& look : model.looks) {
         out << "newmtl " << look.name << "\nKa 1 1 1\nKd ";
-        if (look.texture.empty()) out << look.colour.x << " " << look.colour.y << " " << look.colour.z;
-        else out << "1 1 1";
+        if (look.texture.empty())
+            out << look.colour.x << " " << look.colour.y << " " << look.colour.z;
+        else
+            out << "1 1 1";
         out << "\nKs 0 0 0\nillum 1\n";
         if (!look.texture.empty()) out << "map_Kd " << look.texture << "\n";
         if (!look.texture.empty() && look.cutOut) out << "map_d " << look.texture << "\n";

@@ -33,7 +33,8 @@ void putFaces(CTextOut& out, const CMesh& mesh) {
 
 std::string_view imageType(const std::string& file) {
     std::string ending = std::filesystem::path(file).extension().string();
-    std::ranges::transform(ending, ending.begin(), [](char c) { return c >= 'A' && c <= 'Z' ? static_cast<char>(c + 32) : c; });
+    std::ranges::transform(ending, ending.begin(),
+                           [](char c) { return c >= 'A' && c <= 'Z' ? static_cast<char>(c + 32) : c; });
     if (ending == ".jpg" || ending == ".jpeg") return "jpeg";
     if (ending == ".tga") return "tga";
     if (ending == ".tif" || ending == ".tiff") return "tiff";
@@ -43,8 +44,11 @@ std::string_view imageType(const std::string& file) {
 
 void putTexture(CTextOut& out, const SurfaceLook& look) {
     out << "#declare Tree_" << look.name << " = texture {\n";
-    if (look.texture.empty()) out << "  pigment { rgb <" << look.colour.x << "," << look.colour.y << "," << look.colour.z << "> }\n";
-    else out << "  uv_mapping\n  pigment { image_map { " << imageType(look.texture) << " \"" << look.texture << "\" interpolate 2 } }\n";
+    if (look.texture.empty())
+        out << "  pigment { rgb <" << look.colour.x << "," << look.colour.y << "," << look.colour.z << "> }\n";
+    else
+        out << "  uv_mapping\n  pigment { image_map { " << imageType(look.texture) << " \"" << look.texture
+            << "\" interpolate 2 } }\n";
     out << "  finish { diffuse " << (look.cutOut ? "0.6, 0.4" : "0.85") << " ambient 0.12 }\n}\n";
 }
 
@@ -70,7 +74,8 @@ void putStage(CTextOut& out, const Bounds& box) {
     const glm::vec3 middle = (box.min + box.max) / 2.f;
     const float size = glm::length(box.max - box.min);
     out << "\n// A stage; declare Tree_Only before including this file to get the object alone.\n"
-           "#ifndef (Tree_Only)\nglobal_settings { assumed_gamma 1.0 }\nbackground { rgb <0.62,0.75,0.9> }\ncamera {\n  location ";
+           "#ifndef (Tree_Only)\nglobal_settings { assumed_gamma 1.0 }\nbackground { rgb <0.62,0.75,0.9> }\ncamera {\n "
+           " location ";
     put(out, middle + glm::vec3(0, -1.35f * size, 0.1f * size));
     out << "\n  right x*image_width/image_height\n  angle 45\n  look_at ";
     put(out, middle);

@@ -103,7 +103,8 @@ void addFaces(Out& out, const MeshChunk& chunk, const std::string& material) {
     for (std::uint16_t i = 0; i < count; ++i) out.u32(1);
 }
 
-void addObject(Out& out, const CMesh& mesh, const MeshChunk& part, const std::string& name, const std::string& material) {
+void addObject(Out& out, const CMesh& mesh, const MeshChunk& part, const std::string& name,
+               const std::string& material) {
     const CChunk object(out, kObject);
     out.zeroText(name);
     const CChunk triangles(out, kTriangles);
@@ -131,7 +132,9 @@ void addObject(Out& out, const CMesh& mesh, const MeshChunk& part, const std::st
 
 /// Names have at most ten letters: "branch2_12".
 std::string objectName(std::size_t mesh, const CMesh& whole, std::size_t part) {
-    const std::string base = whole.surface == Surface::Leaf ? "leaves" : mesh == 0 ? "trunk" : "branch" + std::to_string(mesh);
+    const std::string base = whole.surface == Surface::Leaf ? "leaves"
+                             : mesh == 0                    ? "trunk"
+                                                            : "branch" + std::to_string(mesh);
     return base + "_" + std::to_string(part);
 }
 } // namespace

@@ -26,7 +26,8 @@ Counts countsOf(const Tube& tube) {
 /// Writes the triangles of one tube; vertices lie ring by ring, then the tip or upper lid, then the lower lid.
 class CTriangleWriter {
 public:
-    CTriangleWriter(std::uint32_t* out, std::uint32_t first, std::uint32_t points) : m_out(out), m_next(first), m_points(points) {}
+    CTriangleWriter(std::uint32_t* out, std::uint32_t first, std::uint32_t points)
+        : m_out(out), m_next(first), m_points(points) {}
 
     void addWall() {
         for (std::uint32_t i = 0; i < m_points; ++i) {
@@ -45,8 +46,10 @@ public:
         const std::uint32_t first = lobed ? 1 : 0, count = lobed ? m_points : m_points - 2;
         for (std::uint32_t i = 0; i < count; ++i) {
             const std::uint32_t b = lobed ? i : i + 1, c = (b + 1) % m_points;
-            if (base) add(m_next, m_next + first + c, m_next + first + b);
-            else add(m_next, m_next + first + b, m_next + first + c);
+            if (base)
+                add(m_next, m_next + first + c, m_next + first + b);
+            else
+                add(m_next, m_next + first + b, m_next + first + c);
         }
         m_next += m_points + first;
     }
@@ -96,7 +99,9 @@ VertexSink sinkAt(CMesh& mesh, std::size_t vertex) {
 }
 
 /// Chooses `count` of `total` leaves, evenly: the index of the i-th.
-std::size_t chosenLeaf(std::size_t i, std::size_t count, std::size_t total) { return (2 * i + 1) * total / (2 * count); }
+std::size_t chosenLeaf(std::size_t i, std::size_t count, std::size_t total) {
+    return (2 * i + 1) * total / (2 * count);
+}
 
 void writeLeaf(const CLeaf& leaf, double growth, VertexSink sink, std::uint32_t* index, std::uint32_t first) {
     const glm::dvec3 p = glm::abs(leaf.position);
@@ -118,33 +123,37 @@ std::shared_ptr<const CMesh> meshOfStems(const CTree& tree, int generation, cons
         const Counts own = countsOf(plan.tubes[t]);
         first[t + 1] = {first[t].vertices + own.vertices, first[t].indices + own.indices};
     }
-    const auto mesh = makeMesh(generation == 0 ? "trunk" : "branches " + std::to_string(generation), Surface::Bark, first.back());
+    const auto mesh =
+        makeMesh(generation == 0 ? "trunk" : "branches " + std::to_string(generation), Surface::Bark, first.back());
     const CStemSurface surface(params, generation, tree.scaleTree());
     const glm::dvec2 wrap(params.global.textureWrapX, params.global.textureWrapY);
-    parallelFor(plan.tubes.size(), kTubeGrain,
-                [&](std::size_t begin, std::size_t end) {
-                    CPointGenerator points(tree.generation(static_cast<std::size_t>(generation)), plan, surface, wrap);
-                    for (std::size_t t = begin; t < end; ++t)
-                        writeTube(plan.tubes[t], points, sinkAt(*mesh, first[t].vertices),
-                                  CTriangleWriter(mesh->indices.data() + first[t].indices,
-                                                  static_cast<std::uint32_t>(first[t].vertices), plan.tubes[t].points));
-                },
-                progress);
+    parallelFor(
+        plan.tubes.size(), kTubeGrain,
+        [&](std::size_t begin, std::size_t end) {
+            CPointGenerator points(tree.generation(static_cast<std::size_t>(generation)), plan, surface, wrap);
+            for (std::size_t t = begin; t < end; ++t)
+                writeTube(plan.tubes[t], points, sinkAt(*mesh, first[t].vertices),
+                          CTriangleWriter(mesh->indices.data() + first[t].indices,
+                                          static_cast<std::uint32_t>(first[t].vertices), plan.tubes[t].points));
+        },
+        progress);
     return mesh;
 }
 
 std::shared_ptr<const CMesh> meshOfLeaves(const CTree& tree, const Detail& detail, const CProgress& progress) {
     const std::size_t total = tree.leaves().size();
-    const std::size_t count = std::min(detail.leafBudget, static_cast<std::size_t>(std::ceil(double(total) * detail.leafShare)));
+    const std::size_t count =
+        std::min(detail.leafBudget, static_cast<std::size_t>(std::ceil(double(total) * detail.leafShare)));
     const double growth = count == 0 ? 1 : std::min(kMostLeafGrowth, std::sqrt(double(total) / double(count)));
     const auto mesh = makeMesh("leaves", Surface::Leaf, {4 * count, 6 * count});
-    parallelFor(count, kLeafGrain,
-                [&](std::size_t begin, std::size_t end) {
-                    for (std::size_t i = begin; i < end; ++i)
-                        writeLeaf(tree.leaves()[chosenLeaf(i, count, total)], growth, sinkAt(*mesh, 4 * i),
-                                  mesh->indices.data() + 6 * i, static_cast<std::uint32_t>(4 * i));
-                },
-                progress);
+    parallelFor(
+        count, kLeafGrain,
+        [&](std::size_t begin, std::size_t end) {
+            for (std::size_t i = begin; i < end; ++i)
+                writeLeaf(tree.leaves()[chosenLeaf(i, count, total)], growth, sinkAt(*mesh, 4 * i),
+                          mesh->indices.data() + 6 * i, static_cast<std::uint32_t>(4 * i));
+        },
+        progress);
     return mesh;
 }
 

@@ -19,10 +19,12 @@ void CPointGenerator::startTube(const Tube& tube) {
     if (m_points != tube.points) {
         m_points = tube.points;
         m_circle.resize(m_points);
-        for (std::uint32_t i = 0; i < m_points; ++i) m_circle[i] = {std::cos(kTurn * i / m_points), std::sin(kTurn * i / m_points)};
+        for (std::uint32_t i = 0; i < m_points; ++i)
+            m_circle[i] = {std::cos(kTurn * i / m_points), std::sin(kTurn * i / m_points)};
     }
     m_rings.clear();
-    for (std::uint32_t i = 0; i < tube.ringCount; ++i) m_rings.push_back(shapeOf(tube, m_plan.rings[tube.firstRing + i], i));
+    for (std::uint32_t i = 0; i < tube.ringCount; ++i)
+        m_rings.push_back(shapeOf(tube, m_plan.rings[tube.firstRing + i], i));
     setSlopes();
 }
 
@@ -52,7 +54,8 @@ Frame CPointGenerator::frameOf(const Tube& tube, const Ring& ring, std::uint32_t
         return below.forks ? transported(segment.frame, below.frame[2]) : between(segment.frame, below.frame);
     }
     if (path.source < 0) return segment.frame;
-    const CPath& source = m_generation.paths[m_generation.stems[tube.stem].firstPath + static_cast<std::uint32_t>(path.source)];
+    const CPath& source =
+        m_generation.paths[m_generation.stems[tube.stem].firstPath + static_cast<std::uint32_t>(path.source)];
     const CSegment& fork = m_generation.segments[source.firstSegment + path.firstPosition - 1 - source.firstPosition];
     return transported(segment.frame, fork.frame[2]);
 }
@@ -89,7 +92,8 @@ void CPointGenerator::addRing(std::size_t r, VertexSink& sink) const {
     const RingShape& ring = m_rings[r];
     for (std::uint32_t i = 0; i <= m_points; ++i) {
         const std::uint32_t k = i == m_points ? 0 : i;
-        sink.add(pointAt(ring, k), normalAt(ring, kTurn * k / m_points, m_circle[k]), m_wrap.x * i / m_points, m_wrap.y * ring.along);
+        sink.add(pointAt(ring, k), normalAt(ring, kTurn * k / m_points, m_circle[k]), m_wrap.x * i / m_points,
+                 m_wrap.y * ring.along);
     }
 }
 
@@ -100,8 +104,8 @@ void CPointGenerator::addTip(VertexSink& sink) const {
     below.lobes = 0;
     for (std::uint32_t i = 0; i < m_points; ++i) {
         const double middle = kTurn * (i + 0.5) / m_points;
-        sink.add(tip.centre, normalAt(below, middle, {std::cos(middle), std::sin(middle)}), m_wrap.x * (i + 0.5) / m_points,
-                 m_wrap.y * tip.along);
+        sink.add(tip.centre, normalAt(below, middle, {std::cos(middle), std::sin(middle)}),
+                 m_wrap.x * (i + 0.5) / m_points, m_wrap.y * tip.along);
     }
 }
 

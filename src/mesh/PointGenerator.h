@@ -31,7 +31,8 @@ struct VertexSink {
 /// Makes the points of rings: position, normal, texture coordinates.
 class CPointGenerator {
 public:
-    CPointGenerator(const CGeneration& generation, const MeshPlan& plan, const CStemSurface& surface, glm::dvec2 textureWrap)
+    CPointGenerator(const CGeneration& generation, const MeshPlan& plan, const CStemSurface& surface,
+                    glm::dvec2 textureWrap)
         : m_generation(generation), m_plan(plan), m_surface(surface), m_wrap(textureWrap) {}
 
     /// Looks at all rings of a tube; the others speak of this one.

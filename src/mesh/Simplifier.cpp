@@ -14,9 +14,11 @@ constexpr int kPointsPerLobe = 8, kFewestPointsPerLobe = 4;
 class CSimplifier {
 public:
     CSimplifier(const CTree& tree, int generation, const CParams& params, const Detail& detail)
-        : m_generation(tree.generation(static_cast<std::size_t>(generation))), m_surface(params, generation, tree.scaleTree()),
-          m_smoother(m_surface), m_smooth(generation < detail.smoothGenerations),
-          m_points(detail.ringPoints[static_cast<std::size_t>(std::min(generation, 3))]), m_full(detail.model == Model::Full && detail.lod == 0) {}
+        : m_generation(tree.generation(static_cast<std::size_t>(generation))),
+          m_surface(params, generation, tree.scaleTree()), m_smoother(m_surface),
+          m_smooth(generation < detail.smoothGenerations),
+          m_points(detail.ringPoints[static_cast<std::size_t>(std::min(generation, 3))]),
+          m_full(detail.model == Model::Full && detail.lod == 0) {}
 
     void planStem(std::uint32_t s, MeshPlan& plan) {
         const CStem& stem = m_generation.stems[s];
@@ -30,7 +32,8 @@ private:
         const CSegment& first = m_generation.segments[path.firstSegment];
         const double spacing = CStemSurface::leastDrawn(stem, m_generation.segments[stem.firstSegment]);
         Tube tube{s, p, static_cast<std::uint32_t>(plan.rings.size()), 0, ringPoints(), false, false};
-        tube.lobed = m_surface.lobes() > 0 && tube.points >= static_cast<std::uint32_t>(kFewestPointsPerLobe * m_surface.lobes());
+        tube.lobed = m_surface.lobes() > 0 &&
+                     tube.points >= static_cast<std::uint32_t>(kFewestPointsPerLobe * m_surface.lobes());
         plan.rings.push_back({path.firstSegment, 0});
         glm::dvec3 last = first.centre(0);
         const auto add = [&](std::uint32_t segment, double t, bool tip) {
@@ -96,15 +99,18 @@ void append(MeshPlan& whole, const MeshPlan& part) {
 }
 } // namespace
 
-MeshPlan planRings(const CTree& tree, int generation, const CParams& params, const Detail& detail, const CProgress& progress) {
+MeshPlan planRings(const CTree& tree, int generation, const CParams& params, const Detail& detail,
+                   const CProgress& progress) {
     const std::size_t stems = tree.generation(static_cast<std::size_t>(generation)).stems.size();
     std::vector<MeshPlan> parts((stems + kGrain - 1) / kGrain);
-    parallelFor(stems, kGrain,
-                [&](std::size_t begin, std::size_t end) {
-                    CSimplifier simplifier(tree, generation, params, detail);
-                    for (std::size_t s = begin; s < end; ++s) simplifier.planStem(static_cast<std::uint32_t>(s), parts[begin / kGrain]);
-                },
-                progress);
+    parallelFor(
+        stems, kGrain,
+        [&](std::size_t begin, std::size_t end) {
+            CSimplifier simplifier(tree, generation, params, detail);
+            for (std::size_t s = begin; s < end; ++s)
+                simplifier.planStem(static_cast<std::uint32_t>(s), parts[begin / kGrain]);
+        },
+        progress);
     if (parts.size() == 1) return std::move(parts.front());
     MeshPlan plan;
     for (const MeshPlan& part : parts) append(plan, part);

@@ -14,7 +14,8 @@ public:
     explicit CSmoother(const CStemSurface& surface) : m_surface(surface) {}
 
     /// Appends the places, 0 < t < 1, in rising order.
-    void subdivide(const CStem& stem, const CSegment& segment, std::uint32_t position, std::vector<double>& places) const;
+    void subdivide(const CStem& stem, const CSegment& segment, std::uint32_t position,
+                   std::vector<double>& places) const;
 
 private:
     struct Place {

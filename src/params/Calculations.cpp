@@ -33,7 +33,8 @@ double shapeRatio(int shape, double ratio, const GlobalParams& global) {
     }
 }
 
-double CCalculations::gradedDownAngle(double downAngle, double downAngleV, const StemMeasures& stem, double offset) const {
+double CCalculations::gradedDownAngle(double downAngle, double downAngleV, const StemMeasures& stem,
+                                      double offset) const {
     const double ratio = (stem.length - offset) / (stem.length - bareLength());
     return downAngle + downAngleV * (1 - 2 * shapeRatio(0, ratio, m_global));
 }

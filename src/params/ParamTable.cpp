@@ -10,11 +10,10 @@ using G = GlobalParams;
 using L = LevelParams;
 using std::string_view;
 
-constexpr string_view kShapes[] = {"conical",       "spherical",       "hemispherical",
-                                   "cylindrical",   "tapered-cylindrical", "flame",
-                                   "inverse-conical", "tend-flame",    "envelope"};
-constexpr string_view kLeafShapes[] = {"oval",            "triangle",       "three-lobe-oak", "three-lobe-maple",
-                                       "five-lobe-maple", "three-leaflets", "square",         "needles"};
+constexpr string_view kShapes[] = {"conical", "spherical",       "hemispherical", "cylindrical", "tapered-cylindrical",
+                                   "flame",   "inverse-conical", "tend-flame",    "envelope"};
+constexpr string_view kLeafShapes[] = {
+    "oval", "triangle", "three-lobe-oak", "three-lobe-maple", "five-lobe-maple", "three-leaflets", "square", "needles"};
 constexpr string_view kSwitch[] = {"off", "on"};
 constexpr string_view kMethods[] = {"weber-penn"};
 
@@ -239,7 +238,8 @@ constexpr TextInfo kTexts[] = {
 constexpr bool rowIsSane(const ParamInfo& p) {
     if (p.key.empty() || p.label.empty() || p.section.empty() || p.help.empty()) return false;
     if (p.step <= 0 || p.range.min >= p.range.max) return false;
-    if (!p.range.contains(p.useful.min) || !p.range.contains(p.useful.max) || p.useful.min >= p.useful.max) return false;
+    if (!p.range.contains(p.useful.min) || !p.range.contains(p.useful.max) || p.useful.min >= p.useful.max)
+        return false;
     if (p.integer() != (p.decimals == 0)) return false;
     if (!p.words.empty() && p.range.max + 1 != static_cast<double>(p.words.size())) return false;
     for (int level = p.firstLevel; level <= p.lastLevel(); ++level)
@@ -323,8 +323,10 @@ CParams::CParams() : global(), level(), text() {
 double ParamInfo::get(const CParams& params, int level) const {
     return std::visit(
         [&](auto member) -> double {
-            if constexpr (requires { params.global.*member; }) return params.global.*member;
-            else return params.level[static_cast<std::size_t>(level)].*member;
+            if constexpr (requires { params.global.*member; })
+                return params.global.*member;
+            else
+                return params.level[static_cast<std::size_t>(level)].*member;
         },
         field);
 }

@@ -61,8 +61,8 @@ SetResult setNumber(CParams& params, const ParamRef& ref, std::string_view value
         return SetResult::BadValue;
     }
     if (ref.set(params, *number)) return SetResult::Done;
-    problem = ref.key() + " must be from " + numberText(info.range.min) + " to " + numberText(info.range.max) + ", not " +
-              std::string(value) + "; taken as " + numberText(ref.get(params));
+    problem = ref.key() + " must be from " + numberText(info.range.min) + " to " + numberText(info.range.max) +
+              ", not " + std::string(value) + "; taken as " + numberText(ref.get(params));
     return SetResult::Clamped;
 }
 
@@ -73,7 +73,8 @@ SetResult setText(CParams& params, const TextInfo& text, std::string_view value,
         return SetResult::BadValue;
     }
     params.text.*text.field = value;
-    std::ranges::replace_if(params.text.*text.field, [](char c) { return c == '\n' || c == '\r'; }, ' ');
+    std::ranges::replace_if(
+        params.text.*text.field, [](char c) { return c == '\n' || c == '\r'; }, ' ');
     return SetResult::Done;
 }
 
@@ -108,7 +109,8 @@ std::string rangeText(const ParamInfo& p) {
 
 template <typename Row>
 void forEachGroup(Row&& row) {
-    for (const Group group : {Group::Tree, Group::Trunk, Group::Branches, Group::Leaves, Group::Pruning, Group::Textures})
+    for (const Group group :
+         {Group::Tree, Group::Trunk, Group::Branches, Group::Leaves, Group::Pruning, Group::Textures})
         row(group);
 }
 
@@ -135,16 +137,18 @@ std::string valueText(const CParams& params, const ParamTarget& target) {
 }
 
 std::string paramsAsMarkdown() {
-    std::string page = "# Parameters\n\n"
-                       "Written by `stromar-cli params --markdown`. Lengths are in metres, angles in degrees. `n` in a key "
-                       "stands for the level, 0 to 3;\nlevel 3 also serves all deeper ones, and the level after the last "
-                       "stems' one places the leaves.\n";
+    std::string page =
+        "# Parameters\n\n"
+        "Written by `stromar-cli params --markdown`. Lengths are in metres, angles in degrees. `n` in a key "
+        "stands for the level, 0 to 3;\nlevel 3 also serves all deeper ones, and the level after the last "
+        "stems' one places the leaves.\n";
     forEachGroup([&](Group group) {
-        page += "\n## " + groupTitle(group) + "\n\n| Key | Name | Unit | Range | Default | Meaning |\n|---|---|---|---|---|---|\n";
+        page += "\n## " + groupTitle(group) +
+                "\n\n| Key | Name | Unit | Range | Default | Meaning |\n|---|---|---|---|---|---|\n";
         for (const ParamInfo& p : paramTable())
             if (p.group == group)
-                page += "| `" + keyText(p) + "` | " + std::string(p.label) + " | " + std::string(unitName(p.unit)) + " | " +
-                        rangeText(p) + " | " + defaultsText(p) + " | " + std::string(p.help) + " |\n";
+                page += "| `" + keyText(p) + "` | " + std::string(p.label) + " | " + std::string(unitName(p.unit)) +
+                        " | " + rangeText(p) + " | " + defaultsText(p) + " | " + std::string(p.help) + " |\n";
         for (const TextInfo& t : textTable())
             if (t.group == group)
                 page += "| `" + std::string(t.key) + "` | " + std::string(t.label) + " | | text | | " +

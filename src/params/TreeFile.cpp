@@ -17,8 +17,11 @@ constexpr std::size_t kMostBytes = 16u << 20;
 std::size_t firstBadByte(std::string_view text) {
     for (std::size_t i = 0; i < text.size();) {
         const auto byte = static_cast<unsigned char>(text[i]);
-        const std::size_t length = byte < 0x80 ? 1 : byte >= 0xC2 && byte < 0xE0 ? 2 : byte >= 0xE0 && byte < 0xF0 ? 3
-                                   : byte >= 0xF0 && byte < 0xF5 ? 4 : 0;
+        const std::size_t length = byte < 0x80                   ? 1
+                                   : byte >= 0xC2 && byte < 0xE0 ? 2
+                                   : byte >= 0xE0 && byte < 0xF0 ? 3
+                                   : byte >= 0xF0 && byte < 0xF5 ? 4
+                                                                 : 0;
         if (length == 0 || i + length > text.size()) return i;
         for (std::size_t k = 1; k < length; ++k)
             if ((static_cast<unsigned char>(text[i + k]) & 0xC0) != 0x80) return i;
@@ -30,7 +33,8 @@ std::size_t firstBadByte(std::string_view text) {
 /// Columns count characters, not bytes.
 int columnOf(std::string_view line, std::size_t byte) {
     const auto head = line.substr(0, byte);
-    return 1 + static_cast<int>(std::ranges::count_if(head, [](char c) { return (static_cast<unsigned char>(c) & 0xC0) != 0x80; }));
+    return 1 + static_cast<int>(
+                   std::ranges::count_if(head, [](char c) { return (static_cast<unsigned char>(c) & 0xC0) != 0x80; }));
 }
 
 /// Why the bytes are no text of ours, or nothing.
@@ -38,9 +42,12 @@ std::optional<std::string> whyNotText(std::string_view text) {
     if (text.size() >= 11 && text.substr(4, 7) == "<Kraut>")
         return "this is a binary tree of the program Kraut, which uses the same file ending; it cannot be read here";
     if (text.starts_with("\xFF\xFE") || text.starts_with("\xFE\xFF")) return "this is UTF-16 text; save it as UTF-8";
-    const bool binary = std::ranges::any_of(text, [](char c) { return c == '\0' || (c > 0 && c < ' ' && c != '\t' && c != '\n' && c != '\r' && c != '\f'); });
+    const bool binary = std::ranges::any_of(text, [](char c) {
+        return c == '\0' || (c > 0 && c < ' ' && c != '\t' && c != '\n' && c != '\r' && c != '\f');
+    });
     if (binary || text.size() > kMostBytes) return "this is not a text file of parameters";
-    if (std::ranges::all_of(text, [](char c) { return c == ' ' || c == '\t' || c == '\r' || c == '\n'; })) return "the file is empty";
+    if (std::ranges::all_of(text, [](char c) { return c == ' ' || c == '\t' || c == '\r' || c == '\n'; }))
+        return "the file is empty";
     return {};
 }
 
@@ -55,8 +62,10 @@ std::size_t commentStart(std::string_view line, std::size_t from) {
 std::size_t quoteEnd(std::string_view line, std::size_t begin) {
     for (std::size_t i = begin + 1; i < line.size(); ++i) {
         if (line[i] != '"') continue;
-        if (i + 1 < line.size() && line[i + 1] == '"') ++i;
-        else return i + 1;
+        if (i + 1 < line.size() && line[i + 1] == '"')
+            ++i;
+        else
+            return i + 1;
     }
     return std::string_view::npos;
 }
@@ -78,8 +87,10 @@ public:
     explicit CParser(std::string name) : m_name(std::move(name)) {}
 
     CTreeFile parse(std::string_view text) {
-        if (const auto why = whyNotText(text)) fail(0, 0, *why);
-        else parseLines(text);
+        if (const auto why = whyNotText(text))
+            fail(0, 0, *why);
+        else
+            parseLines(text);
         if (!m_errors.empty()) throw CInputError(std::move(m_errors));
         if (!m_seen.contains(std::string(kFormatKey)))
             m_file.m_warnings.insert(m_file.m_warnings.begin(),
@@ -110,7 +121,8 @@ private:
         const std::size_t equals = content.substr(0, commentStart(content, start)).find('=', start);
         if (equals == std::string_view::npos) {
             const std::string_view word = content.substr(start, content.find_first_of(" \t", start) - start);
-            fail(number, columnOf(content, start) - int(mark > 0), "this line is not 'Key = Value'" + keySuggestion(word));
+            fail(number, columnOf(content, start) - int(mark > 0),
+                 "this line is not 'Key = Value'" + keySuggestion(word));
             return line;
         }
         line.key = trimmed(content.substr(start, equals - start));
@@ -125,7 +137,8 @@ private:
         std::size_t end = 0;
         if (begin < content.size() && content[begin] == '"') {
             end = quoteEnd(content, begin);
-            if (end == std::string_view::npos) return failed(number, columnOf(content, begin), "the quote is not closed");
+            if (end == std::string_view::npos)
+                return failed(number, columnOf(content, begin), "the quote is not closed");
             const std::size_t rest = content.find_first_not_of(" \t", end);
             if (rest != std::string_view::npos && content[rest] != '#')
                 return failed(number, columnOf(content, rest), "nothing but a comment may follow the closing quote");
@@ -145,8 +158,9 @@ private:
         if (line.key == kFormatKey) return takeFormat(value, number, keyColumn, column);
         const auto target = findParam(line.key);
         if (!target) return warn(number, keyColumn, "unknown key '" + line.key + "' is kept" + keySuggestion(line.key));
-        const std::string mainKey = std::holds_alternative<ParamRef>(*target) ? std::get<ParamRef>(*target).key()
-                                                                             : std::string(std::get<const TextInfo*>(*target)->key);
+        const std::string mainKey = std::holds_alternative<ParamRef>(*target)
+                                        ? std::get<ParamRef>(*target).key()
+                                        : std::string(std::get<const TextInfo*>(*target)->key);
         if (isSecond(mainKey, number, keyColumn)) return;
         std::string problem;
         switch (setFromText(m_file.m_params, *target, value, problem)) {
@@ -162,17 +176,22 @@ private:
         if (!format || *format < 1 || *format != std::floor(*format))
             return fail(number, column, "Format must be a whole number from 1, not '" + value + "'");
         if (*format > kFormat)
-            fail(number, column, "the file has format " + value + ", but this version reads only up to " +
-                                     std::to_string(kFormat) + "; a newer Stromar is needed");
+            fail(number, column,
+                 "the file has format " + value + ", but this version reads only up to " + std::to_string(kFormat) +
+                     "; a newer Stromar is needed");
     }
 
     bool isSecond(const std::string& key, int number, int column) {
         const auto [first, isNew] = m_seen.emplace(key, number);
-        if (!isNew) fail(number, column, "a second value for " + key + "; the first is in line " + std::to_string(first->second));
+        if (!isNew)
+            fail(number, column,
+                 "a second value for " + key + "; the first is in line " + std::to_string(first->second));
         return !isNew;
     }
 
-    void fail(int line, int column, std::string text) { m_errors.push_back({Severity::Error, m_name, line, column, std::move(text)}); }
+    void fail(int line, int column, std::string text) {
+        m_errors.push_back({Severity::Error, m_name, line, column, std::move(text)});
+    }
     bool failed(int line, int column, std::string text) {
         fail(line, column, std::move(text));
         return false;
@@ -207,7 +226,8 @@ std::vector<FileGroup> makeFileGroups() {
     }
     for (const TextInfo& text : textTable()) {
         const auto group = std::ranges::find(groups, groupName(text.group), &FileGroup::heading);
-        const auto behindTexts = std::ranges::find_if(group->values, [](const ParamTarget& t) { return t.index() == 0; });
+        const auto behindTexts =
+            std::ranges::find_if(group->values, [](const ParamTarget& t) { return t.index() == 0; });
         group->values.insert(behindTexts, &text);
     }
     return groups;
@@ -228,10 +248,12 @@ bool differs(const CParams& a, const CParams& b, const ParamTarget& target) {
 }
 
 /// The last line with a value of the group, else the last of the file.
-std::size_t lastLineOf(const FileGroup& group, const std::map<std::string, std::size_t>& lineOf, std::size_t lineCount) {
+std::size_t lastLineOf(const FileGroup& group, const std::map<std::string, std::size_t>& lineOf,
+                       std::size_t lineCount) {
     std::optional<std::size_t> last;
     for (const ParamTarget& target : group.values)
-        if (const auto at = lineOf.find(keyOf(target)); at != lineOf.end()) last = std::max(last.value_or(0), at->second);
+        if (const auto at = lineOf.find(keyOf(target)); at != lineOf.end())
+            last = std::max(last.value_or(0), at->second);
     return last.value_or(lineCount - 1);
 }
 
@@ -264,7 +286,8 @@ std::string CTreeFile::text(const CParams& params) const {
     std::vector<std::string> lines;
     std::map<std::string, std::size_t> lineOf;
     for (const Line& line : m_lines) {
-        if (const auto target = line.key.empty() ? std::nullopt : findParam(line.key)) lineOf[keyOf(*target)] = lines.size();
+        if (const auto target = line.key.empty() ? std::nullopt : findParam(line.key))
+            lineOf[keyOf(*target)] = lines.size();
         lines.push_back(changedLine(line, params));
     }
     const std::string lineEnd = m_lines.front().raw.ends_with("\r\n") ? "\r\n" : "\n";
@@ -284,7 +307,8 @@ std::string CTreeFile::changedLine(const Line& line, const CParams& params) cons
     if (!target || !differs(params, m_params, *target)) return line.raw;
     const bool glued = line.valueBegin > 0 && line.raw[line.valueBegin - 1] == '=';
     std::string changed = line.raw;
-    return changed.replace(line.valueBegin, line.valueEnd - line.valueBegin, (glued ? " " : "") + valueText(params, *target));
+    return changed.replace(line.valueBegin, line.valueEnd - line.valueBegin,
+                           (glued ? " " : "") + valueText(params, *target));
 }
 
 CTreeFile CTreeFile::write(const std::filesystem::path& path, const CParams& params) const {

@@ -61,7 +61,8 @@ void writeOsg(const ExportModel& model, const std::filesystem::path& path, CFile
     const auto result = writer->writeNode(*makeNode(model), out, options.get());
     if (!result.success()) throw CError("OpenSceneGraph cannot write " + path.string() + ": " + result.message());
     // A writer that says it is done may have written nothing: no format takes less than two bytes a coordinate.
-    if (files.bytes() + 65536 < 6 * model.vertexCount()) throw CError("OpenSceneGraph wrote " + path.string() + " incompletely");
+    if (files.bytes() + 65536 < 6 * model.vertexCount())
+        throw CError("OpenSceneGraph wrote " + path.string() + " incompletely");
 }
 
 } // namespace stromar

@@ -26,7 +26,8 @@ struct NoBounds : osg::Drawable::ComputeBoundingBoxCallback {
 osg::ref_ptr<osg::Geometry> makeBackground() {
     osg::ref_ptr<osg::Geometry> background = new osg::Geometry;
     osg::ref_ptr<osg::Vec3Array> corners = new osg::Vec3Array;
-    for (const osg::Vec3& corner : {osg::Vec3(-1, -1, 0), osg::Vec3(3, -1, 0), osg::Vec3(-1, 3, 0)}) corners->push_back(corner);
+    for (const osg::Vec3& corner : {osg::Vec3(-1, -1, 0), osg::Vec3(3, -1, 0), osg::Vec3(-1, 3, 0)})
+        corners->push_back(corner);
     background->setVertexArray(corners);
     background->setUseDisplayList(false);
     background->setUseVertexBufferObjects(true);
@@ -60,7 +61,8 @@ const osg::Vec4 kPlain[] = {{0.42f, 0.34f, 0.26f, 1}, {0.30f, 0.45f, 0.18f, 1}};
 } // namespace
 
 CViewScene::CViewScene()
-    : m_root(new osg::Group), m_tree(new osg::Group), m_crownMiddle(new osg::Uniform("crownMiddle", osg::Vec3(0, 0, 1))),
+    : m_root(new osg::Group), m_tree(new osg::Group),
+      m_crownMiddle(new osg::Uniform("crownMiddle", osg::Vec3(0, 0, 1))),
       m_crownSize(new osg::Uniform("crownSize", osg::Vec3(1, 1, 1))) {
     m_root->addChild(makeBackground());
     m_root->addChild(m_tree);
@@ -73,7 +75,8 @@ CViewScene::CViewScene()
     for (const Surface surface : {Surface::Bark, Surface::Leaf}) {
         const auto i = static_cast<std::size_t>(surface);
         m_surfaces[i] = new osg::Group;
-        m_surfaces[i]->getOrCreateStateSet()->addUniform(new osg::Uniform("leaf", surface == Surface::Leaf ? 1.f : 0.f));
+        m_surfaces[i]->getOrCreateStateSet()->addUniform(
+            new osg::Uniform("leaf", surface == Surface::Leaf ? 1.f : 0.f));
         m_tree->addChild(m_surfaces[i]);
         setTexture(surface, {});
     }
@@ -103,7 +106,8 @@ void CViewScene::setWireframe(bool on) {
 osg::BoundingBox CViewScene::bounds() const {
     osg::BoundingBox box;
     for (const auto& surface : m_surfaces)
-        for (unsigned i = 0; i < surface->getNumChildren(); ++i) box.expandBy(surface->getChild(i)->asGeometry()->getBoundingBox());
+        for (unsigned i = 0; i < surface->getNumChildren(); ++i)
+            box.expandBy(surface->getChild(i)->asGeometry()->getBoundingBox());
     return box;
 }
 

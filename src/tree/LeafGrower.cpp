@@ -16,7 +16,8 @@ constexpr int kTaperedShape = 4; // ShapeRatio of the leaves along the parent
 double wrapped(double angle) { return std::remainder(angle, 2 * std::numbers::pi); }
 
 std::uint64_t leafId(const CStem& stem, const CPath& path, std::uint32_t position, int i) {
-    const std::uint64_t site = hashCombine(hashCombine(stem.id, path.id), (std::uint64_t{position} << 32) | static_cast<std::uint32_t>(i));
+    const std::uint64_t site =
+        hashCombine(hashCombine(stem.id, path.id), (std::uint64_t{position} << 32) | static_cast<std::uint32_t>(i));
     return hashCombine(site, kDrawLeafId);
 }
 } // namespace
@@ -35,20 +36,22 @@ Frame bentToLight(const Frame& frame, const glm::dvec3& position, double bend) {
 std::shared_ptr<const LeafArray> CLeafGrower::grow(const CGeneration& generation, const CProgress& progress) const {
     const std::size_t stems = generation.stems.size();
     std::vector<std::size_t> first(stems + 1, 0);
-    parallelFor(stems, kGrain,
-                [&](std::size_t begin, std::size_t end) {
-                    for (std::size_t s = begin; s < end; ++s) first[s + 1] = countOn(generation, generation.stems[s]);
-                },
-                progress);
+    parallelFor(
+        stems, kGrain,
+        [&](std::size_t begin, std::size_t end) {
+            for (std::size_t s = begin; s < end; ++s) first[s + 1] = countOn(generation, generation.stems[s]);
+        },
+        progress);
     for (std::size_t s = 0; s < stems; ++s) first[s + 1] += first[s];
     auto leaves = std::make_shared<LeafArray>();
     leaves->resize(first[stems]);
-    parallelFor(stems, kGrain,
-                [&](std::size_t begin, std::size_t end) {
-                    for (std::size_t s = begin; s < end; ++s)
-                        growOn(generation, static_cast<std::uint32_t>(s), leaves->data() + first[s]);
-                },
-                progress);
+    parallelFor(
+        stems, kGrain,
+        [&](std::size_t begin, std::size_t end) {
+            for (std::size_t s = begin; s < end; ++s)
+                growOn(generation, static_cast<std::uint32_t>(s), leaves->data() + first[s]);
+        },
+        progress);
     return leaves;
 }
 
@@ -80,8 +83,10 @@ std::size_t CLeafGrower::countOn(const CGeneration& generation, const CStem& ste
 }
 
 void CLeafGrower::growOn(const CGeneration& generation, std::uint32_t stem, CLeaf* leaf) const {
-    if (m_bearing.global().leaves < 0) growFans(generation, stem, leaf);
-    else growAlong(generation, stem, leaf);
+    if (m_bearing.global().leaves < 0)
+        growFans(generation, stem, leaf);
+    else
+        growAlong(generation, stem, leaf);
 }
 
 void CLeafGrower::growAlong(const CGeneration& generation, std::uint32_t s, CLeaf* leaf) const {
@@ -89,20 +94,22 @@ void CLeafGrower::growAlong(const CGeneration& generation, std::uint32_t s, CLea
     const LevelParams& level = m_leafLevel.level();
     CRotation rotation(level.rotate);
     std::uint32_t path = stem.pathCount;
-    distribute(generation, stem, m_bearing.calc().bareLength(), numberOn(stem), startError(stem), [&](const SegmentShare& share) {
-        const CPath& own = generation.paths[stem.firstPath + share.path];
-        if (share.path != path) rotation.startPath(own.phase);
-        path = share.path;
-        const CSegment& segment = generation.segments[share.segment];
-        for (int i = 0; i < share.count; ++i) {
-            const std::uint64_t id = leafId(stem, own, share.position, i);
-            const double w = placeInSegment(share, i, 1, m_random.vary(level.branchDistV, id, kDrawPlace));
-            const double offset = (share.position + w) * segment.length;
-            const double turn = rotation.next(m_random.vary(level.rotateV, id, kDrawRotation));
-            const double down = downAngle(level, m_bearing.calc(), stem.measures, offset, m_random.uniform(id, kDrawDownAngle));
-            *leaf++ = makeLeaf(segment.centre(w), rotatedX(rotatedZ(segment.frame, turn), down), s);
-        }
-    });
+    distribute(generation, stem, m_bearing.calc().bareLength(), numberOn(stem), startError(stem),
+               [&](const SegmentShare& share) {
+                   const CPath& own = generation.paths[stem.firstPath + share.path];
+                   if (share.path != path) rotation.startPath(own.phase);
+                   path = share.path;
+                   const CSegment& segment = generation.segments[share.segment];
+                   for (int i = 0; i < share.count; ++i) {
+                       const std::uint64_t id = leafId(stem, own, share.position, i);
+                       const double w = placeInSegment(share, i, 1, m_random.vary(level.branchDistV, id, kDrawPlace));
+                       const double offset = (share.position + w) * segment.length;
+                       const double turn = rotation.next(m_random.vary(level.rotateV, id, kDrawRotation));
+                       const double down = downAngle(level, m_bearing.calc(), stem.measures, offset,
+                                                     m_random.uniform(id, kDrawDownAngle));
+                       *leaf++ = makeLeaf(segment.centre(w), rotatedX(rotatedZ(segment.frame, turn), down), s);
+                   }
+               });
 }
 
 void CLeafGrower::growFans(const CGeneration& generation, std::uint32_t s, CLeaf* leaf) const {
@@ -116,8 +123,8 @@ void CLeafGrower::growFans(const CGeneration& generation, std::uint32_t s, CLeaf
             const std::uint64_t id = leafId(stem, path, stem.curveRes, i);
             const double inFan = count > 1 ? level.rotate * (double(i) / (count - 1) - 0.5) : 0;
             const double turn = inFan + m_random.vary(level.rotateV, id, kDrawRotation);
-            const double down =
-                downAngle(level, m_bearing.calc(), stem.measures, stem.measures.length, m_random.uniform(id, kDrawDownAngle));
+            const double down = downAngle(level, m_bearing.calc(), stem.measures, stem.measures.length,
+                                          m_random.uniform(id, kDrawDownAngle));
             *leaf++ = makeLeaf(last.centre(1), rotatedX(rotatedY(last.frame, turn), down), s);
         }
     }

@@ -18,7 +18,8 @@ struct SegmentShare {
 /// Shares out `number` children over a stem's segments, path by path, low to high, by error diffusion from `error`
 /// (Weber & Penn §4.3), and calls visit(SegmentShare) for every segment that gets some.
 template <typename Visit>
-void distribute(const CGeneration& generation, const CStem& stem, double bare, double number, double error, Visit&& visit) {
+void distribute(const CGeneration& generation, const CStem& stem, double bare, double number, double error,
+                Visit&& visit) {
     const double length = stem.measures.length, segmentLength = length / stem.curveRes;
     if (length <= bare || number <= 0) return;
     for (std::uint32_t p = 0; p < stem.pathCount; ++p) {
@@ -32,7 +33,8 @@ void distribute(const CGeneration& generation, const CStem& stem, double bare, d
             error -= count - wanted;
             if (count < 1) continue;
             const double inParent = position == 0 ? std::min(1.0, stem.woodAtBase / segmentLength) : 0.0;
-            visit(SegmentShare{p, path.firstSegment + s, position, static_cast<int>(count), std::max(bareShare, inParent)});
+            visit(SegmentShare{p, path.firstSegment + s, position, static_cast<int>(count),
+                               std::max(bareShare, inParent)});
         }
     }
 }
@@ -67,8 +69,8 @@ private:
 };
 
 /// The down angle of a child or leaf; `u` uniform in 0..1. Radians.
-inline double downAngle(const LevelParams& level, const CCalculations& parentCalc, const StemMeasures& parent, double offset,
-                        double u) {
+inline double downAngle(const LevelParams& level, const CCalculations& parentCalc, const StemMeasures& parent,
+                        double offset, double u) {
     if (level.downAngleV < 0) return parentCalc.gradedDownAngle(level.downAngle, level.downAngleV, parent, offset);
     return level.downAngle + level.downAngleV * (2 * u - 1);
 }

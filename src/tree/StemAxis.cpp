@@ -59,7 +59,8 @@ void CAxisGrower::bend(std::size_t p, int k, const StemAxis& axis) {
         const std::uint64_t here = place(axis.paths[p].id, k);
         const double around = kTurn * m_random.uniform(m_id, kDrawCurveAxis, here);
         const glm::dvec3 bendAxis = std::cos(around) * growing.frame[0] + std::sin(around) * growing.frame[1];
-        growing.frame = rotatedAbout(growing.frame, bendAxis, m_random.vary(level.curveV, m_id, kDrawCurveAngle, here) / n);
+        growing.frame =
+            rotatedAbout(growing.frame, bendAxis, m_random.vary(level.curveV, m_id, kDrawCurveAngle, here) / n);
     }
     if (m_params.generation() >= 2) attractUp(growing.frame);
 }
@@ -79,7 +80,8 @@ void CAxisGrower::split(std::size_t p, int k, StemAxis& axis) {
     const CPath source = axis.paths[p];
     const std::uint64_t here = place(source.id, k);
     const double lean = declination(m_growing[p].frame);
-    const double angle = std::max(0.0, level.splitAngle + m_random.vary(level.splitAngleV, m_id, kDrawSplitAngle, here) - lean);
+    const double angle =
+        std::max(0.0, level.splitAngle + m_random.vary(level.splitAngleV, m_id, kDrawSplitAngle, here) - lean);
     Growing& growing = m_growing[p];
     growing.frame = rotatedX(growing.frame, angle);
     growing.correction -= angle / (axis.curveRes - 1 - k);
@@ -89,8 +91,11 @@ void CAxisGrower::split(std::size_t p, int k, StemAxis& axis) {
     for (int j = 1; j <= clones; ++j) {
         Growing clone = m_growing[p];
         clone.frame = rotatedWorldZ(clone.frame, spreadAngle(atBase, clones, j, lean, source.id, k));
-        openPath({.id = hashCombine(here, static_cast<std::uint64_t>(j)), .firstSegment = 0, .segmentCount = 0,
-                  .firstPosition = static_cast<std::uint32_t>(k + 1), .source = static_cast<std::int32_t>(p),
+        openPath({.id = hashCombine(here, static_cast<std::uint64_t>(j)),
+                  .firstSegment = 0,
+                  .segmentCount = 0,
+                  .firstPosition = static_cast<std::uint32_t>(k + 1),
+                  .source = static_cast<std::int32_t>(p),
                   .phase = kTurn * j / (clones + 1)},
                  clone, axis);
     }

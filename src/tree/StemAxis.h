@@ -27,7 +27,8 @@ class CAxisGrower {
 public:
     CAxisGrower(const CTreeParams& params, const CRandom& random) : m_params(params), m_random(random) {}
 
-    /// `frame` is the stem's own at its base; `key` starts the error diffusion of its splits. Reuses the memory of `axis`.
+    /// `frame` is the stem's own at its base; `key` starts the error diffusion of its splits. Reuses the memory of
+    /// `axis`.
     void grow(std::uint64_t id, double key, const Frame& frame, StemAxis& axis);
 
 private:

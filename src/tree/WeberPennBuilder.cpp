@@ -52,16 +52,19 @@ public:
     std::vector<Site> find(const CGeneration& generation, const CProgress& progress) const {
         const std::size_t count = generation.stems.size();
         std::vector<std::vector<Site>> parts((count + kParentGrain - 1) / kParentGrain);
-        parallelFor(count, kParentGrain,
-                    [&](std::size_t begin, std::size_t end) {
-                        for (std::size_t s = begin; s < end; ++s)
-                            findOn(generation, static_cast<std::int32_t>(s), parts[begin / kParentGrain]);
-                    },
-                    progress);
+        parallelFor(
+            count, kParentGrain,
+            [&](std::size_t begin, std::size_t end) {
+                for (std::size_t s = begin; s < end; ++s)
+                    findOn(generation, static_cast<std::int32_t>(s), parts[begin / kParentGrain]);
+            },
+            progress);
         std::vector<Site> sites;
         for (std::vector<Site>& part : parts)
-            if (sites.empty()) sites = std::move(part);
-            else sites.insert(sites.end(), part.begin(), part.end());
+            if (sites.empty())
+                sites = std::move(part);
+            else
+                sites.insert(sites.end(), part.begin(), part.end());
         return sites;
     }
 
@@ -83,7 +86,8 @@ private:
         });
     }
 
-    Site makeSite(const CGeneration& generation, std::int32_t parent, const SegmentShare& share, int i, CRotation& rotation) const {
+    Site makeSite(const CGeneration& generation, std::int32_t parent, const SegmentShare& share, int i,
+                  CRotation& rotation) const {
         const CStem& stem = generation.stems[static_cast<std::size_t>(parent)];
         const CSegment& segment = generation.segments[share.segment];
         const LevelParams& level = m_children.level();
@@ -91,7 +95,8 @@ private:
         site.id = siteId(stem, generation.paths[stem.firstPath + share.path], share.position, i);
         site.key = fraction(stem.key + 0.6180339887498949 * (i + 1) + 0.7320508075688772 * share.position +
                             0.41421356237309515 * share.path);
-        const double w = placeInSegment(share, i, level.branchDist, m_random.vary(level.branchDistV, site.id, kDrawPlace));
+        const double w =
+            placeInSegment(share, i, level.branchDist, m_random.vary(level.branchDistV, site.id, kDrawPlace));
         const double offset = (share.position + w) * segment.length;
         const double turn = rotation.next(m_random.vary(level.rotateV, site.id, kDrawRotation));
         const double down =
@@ -111,7 +116,8 @@ private:
     }
 
     static std::uint64_t siteId(const CStem& stem, const CPath& path, std::uint32_t position, int i) {
-        return hashCombine(hashCombine(stem.id, path.id), (std::uint64_t{position} << 32) | static_cast<std::uint32_t>(i));
+        return hashCombine(hashCombine(stem.id, path.id),
+                           (std::uint64_t{position} << 32) | static_cast<std::uint32_t>(i));
     }
 
     const CTreeParams& m_parents;
@@ -175,14 +181,16 @@ private:
         stem.curveRes = static_cast<std::uint32_t>(m_axis.curveRes);
         for (CPath path : m_axis.paths) {
             for (std::uint32_t s = 0; s < path.segmentCount; ++s)
-                generation.segments.push_back(makeSegment(site, stem, m_axis.segments[path.firstSegment + s], path.firstPosition + s));
+                generation.segments.push_back(
+                    makeSegment(site, stem, m_axis.segments[path.firstSegment + s], path.firstPosition + s));
             path.firstSegment += stem.firstSegment;
             generation.paths.push_back(path);
         }
         generation.stems.push_back(stem);
     }
 
-    CSegment makeSegment(const Site& site, const CStem& stem, const StemAxis::Segment& form, std::uint32_t position) const {
+    CSegment makeSegment(const Site& site, const CStem& stem, const StemAxis::Segment& form,
+                         std::uint32_t position) const {
         const double n = stem.curveRes, length = stem.measures.length / n;
         const auto radius = [&](double z) { return CCalculations::taperedRadius(stem.taper, stem.measures, z); };
         const double curveV = m_params.level().curveV;
@@ -201,15 +209,16 @@ private:
     StemAxis m_axis;
 };
 
-std::shared_ptr<const CGeneration> growStems(const CTreeParams& params, const CRandom& random, const std::vector<Site>& sites,
-                                             const CProgress& progress) {
+std::shared_ptr<const CGeneration> growStems(const CTreeParams& params, const CRandom& random,
+                                             const std::vector<Site>& sites, const CProgress& progress) {
     std::vector<CGeneration> parts((sites.size() + kStemGrain - 1) / kStemGrain);
-    parallelFor(sites.size(), kStemGrain,
-                [&](std::size_t begin, std::size_t end) {
-                    CStemGrower grower(params, random);
-                    for (std::size_t s = begin; s < end; ++s) grower.grow(sites[s], parts[begin / kStemGrain]);
-                },
-                progress);
+    parallelFor(
+        sites.size(), kStemGrain,
+        [&](std::size_t begin, std::size_t end) {
+            CStemGrower grower(params, random);
+            for (std::size_t s = begin; s < end; ++s) grower.grow(sites[s], parts[begin / kStemGrain]);
+        },
+        progress);
     auto generation = std::make_shared<CGeneration>();
     std::size_t stems = 0, paths = 0, segments = 0;
     for (const CGeneration& part : parts) {
@@ -268,7 +277,8 @@ std::shared_ptr<const CTree> CWeberPennBuilder::build(const CParams& params, con
         progress.poll();
         const bool kept = previous && g < firstObsolete && g < static_cast<int>(previous->generationCount());
         grown.push_back(kept ? previous->generations()[static_cast<std::size_t>(g)]
-                             : growStems(seen[static_cast<std::size_t>(g)], random, sitesOf(g, grown, seen, random, progress), progress));
+                             : growStems(seen[static_cast<std::size_t>(g)], random,
+                                         sitesOf(g, grown, seen, random, progress), progress));
     }
     const auto last = static_cast<std::size_t>(levels) - 1;
     auto leaves = levels < 2 ? std::make_shared<const LeafArray>()

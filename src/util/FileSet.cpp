@@ -54,7 +54,9 @@ protected:
     pos_type seekoff(off_type off, std::ios_base::seekdir way, std::ios_base::openmode which) override {
         const auto here = static_cast<off_type>(m_position) + (pptr() - pbase());
         if (way == std::ios_base::cur && off == 0) return here;
-        const off_type from = way == std::ios_base::beg ? 0 : way == std::ios_base::cur ? here : static_cast<off_type>(m_size);
+        const off_type from = way == std::ios_base::beg   ? 0
+                              : way == std::ios_base::cur ? here
+                                                          : static_cast<off_type>(m_size);
         return seekpos(from + off, which);
     }
     pos_type seekpos(pos_type place, std::ios_base::openmode) override {

@@ -38,7 +38,8 @@ TEST(Document, ADragBackToItsStartLeavesNoStep) {
 TEST(Document, EditsOfEveryValueAreTakenBack) {
     for (const ParamRef& ref : allParams()) {
         CDocument document;
-        const double other = ref.get(document.params()) == ref.info->range.max ? ref.info->range.min : ref.info->range.max;
+        const double other =
+            ref.get(document.params()) == ref.info->range.max ? ref.info->range.min : ref.info->range.max;
         document.setValue(ref, other, 0);
         EXPECT_EQ(ref.get(document.params()), other) << ref.key();
         document.history().undo();

@@ -25,16 +25,21 @@ double shownValue(const CParamEditor& editor) {
 
 /// Sets an editor as a user would.
 void enter(const CParamEditor& editor, double value) {
-    if (auto* real = editor.findChild<QDoubleSpinBox*>()) real->setValue(value);
-    else if (auto* whole = editor.findChild<QSpinBox*>()) whole->setValue(static_cast<int>(value));
-    else if (auto* choice = editor.findChild<QComboBox*>()) choice->setCurrentIndex(static_cast<int>(value));
-    else editor.findChild<QCheckBox*>()->setChecked(value != 0);
+    if (auto* real = editor.findChild<QDoubleSpinBox*>())
+        real->setValue(value);
+    else if (auto* whole = editor.findChild<QSpinBox*>())
+        whole->setValue(static_cast<int>(value));
+    else if (auto* choice = editor.findChild<QComboBox*>())
+        choice->setCurrentIndex(static_cast<int>(value));
+    else
+        editor.findChild<QCheckBox*>()->setChecked(value != 0);
 }
 
 TEST(Panel, EveryRowHasAnEditorThatShowsAndSets) {
     CParamPanel panel;
     CParams params;
-    QObject::connect(&panel, &CParamPanel::edited, [&](const ParamRef& ref, double value, int) { ref.set(params, value); });
+    QObject::connect(&panel, &CParamPanel::edited,
+                     [&](const ParamRef& ref, double value, int) { ref.set(params, value); });
     for (const ParamRef& ref : allParams()) {
         const CParamEditor* editor = panel.editor(ref);
         ASSERT_EQ(editor != nullptr, !ref.info->unused()) << ref.key();
@@ -58,7 +63,8 @@ TEST(Panel, TabsAreThoseOfTheTree) {
     const CParamPanel panel;
     QStringList tabs;
     for (int i = 0; i < panel.count(); ++i) tabs << panel.tabText(i);
-    EXPECT_EQ(tabs.join(QLatin1Char('|')).toStdString(), "Tree|Trunk|Branches 1|Branches 2|Branches 3|Leaves|Pruning|Textures");
+    EXPECT_EQ(tabs.join(QLatin1Char('|')).toStdString(),
+              "Tree|Trunk|Branches 1|Branches 2|Branches 3|Leaves|Pruning|Textures");
 }
 
 TEST(Panel, ShowingValuesTellsNothing) {

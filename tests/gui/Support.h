@@ -17,6 +17,8 @@ bool waitFor(Condition&& condition, int milliseconds = 20000) {
     return true;
 }
 
-inline QString presetPath(const char* name) { return QStringLiteral(STROMAR_SOURCE "/presets/%1.tree").arg(QLatin1String(name)); }
+inline QString presetPath(const char* name) {
+    return QStringLiteral(STROMAR_SOURCE "/presets/%1.tree").arg(QLatin1String(name));
+}
 
 inline stromar::ParamRef paramRef(const char* key) { return std::get<stromar::ParamRef>(*stromar::findParam(key)); }

@@ -21,7 +21,8 @@ struct Fixture {
             last = view;
             ++results;
         });
-        QObject::connect(&thread, &CTreeCreatorThread::failed, &receiver, [this](const QString& why) { failure = why; });
+        QObject::connect(&thread, &CTreeCreatorThread::failed, &receiver,
+                         [this](const QString& why) { failure = why; });
     }
     QObject receiver; ///< lives in this thread, so that results arrive here
     std::shared_ptr<const ViewModel> last;
@@ -50,7 +51,8 @@ TEST(Thread, AHundredRequestsEndInTheLast) {
 TEST(Thread, WorksElsewhere) {
     Fixture f;
     std::atomic<std::thread::id> worker{};
-    QObject::connect(&f.thread, &CTreeCreatorThread::created, [&] { worker = std::this_thread::get_id(); }); // in the emitting thread
+    QObject::connect(&f.thread, &CTreeCreatorThread::created,
+                     [&] { worker = std::this_thread::get_id(); }); // in the emitting thread
     f.thread.request(aspen(), detailOf(Model::Simple));
     ASSERT_TRUE(waitFor([&] { return f.results == 1; }));
     EXPECT_NE(worker.load(), std::thread::id());

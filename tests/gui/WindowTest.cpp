@@ -72,7 +72,8 @@ TEST_F(WindowTest, ADragShowsTheSimpleModelThenTheFullOneAndIsOneStep) {
     QSlider* down = slider("1DownAngle");
     QTest::qWait(50);
     std::vector<Model> models;
-    QObject::connect(&window, &CMainWindow::modelShown, &window, [&] { models.push_back(window.shown()->model->detail->model); });
+    QObject::connect(&window, &CMainWindow::modelShown, &window,
+                     [&] { models.push_back(window.shown()->model->detail->model); });
     const double before = value("1DownAngle");
     const int y = down->height() / 2;
     const int start = down->width() / 2; // not on the handle: it comes to the mouse
@@ -109,7 +110,8 @@ TEST_F(WindowTest, TheMouseTurnsZoomsPansAndSpaceRecentres) {
     const auto drag = [&](Qt::MouseButton button, QPoint by) {
         QTest::mousePress(&view, button, {}, middle);
         for (int i = 1; i <= 4; ++i) {
-            QMouseEvent move(QEvent::MouseMove, QPointF(middle + by * i / 4), view.mapToGlobal(QPointF(middle + by * i / 4)), Qt::NoButton, button, {});
+            QMouseEvent move(QEvent::MouseMove, QPointF(middle + by * i / 4),
+                             view.mapToGlobal(QPointF(middle + by * i / 4)), Qt::NoButton, button, {});
             QCoreApplication::sendEvent(&view, &move);
             QTest::qWait(10);
         }
@@ -131,7 +133,8 @@ TEST_F(WindowTest, TheMouseTurnsZoomsPansAndSpaceRecentres) {
     EXPECT_NEAR(view.distance(), distance, 1e-6);
     view.recentre();
     QTest::qWait(30);
-    QWheelEvent wheel(middle, view.mapToGlobal(QPointF(middle)), {}, {0, 120}, Qt::NoButton, Qt::NoModifier, Qt::NoScrollPhase, false);
+    QWheelEvent wheel(middle, view.mapToGlobal(QPointF(middle)), {}, {0, 120}, Qt::NoButton, Qt::NoModifier,
+                      Qt::NoScrollPhase, false);
     QCoreApplication::sendEvent(&view, &wheel);
     QTest::qWait(50);
     EXPECT_LT(view.distance(), distance) << "wheel forward comes nearer";
@@ -179,7 +182,8 @@ TEST_F(WindowTest, GenerateAndDice) {
     ASSERT_TRUE(waitFor([&] { return window.shown()->model != before; }));
     EXPECT_EQ(window.shown()->model->vertexCount(), before->vertexCount());
     const double seed = value("Seed");
-    QTest::mouseClick(window.panel().editor(paramRef("Seed"))->findChild<QWidget*>(QStringLiteral("dice")), Qt::LeftButton);
+    QTest::mouseClick(window.panel().editor(paramRef("Seed"))->findChild<QWidget*>(QStringLiteral("dice")),
+                      Qt::LeftButton);
     action("randomSeed")->trigger();
     EXPECT_NE(value("Seed"), seed);
     action("undo")->trigger();
@@ -285,7 +289,8 @@ TEST_F(WindowTest, CommandsHaveTextsIconsAndShortcutsOfTheirOwn) {
 }
 
 TEST_F(WindowTest, ATreeThatWouldBeTooLargeIsRefusedInWords) {
-    window.document().edit(QStringLiteral("many"), [](CParams& p) { p.level[1].branches = p.level[2].branches = 5000; });
+    window.document().edit(QStringLiteral("many"),
+                           [](CParams& p) { p.level[1].branches = p.level[2].branches = 5000; });
     ASSERT_TRUE(waitFor([&] { return notice().contains(QLatin1String("million")); }));
     EXPECT_TRUE(notice().contains(QLatin1String("20 million vertices"))) << notice().toStdString();
     action("undo")->trigger();
@@ -296,7 +301,9 @@ TEST(Program, TakesAScreenshotOfTheWholeWindow) {
     QTemporaryDir folder;
     const QString path = folder.filePath(QStringLiteral("shot.png"));
     QProcess program;
-    program.start(QStringLiteral(STROMAR_BIN "/stromar"), {presetPath("quaking_aspen"), QStringLiteral("--screenshot"), path, QStringLiteral("--size"), QStringLiteral("900x700"), QStringLiteral("--model"), QStringLiteral("simple")});
+    program.start(QStringLiteral(STROMAR_BIN "/stromar"),
+                  {presetPath("quaking_aspen"), QStringLiteral("--screenshot"), path, QStringLiteral("--size"),
+                   QStringLiteral("900x700"), QStringLiteral("--model"), QStringLiteral("simple")});
     ASSERT_TRUE(program.waitForFinished(60000));
     EXPECT_EQ(program.exitCode(), 0) << program.readAllStandardError().toStdString();
     EXPECT_EQ(QImage(path).size(), QSize(900, 700));
@@ -304,10 +311,11 @@ TEST(Program, TakesAScreenshotOfTheWholeWindow) {
 
 TEST(Program, SaysWhatIsWrongWithItsCommandLine) {
     const QString missing = QStringLiteral("/no/such.tree"), picture = QStringLiteral("/tmp/never.png");
-    for (const auto& [arguments, status] : {std::pair{QStringList{QStringLiteral("a.tree"), QStringLiteral("b.tree")}, 2},
-                                            {QStringList{QStringLiteral("--size"), QStringLiteral("12")}, 2},
-                                            {QStringList{QStringLiteral("--model"), QStringLiteral("best")}, 2},
-                                            {QStringList{missing, QStringLiteral("--screenshot"), picture}, 1}}) {
+    for (const auto& [arguments, status] :
+         {std::pair{QStringList{QStringLiteral("a.tree"), QStringLiteral("b.tree")}, 2},
+          {QStringList{QStringLiteral("--size"), QStringLiteral("12")}, 2},
+          {QStringList{QStringLiteral("--model"), QStringLiteral("best")}, 2},
+          {QStringList{missing, QStringLiteral("--screenshot"), picture}, 1}}) {
         QProcess program;
         program.start(QStringLiteral(STROMAR_BIN "/stromar"), arguments);
         ASSERT_TRUE(program.waitForFinished(60000));

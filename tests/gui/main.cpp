@@ -11,7 +11,7 @@ extern "C" int dlclose(void*) { return 0; }
 int main(int argc, char** argv) {
     ::testing::InitGoogleTest(&argc, argv);
     if (::testing::GTEST_FLAG(list_tests)) return RUN_ALL_TESTS(); // no display is needed to tell the names
-    QTemporaryDir settings; // a user's own stay as they are
+    QTemporaryDir settings;                                        // a user's own stay as they are
     qputenv("XDG_CONFIG_HOME", settings.path().toLocal8Bit());
     QCoreApplication::setOrganizationName(QStringLiteral("Stromar"));
     QCoreApplication::setApplicationName(QStringLiteral("Test"));

@@ -24,8 +24,8 @@ struct TreeModel {
     std::size_t triangleCount() const;
 };
 
-/// The pipeline from parameters to meshes. Keeps what it made, compares with what was asked for, redoes the least: equal
-/// parts of two results are shared. Not thread-safe: one thread at a time.
+/// The pipeline from parameters to meshes. Keeps what it made, compares with what was asked for, redoes the least:
+/// equal parts of two results are shared. Not thread-safe: one thread at a time.
 class CTreeCreator {
 public:
     static constexpr double kMostVertices = 20e6; ///< default limit

@@ -5,7 +5,8 @@
 
 namespace stromar {
 
-// Each writes a model to `path` (and files beside it) into `files`; the caller commits. They throw what CFileSet throws.
+// Each writes a model to `path` (and files beside it) into `files`; the caller commits. They throw what CFileSet
+// throws.
 
 /// Wavefront OBJ and its material library. Metres, y up. Normals, texture coordinates, one object per mesh.
 void writeObj(const ExportModel& model, const std::filesystem::path& path, CFileSet& files);

@@ -31,7 +31,8 @@ struct MeshPlan {
 };
 
 /// Decides where the rings of a generation stand. Time linear in its segments; runs on progress.threads() threads.
-MeshPlan planRings(const CTree& tree, int generation, const CParams& params, const Detail& detail, const CProgress& progress);
+MeshPlan planRings(const CTree& tree, int generation, const CParams& params, const Detail& detail,
+                   const CProgress& progress);
 
 /// The mesh of one generation of stems: every tube is closed at its base and its tip. Same result for any number of
 /// threads. Throws CCancelled.

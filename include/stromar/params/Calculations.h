@@ -4,8 +4,8 @@
 
 namespace stromar {
 
-/// Relative branch length by crown shape 0..8 (Weber & Penn §4.3). `ratio` is 1 at the bottom of the crown, 0 at its top;
-/// shape 8 is the pruning envelope and takes its profile from `global`.
+/// Relative branch length by crown shape 0..8 (Weber & Penn §4.3). `ratio` is 1 at the bottom of the crown, 0 at its
+/// top; shape 8 is the pruning envelope and takes its profile from `global`.
 double shapeRatio(int shape, double ratio, const GlobalParams& global);
 
 /// The measures of one stem that formulas use. Metres.

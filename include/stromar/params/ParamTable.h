@@ -16,9 +16,9 @@ enum class Stage { Structure, Mesh, Material, None };
 
 /// The first stage and the first generation that a change makes obsolete. Deeper generations follow.
 struct Obsolete {
-    static constexpr int kOwnLevel = -1;   ///< the level of the value
-    static constexpr int kLastLevel = -2;  ///< the first generation that only one of the two trees has
-    static constexpr int kLeaves = 1000;   ///< the leaves alone
+    static constexpr int kOwnLevel = -1;  ///< the level of the value
+    static constexpr int kLastLevel = -2; ///< the first generation that only one of the two trees has
+    static constexpr int kLeaves = 1000;  ///< the leaves alone
 
     Stage stage = Stage::None;
     int generation = 0;
@@ -37,8 +37,8 @@ struct ParamInfo {
 
     std::string_view key; ///< in files; a level's digit goes in front (`1DownAngle`)
     std::string_view label;
-    Group group;               ///< where it is shown; rows of a level: Trunk for 0, Branches for the others
-    std::string_view section;  ///< heading inside the group
+    Group group;              ///< where it is shown; rows of a level: Trunk for 0, Branches for the others
+    std::string_view section; ///< heading inside the group
     Unit unit = Unit::None;
     Field field;
     Range range;  ///< what files may hold

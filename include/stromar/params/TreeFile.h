@@ -31,8 +31,8 @@ public:
 
 private:
     struct Line {
-        std::string raw;           ///< with its line ending
-        std::string key;           ///< empty: a comment or blank
+        std::string raw; ///< with its line ending
+        std::string key; ///< empty: a comment or blank
         std::size_t valueBegin = 0, valueEnd = 0;
     };
     class CParser;

@@ -14,9 +14,9 @@ struct CSegment {
     Frame frame;
     double length;
     double radiusBase, radiusEnd; ///< by taper; without flare, lobes and the least radius
-    double density;               ///< share of the stem's children and leaves that this path's part gets, 1 before any split
-    double helixRadius;           ///< of the drawn centre line about the axis; 0 = straight
-    bool forks;                   ///< clones start at its end
+    double density;     ///< share of the stem's children and leaves that this path's part gets, 1 before any split
+    double helixRadius; ///< of the drawn centre line about the axis; 0 = straight
+    bool forks;         ///< clones start at its end
 
     /// A point of the axis, t in 0..1 from base to end.
     glm::dvec3 axisPoint(double t) const { return position + t * length * frame[2]; }
@@ -74,7 +74,8 @@ using LeafArray = RawVector<CLeaf>;
 /// from any thread.
 class CTree {
 public:
-    CTree(double scaleTree, std::vector<std::shared_ptr<const CGeneration>> generations, std::shared_ptr<const LeafArray> leaves)
+    CTree(double scaleTree, std::vector<std::shared_ptr<const CGeneration>> generations,
+          std::shared_ptr<const LeafArray> leaves)
         : m_scaleTree(scaleTree), m_generations(std::move(generations)), m_leaves(std::move(leaves)) {}
 
     /// Height by which all lengths are scaled, metres.

@@ -9,9 +9,9 @@
 
 namespace stromar {
 
-/// Files that appear together or not at all. Each is written to a temporary file beside its place; commit() moves all of
-/// them there. Without commit() nothing changes on the disk: existing files keep their content, temporary ones vanish.
-/// Every write may throw CError (disk full, no such folder) or CCancelled.
+/// Files that appear together or not at all. Each is written to a temporary file beside its place; commit() moves all
+/// of them there. Without commit() nothing changes on the disk: existing files keep their content, temporary ones
+/// vanish. Every write may throw CError (disk full, no such folder) or CCancelled.
 class CFileSet {
 public:
     /// `expectedBytes` scales what is reported to `progress` while writing; 0 reports nothing.

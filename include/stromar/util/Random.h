@@ -6,8 +6,8 @@ namespace stromar {
 /// Mixes a word into a hash. A good avalanche: every input bit reaches every output bit.
 std::uint64_t hashCombine(std::uint64_t hash, std::uint64_t word);
 
-/// Random numbers without a state: each is a pure function of (seed, id, purpose, place). So numbers can be drawn in any
-/// order and on any thread, and one draw more or less never changes another.
+/// Random numbers without a state: each is a pure function of (seed, id, purpose, place). So numbers can be drawn in
+/// any order and on any thread, and one draw more or less never changes another.
 class CRandom {
 public:
     /// `varied` false gives the neutral source: every uniform number is 0.5 and every phase 0.

@@ -5,7 +5,8 @@
 
 namespace stromar {
 
-/// Leaves new elements of trivial types uninitialised, so that a big array is first touched by the threads that fill it.
+/// Leaves new elements of trivial types uninitialised, so that a big array is first touched by the threads that fill
+/// it.
 template <typename T>
 struct DefaultInitAllocator : std::allocator<T> {
     template <typename U>
