@@ -11,11 +11,12 @@ namespace {
 constexpr const char* kBuiltIn[] = {"bark.png", "leaf.png"};
 constexpr const char* kLookNames[] = {"bark", "leaf"};
 
-/// The model's name without what would break a line or a path in any format.
+/// The model's name with only letters that every format and reader takes inside a line, a name or a path.
 std::string plainName(const fs::path& path) {
+    constexpr std::string_view kUnsafe = " \"'\\#%&{}<>*?/$!:@+`|=,;()[]~^";
     std::string name = path.stem().string();
     for (char& c : name)
-        if (static_cast<unsigned char>(c) < ' ' || c == '"' || c == '\\' || c == ' ') c = '_';
+        if (c <= ' ' || c > '~' || kUnsafe.find(c) != std::string_view::npos) c = '_';
     return name;
 }
 

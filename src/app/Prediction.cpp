@@ -34,8 +34,10 @@ double addedRings(const CParams& params, const Detail& detail, int generation, c
     const LevelParams& level = params.level[static_cast<std::size_t>(std::min(generation, kParamLevels - 1))];
     const double helix = level.curveV < 0 ? 9 * bound.segments : 0;
     const bool flares = generation == 0 && params.global.flare != 0;
-    const double uneven = level.taper > 2 ? 1024 : (level.taper > 1 ? 40 : 0) + (flares ? 60 : 0);
-    return std::max(helix, uneven * bound.paths);
+    const double most = std::max(9.0, std::floor(1024.0 / level.curveRes)) * bound.segments; // CSmoother's own limit
+    if (level.taper > 2) return std::max(helix, most);
+    const double uneven = (level.taper > 1 ? 40 : 0) + (flares ? 60 : 0);
+    return std::max(helix, std::min(most, uneven * bound.paths));
 }
 
 double ringPoints(const CParams& params, const Detail& detail, int generation) {

@@ -39,8 +39,11 @@ std::shared_ptr<const CMesh> keptOr(Made& made, int generation, const std::share
     return made.mesh;
 }
 
-std::string millions(double count) {
-    return count < 1e12 ? numberText(std::ceil(count / 1e5) / 10) + " million" : "more than a million million";
+/// "950", "1.3 million": rounded up.
+std::string countText(double count) {
+    if (count < 1e6) return numberText(std::ceil(count));
+    if (count < 1e12) return numberText(std::ceil(count / 1e5) / 10) + " million";
+    return "more than a million million";
 }
 } // namespace
 
@@ -109,8 +112,8 @@ std::shared_ptr<const TreeModel> CTreeCreator::create(const CParams& params, con
 void CTreeCreator::refuseTooLarge(const CParams& params, const Detail& detail) const {
     const Prediction size = predictSize(params, detail);
     if (size.vertices <= m_mostVertices) return;
-    throw CError("this tree would have up to " + millions(size.stems) + " stems, " + millions(size.leaves) +
-                 " leaves and " + millions(size.vertices) + " vertices; the limit is " + millions(m_mostVertices) +
+    throw CError("this tree would have up to " + countText(size.stems) + " stems, " + countText(size.leaves) +
+                 " leaves and " + countText(size.vertices) + " vertices; the limit is " + countText(m_mostVertices) +
                  " vertices");
 }
 

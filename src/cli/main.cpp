@@ -19,6 +19,7 @@ struct Options {
     CommonOptions common;
     ModelOptions model;
     std::string modelName = "full", variation = "on", output, seed;
+    bool seedGiven = false;
     bool markdown = false, json = false;
     bool lodGiven = false;
 
@@ -26,7 +27,7 @@ struct Options {
     void finish() {
         common.varied = variation == "on";
         model.simple = modelName == "simple";
-        if (!seed.empty()) common.settings.push_back("Seed=" + seed);
+        if (seedGiven) common.settings.push_back("Seed=" + seed);
         if (model.simple && lodGiven)
             throw CUsageError("--lod belongs to the full model; the simple model has no levels of detail");
     }
@@ -59,7 +60,8 @@ void addModel(CLI::App& command, Options& options) {
 void run(const CLI::App& app, Options& options) {
     const CLI::App& command = *app.get_subcommands().front();
     const std::string& name = command.get_name();
-    if (name == "info" || name == "export") options.lodGiven = command.count("--lod") > 0;
+    options.lodGiven = command.get_option_no_throw("--lod") && command.count("--lod") > 0;
+    options.seedGiven = command.get_option_no_throw("--seed") && command.count("--seed") > 0;
     options.finish();
     const CProgress progress(options.common.threads);
     g_running = &progress;

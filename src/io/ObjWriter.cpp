@@ -45,7 +45,7 @@ void writeFaces(const CMesh& mesh, std::size_t first, CTextOut& out) {
 } // namespace
 
 void writeObj(const ExportModel& model, const std::filesystem::path& path, CFileSet& files) {
-    const std::filesystem::path library = std::filesystem::path(path).replace_extension(".mtl");
+    const std::filesystem::path library = path.parent_path() / (model.name + ".mtl"); // a name that every reader takes
     writeMaterials(model, files.create(library));
     CTextOut out(files.create(path));
     out << "# " << model.name << "\n# metres, y up\nmtllib " << library.filename().string() << "\n";

@@ -1,15 +1,20 @@
 #pragma once
 #include "StemSurface.h"
+#include <algorithm>
 #include <vector>
 
 namespace stromar {
 
 /// Decides where a segment needs rings between its ends: where the radius bends (flare, round ends, spheres) and along
-/// a helix. At most kMostRings per stem and path.
+/// a helix. At most ringLimit() per segment, so at most kMostRings along a path.
 class CSmoother {
 public:
     static constexpr int kHelixRings = 10;
-    static constexpr std::size_t kMostRings = 1024;
+    static constexpr int kMostRings = 1024;
+
+    static std::size_t ringLimit(int curveRes) {
+        return static_cast<std::size_t>(std::max(kHelixRings - 1, kMostRings / curveRes));
+    }
 
     explicit CSmoother(const CStemSurface& surface) : m_surface(surface) {}
 
@@ -26,7 +31,7 @@ private:
     }
     void addWhereRadiusBends(const CStem& stem, const CSegment& segment, std::uint32_t position, Place low, Place high,
                              int depth, std::vector<double>& places) const;
-    static int startPieces(const CStem& stem, const CSegment& segment);
+    static std::vector<double> sphereMarks(const CStem& stem, std::uint32_t position);
 
     const CStemSurface& m_surface;
 };

@@ -72,9 +72,7 @@ SetResult setText(CParams& params, const TextInfo& text, std::string_view value,
         problem = "this version cannot grow trees by the method " + quoted(value) + suggestion(value, known);
         return SetResult::BadValue;
     }
-    params.text.*text.field = value;
-    std::ranges::replace_if(
-        params.text.*text.field, [](char c) { return c == '\n' || c == '\r'; }, ' ');
+    params.text.*text.field = plainLine(value);
     return SetResult::Done;
 }
 
@@ -82,8 +80,9 @@ bool needsQuotes(std::string_view text) {
     return text.empty() || trimmed(text) != text || text.find('#') != std::string_view::npos || text.starts_with('"');
 }
 
-std::string textValue(std::string_view text) {
-    if (!needsQuotes(text)) return std::string(text);
+std::string textValue(std::string_view value) {
+    const std::string text = plainLine(value);
+    if (!needsQuotes(text)) return text;
     std::string quotedText = "\"";
     for (const char c : text) quotedText += c == '"' ? std::string("\"\"") : std::string(1, c);
     return quotedText + "\"";

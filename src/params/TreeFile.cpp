@@ -13,32 +13,17 @@ constexpr std::string_view kByteOrderMark = "\xEF\xBB\xBF";
 constexpr std::string_view kFormatKey = "Format";
 constexpr std::size_t kMostBytes = 16u << 20;
 
-/// Where the first byte is that is no UTF-8, or npos.
-std::size_t firstBadByte(std::string_view text) {
-    for (std::size_t i = 0; i < text.size();) {
-        const auto byte = static_cast<unsigned char>(text[i]);
-        const std::size_t length = byte < 0x80                   ? 1
-                                   : byte >= 0xC2 && byte < 0xE0 ? 2
-                                   : byte >= 0xE0 && byte < 0xF0 ? 3
-                                   : byte >= 0xF0 && byte < 0xF5 ? 4
-                                                                 : 0;
-        if (length == 0 || i + length > text.size()) return i;
-        for (std::size_t k = 1; k < length; ++k)
-            if ((static_cast<unsigned char>(text[i + k]) & 0xC0) != 0x80) return i;
-        i += length;
-    }
-    return std::string_view::npos;
-}
-
-/// Columns count characters, not bytes.
+/// Columns count characters, not bytes; a byte-order mark is none.
 int columnOf(std::string_view line, std::size_t byte) {
-    const auto head = line.substr(0, byte);
+    std::string_view head = line.substr(0, byte);
+    if (head.starts_with(kByteOrderMark)) head.remove_prefix(kByteOrderMark.size());
     return 1 + static_cast<int>(
                    std::ranges::count_if(head, [](char c) { return (static_cast<unsigned char>(c) & 0xC0) != 0x80; }));
 }
 
 /// Why the bytes are no text of ours, or nothing.
 std::optional<std::string> whyNotText(std::string_view text) {
+    if (text.starts_with(kByteOrderMark)) text.remove_prefix(kByteOrderMark.size());
     if (text.size() >= 11 && text.substr(4, 7) == "<Kraut>")
         return "this is a binary tree of the program Kraut, which uses the same file ending; it cannot be read here";
     if (text.starts_with("\xFF\xFE") || text.starts_with("\xFE\xFF")) return "this is UTF-16 text; save it as UTF-8";
@@ -112,7 +97,7 @@ private:
         Line line{std::string(raw), {}, 0, 0};
         const std::size_t mark = number == 1 && raw.starts_with(kByteOrderMark) ? kByteOrderMark.size() : 0;
         const std::string_view content = raw.substr(0, raw.find_last_not_of("\r\n") + 1);
-        if (const std::size_t bad = firstBadByte(content); bad != std::string_view::npos) {
+        if (const std::size_t bad = firstInvalidUtf8(content); bad != std::string_view::npos) {
             fail(number, columnOf(content, bad), "this character is not UTF-8");
             return line;
         }
@@ -121,8 +106,7 @@ private:
         const std::size_t equals = content.substr(0, commentStart(content, start)).find('=', start);
         if (equals == std::string_view::npos) {
             const std::string_view word = content.substr(start, content.find_first_of(" \t", start) - start);
-            fail(number, columnOf(content, start) - int(mark > 0),
-                 "this line is not 'Key = Value'" + keySuggestion(word));
+            fail(number, columnOf(content, start), "this line is not 'Key = Value'" + keySuggestion(word));
             return line;
         }
         line.key = trimmed(content.substr(start, equals - start));
@@ -305,10 +289,12 @@ std::string CTreeFile::text(const CParams& params) const {
 std::string CTreeFile::changedLine(const Line& line, const CParams& params) const {
     const auto target = line.key.empty() ? std::nullopt : findParam(line.key);
     if (!target || !differs(params, m_params, *target)) return line.raw;
-    const bool glued = line.valueBegin > 0 && line.raw[line.valueBegin - 1] == '=';
-    std::string changed = line.raw;
-    return changed.replace(line.valueBegin, line.valueEnd - line.valueBegin,
-                           (glued ? " " : "") + valueText(params, *target));
+    std::string value = valueText(params, *target);
+    if (line.valueBegin == line.valueEnd) { // keep a blank to '=' and to a comment
+        if (line.raw[line.valueBegin - 1] == '=') value.insert(0, " ");
+        if (line.valueEnd < line.raw.size() && line.raw[line.valueEnd] == '#') value += " ";
+    }
+    return std::string(line.raw).replace(line.valueBegin, line.valueEnd - line.valueBegin, value);
 }
 
 CTreeFile CTreeFile::write(const std::filesystem::path& path, const CParams& params) const {

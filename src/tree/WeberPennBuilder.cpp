@@ -242,8 +242,8 @@ Site trunkSite(const CTreeParams& params, const CRandom& random) {
     site.parent = -1;
     site.measures.lengthMax = params.level().length + random.vary(params.level().lengthV, kTrunkId, kDrawLength);
     site.measures.length = params.calc().length(site.measures.lengthMax, {}, 0);
-    site.measures.radius =
-        site.measures.length * g.ratio * (g.trunkScale + random.vary(g.trunkScaleV, kTrunkId, kDrawTrunkScale));
+    const double factor = g.trunkScale + random.vary(g.trunkScaleV, kTrunkId, kDrawTrunkScale);
+    site.measures.radius = site.measures.length * g.ratio * std::max(factor, 0.1 * g.trunkScale);
     return site;
 }
 

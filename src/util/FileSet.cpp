@@ -3,6 +3,7 @@
 #include <array>
 #include <cerrno>
 #include <cstring>
+#include <exception>
 #include <fcntl.h>
 #include <fstream>
 #include <streambuf>
@@ -19,9 +20,12 @@ namespace {
 }
 
 /// The place a path really names, so that a symbolic link is written through instead of replaced.
-fs::path resolved(const fs::path& path) {
+fs::path resolved(fs::path path) {
+    constexpr int kMostLinks = 40;
     std::error_code problem;
-    return fs::is_symlink(path, problem) ? fs::weakly_canonical(path, problem) : path;
+    for (int links = 0; links < kMostLinks && fs::is_symlink(path, problem); ++links)
+        path = path.parent_path() / fs::read_symlink(path, problem);
+    return path;
 }
 
 /// An unbuffered-by-the-system output that counts, reports and polls. Throws instead of returning eof.
@@ -32,7 +36,10 @@ public:
         setp(m_buffer.data(), m_buffer.data() + m_buffer.size());
     }
     std::uint64_t size() const { return m_size; }
-    void flushAll() { drain(); }
+    void flushAll() {
+        drain();
+        if (m_failure) std::rethrow_exception(m_failure); // a library may have swallowed it
+    }
 
 protected:
     int_type overflow(int_type c) override {
@@ -54,9 +61,8 @@ protected:
     pos_type seekoff(off_type off, std::ios_base::seekdir way, std::ios_base::openmode which) override {
         const auto here = static_cast<off_type>(m_position) + (pptr() - pbase());
         if (way == std::ios_base::cur && off == 0) return here;
-        const off_type from = way == std::ios_base::beg   ? 0
-                              : way == std::ios_base::cur ? here
-                                                          : static_cast<off_type>(m_size);
+        const off_type end = std::max(static_cast<off_type>(m_size), here);
+        const off_type from = way == std::ios_base::beg ? 0 : way == std::ios_base::cur ? here : end;
         return seekpos(from + off, which);
     }
     pos_type seekpos(pos_type place, std::ios_base::openmode) override {
@@ -73,6 +79,14 @@ private:
         put(m_buffer.data(), size);
     }
     void put(const char* data, std::size_t size) {
+        try {
+            write(data, size);
+        } catch (...) {
+            m_failure = std::current_exception();
+            throw;
+        }
+    }
+    void write(const char* data, std::size_t size) {
         m_progress.poll();
         while (size > 0) {
             const ssize_t n = ::write(m_file, data, std::min<std::size_t>(size, 1 << 20));
@@ -94,6 +108,7 @@ private:
     std::uint64_t& m_total;
     std::uint64_t m_expected;
     std::uint64_t m_position = 0, m_size = 0;
+    std::exception_ptr m_failure;
     std::array<char, 1 << 16> m_buffer{};
 };
 } // namespace

@@ -45,6 +45,45 @@ std::optional<double> parseNumber(std::string_view text) {
     return value;
 }
 
+namespace {
+/// Length of the well-formed UTF-8 character at the start of a text, 0 if there is none (Unicode, table 3-7).
+std::size_t characterLength(std::string_view text) {
+    const auto byte = [&](std::size_t i) { return i < text.size() ? static_cast<unsigned char>(text[i]) : 0u; };
+    const auto follows = [&](std::size_t i, unsigned low = 0x80, unsigned high = 0xBF) {
+        return byte(i) >= low && byte(i) <= high;
+    };
+    const unsigned lead = byte(0);
+    if (lead < 0x80) return 1;
+    if (lead >= 0xC2 && lead <= 0xDF) return follows(1) ? 2 : 0;
+    if (lead >= 0xE0 && lead <= 0xEF)
+        return follows(1, lead == 0xE0 ? 0xA0 : 0x80, lead == 0xED ? 0x9F : 0xBF) && follows(2) ? 3 : 0;
+    if (lead >= 0xF0 && lead <= 0xF4)
+        return follows(1, lead == 0xF0 ? 0x90 : 0x80, lead == 0xF4 ? 0x8F : 0xBF) && follows(2) && follows(3) ? 4 : 0;
+    return 0;
+}
+} // namespace
+
+std::size_t firstInvalidUtf8(std::string_view text) {
+    for (std::size_t i = 0; i < text.size();) {
+        const std::size_t length = characterLength(text.substr(i));
+        if (length == 0) return i;
+        i += length;
+    }
+    return std::string_view::npos;
+}
+
+std::string plainLine(std::string_view text) {
+    std::string line;
+    while (!text.empty()) {
+        const std::size_t length = characterLength(text);
+        const bool control =
+            length == 1 && text[0] != '\t' && (static_cast<unsigned char>(text[0]) < ' ' || text[0] == 0x7F);
+        line += length == 0 ? "?" : control ? " " : text.substr(0, length);
+        text.remove_prefix(std::max<std::size_t>(length, 1));
+    }
+    return line;
+}
+
 std::string lowerCase(std::string_view text) {
     std::string lower(text);
     for (char& c : lower)

@@ -76,7 +76,7 @@ TEST(Thread, AnErrorReachesTheUserAndTheNextTreeGrows) {
     Fixture f(500000);
     f.thread.request(willow(), detailOf(Model::Full));
     ASSERT_TRUE(waitFor([&] { return !f.failure.isEmpty(); }));
-    EXPECT_TRUE(f.failure.contains(QLatin1String("0.5 million"))) << f.failure.toStdString();
+    EXPECT_TRUE(f.failure.contains(QLatin1String("500000 vertices"))) << f.failure.toStdString();
     f.thread.request(aspen(), detailOf(Model::Simple));
     EXPECT_TRUE(waitFor([&] { return f.results == 1; }));
 }

@@ -15,6 +15,12 @@ std::string numberText(double value);
 /// A finite number that fills the whole text (a leading + is fine); nothing otherwise. Independent of the locale.
 std::optional<double> parseNumber(std::string_view text);
 
+/// Where the first byte stands that is no UTF-8 (overlong forms, surrogates and too high codes are none), or npos.
+std::size_t firstInvalidUtf8(std::string_view text);
+
+/// One line of valid UTF-8: control characters but the tab become blanks, bytes that are no UTF-8 question marks.
+std::string plainLine(std::string_view text);
+
 /// Letters A–Z become a–z, the rest stays.
 std::string lowerCase(std::string_view text);
 
