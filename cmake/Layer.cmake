@@ -20,3 +20,10 @@ function(stromar_layer name)
   target_include_directories(stromar_${name} PUBLIC ${PROJECT_SOURCE_DIR}/include PRIVATE ${CMAKE_CURRENT_SOURCE_DIR})
   target_link_libraries(stromar_${name} PUBLIC ${ARG_LINK} PRIVATE stromar_options)
 endfunction()
+
+# Makes leaks of drivers nameable in a program that uses OpenGL.
+function(stromar_keep_drivers_loaded program)
+  if(STROMAR_SANITIZE MATCHES address)
+    target_sources(${program} PRIVATE ${PROJECT_SOURCE_DIR}/cmake/keep-loaded.cpp)
+  endif()
+endfunction()

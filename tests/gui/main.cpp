@@ -3,11 +3,6 @@
 #include <QTemporaryDir>
 #include <gtest/gtest.h>
 
-#if defined(__SANITIZE_ADDRESS__)
-/// Drivers stay loaded, so that the leak checker can name (and cmake/lsan.supp suppress) what they leave behind.
-extern "C" int dlclose(void*) { return 0; }
-#endif
-
 int main(int argc, char** argv) {
     ::testing::InitGoogleTest(&argc, argv);
     if (::testing::GTEST_FLAG(list_tests)) return RUN_ALL_TESTS(); // no display is needed to tell the names
