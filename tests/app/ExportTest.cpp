@@ -1,0 +1,189 @@
+// What every format has in common: all files or none, pictures beside the model, nothing of this machine in the files.
+#include "stromar/app/Export.h"
+#include "app/SameModel.h"
+#include "mesh/SampleTrees.h"
+#include "stromar/app/Formats.h"
+#include "util/TemporaryFolder.h"
+#include <gtest/gtest.h>
+#include <thread>
+
+namespace stromar::test {
+
+namespace {
+namespace fs = std::filesystem;
+
+std::shared_ptr<const TreeModel> smallModel() {
+    static const auto model = [] {
+        CParams params = preset("quaking_aspen");
+        params.level[1].branches = 6;
+        params.level[2].branches = 4;
+        return createAnew(params, detailOf(Model::Simple));
+    }();
+    return model;
+}
+
+std::shared_ptr<const TreeModel> largeModel() {
+    static const auto model = createAnew(preset("ca_black_oak"), detailOf(Model::Full));
+    return model;
+}
+
+/// The small model with pictures of its own.
+TreeModel withPictures(const std::string& bark, const std::string& leaf) {
+    TreeModel model = *smallModel();
+    model.params.text.barkTexture = bark;
+    model.params.text.leafTexture = leaf;
+    return model;
+}
+
+std::size_t countOf(const std::string& text, const std::string& part) {
+    std::size_t count = 0;
+    for (std::size_t at = text.find(part); at != std::string::npos; at = text.find(part, at + 1)) ++count;
+    return count;
+}
+
+std::string labelOf(const testing::TestParamInfo<std::size_t>& info) {
+    return std::string(formatTable()[info.param].ending.substr(1));
+}
+} // namespace
+
+class Export : public testing::TestWithParam<std::size_t> {
+protected:
+    std::string ending() const { return std::string(formatTable()[GetParam()].ending); }
+    fs::path target() const { return m_folder / ("tree" + ending()); }
+    void expectUntouched(const std::set<std::string>& names = {}) const { EXPECT_EQ(m_folder.names(), names); }
+
+    CTemporaryFolder m_folder;
+};
+INSTANTIATE_TEST_SUITE_P(All, Export, testing::Range<std::size_t>(0, formatTable().size()), labelOf);
+
+TEST_P(Export, PutsPicturesBesideTheModel) {
+    exportModel(*smallModel(), {}, target(), CProgress(2));
+    EXPECT_GT(fs::file_size(target()), 1000u);
+    const std::string content = readFile(target());
+    std::string library;
+    if (fs::exists(m_folder / "tree.mtl")) library = readFile(m_folder / "tree.mtl");
+    for (const Surface surface : {Surface::Bark, Surface::Leaf}) {
+        const std::string picture = surface == Surface::Bark ? "tree_bark.png" : "tree_leaf.png";
+        ASSERT_TRUE(fs::exists(m_folder / picture)) << picture;
+        EXPECT_EQ(readFile(m_folder / picture), readFile(textureOf(smallModel()->params, surface, {})));
+        EXPECT_GE(countOf(content + library, picture), 1u) << picture;
+        EXPECT_EQ(countOf(content + library, "/" + picture), 0u) << picture;
+        EXPECT_EQ(countOf(content + library, "\\" + picture), 0u) << picture;
+    }
+    std::set<std::string> names = {"tree" + ending(), "tree_bark.png", "tree_leaf.png"};
+    if (!library.empty()) names.insert("tree.mtl");
+    EXPECT_EQ(m_folder.names(), names) << "other files lie about";
+}
+
+TEST_P(Export, HoldsNothingOfThisMachine) {
+    exportModel(*smallModel(), {}, target(), CProgress(2));
+    for (const std::string& name : m_folder.names()) {
+        if (name.ends_with(".png")) continue;
+        const std::string content = readFile(m_folder / name);
+        EXPECT_EQ(content.find(m_folder.path().string()), std::string::npos) << name;
+        EXPECT_EQ(content.find(STROMAR_SOURCE), std::string::npos) << name;
+    }
+}
+
+TEST_P(Export, GivesTheSameBytesAgain) {
+    const CTemporaryFolder other;
+    exportModel(*smallModel(), {}, target(), CProgress(1));
+    exportModel(*smallModel(), {}, other / target().filename(), CProgress(2));
+    ASSERT_EQ(m_folder.names(), other.names());
+    for (const std::string& name : m_folder.names())
+        EXPECT_TRUE(readFile(m_folder / name) == readFile(other / name)) << name;
+}
+
+TEST_P(Export, ReplacesAnOlderModel) {
+    writeFile(target(), std::string(3'000'000, 'x'));
+    exportModel(*smallModel(), {}, target(), CProgress(2));
+    const CTemporaryFolder other;
+    exportModel(*smallModel(), {}, other / target().filename(), CProgress(2));
+    EXPECT_TRUE(readFile(target()) == readFile(other / target().filename()));
+}
+
+TEST_P(Export, TakesTheTreesOwnPictures) {
+    const CTemporaryFolder trees;
+    fs::create_directory(trees / "pictures");
+    writeFile(trees / "pictures/my bark.JPG", "not really a picture");
+    const TreeModel model = withPictures("pictures/my bark.JPG", "");
+    exportModel(model, trees.path(), target(), CProgress(2));
+    EXPECT_EQ(readFile(m_folder / "tree_bark.JPG"), "not really a picture");
+}
+
+TEST_P(Export, AMissingPictureLeavesNothing) {
+    for (const TreeModel& model : {withPictures("none.png", ""), withPictures("", "none.png")})
+        EXPECT_THROW(exportModel(model, m_folder.path(), target(), CProgress(2)), CError);
+    expectUntouched();
+    writeFile(target(), "older");
+    EXPECT_THROW(exportModel(withPictures("", "none.png"), m_folder.path(), target(), CProgress(2)), CError);
+    EXPECT_EQ(readFile(target()), "older");
+    expectUntouched({target().filename().string()});
+}
+
+TEST_P(Export, AMissingFolderIsAnError) {
+    EXPECT_THROW(exportModel(*smallModel(), {}, m_folder / "none" / target().filename(), CProgress(2)), CError);
+    expectUntouched();
+}
+
+TEST_P(Export, AFolderInThePlaceStays) {
+    fs::create_directory(target());
+    writeFile(target() / "inside", "kept");
+    EXPECT_THROW(exportModel(*smallModel(), {}, target(), CProgress(2)), CError);
+    EXPECT_EQ(readFile(target() / "inside"), "kept");
+    expectUntouched({target().filename().string()});
+}
+
+TEST_P(Export, AFolderInAPicturesPlaceLeavesTheModel) {
+    fs::create_directory(m_folder / "tree_leaf.png");
+    writeFile(target(), "older");
+    EXPECT_THROW(exportModel(*smallModel(), {}, target(), CProgress(2)), CError);
+    EXPECT_EQ(readFile(target()), "older");
+    expectUntouched({"tree_leaf.png", target().filename().string()});
+}
+
+TEST_P(Export, CancelledBeforeTheStartLeavesNothing) {
+    writeFile(target(), "older");
+    const CProgress cancelled(2);
+    cancelled.cancel();
+    EXPECT_THROW(exportModel(*smallModel(), {}, target(), cancelled), CCancelled);
+    EXPECT_EQ(readFile(target()), "older");
+    expectUntouched({target().filename().string()});
+}
+
+TEST_P(Export, CancelledHalfwayLeavesNothing) {
+    writeFile(target(), "older");
+    const auto model = largeModel();
+    const CProgress progress(2);
+    const std::jthread canceller([&](const std::stop_token& stop) {
+        while (!stop.stop_requested() && progress.done() < 0.05) std::this_thread::yield();
+        progress.cancel();
+    });
+    EXPECT_THROW(exportModel(*model, {}, target(), progress), CCancelled);
+    EXPECT_EQ(readFile(target()), "older");
+    expectUntouched({target().filename().string()});
+}
+
+TEST_P(Export, ReportsHowFarItIs) {
+    const auto model = createAnew(preset("quaking_aspen"), detailOf(Model::Simple));
+    const CProgress progress(2);
+    exportModel(*model, {}, target(), progress);
+    EXPECT_GT(progress.done(), 0.5) << "the format's bytesPerVertex is too large";
+    const double written = static_cast<double>(fs::file_size(target()));
+    const double expected = formatTable()[GetParam()].bytesPerVertex * static_cast<double>(model->vertexCount());
+    EXPECT_GT(written / expected, 0.5);
+    EXPECT_LT(written / expected, 2.0);
+}
+
+TEST(ExportAnything, AnUnknownFormatIsAnError) {
+    const CTemporaryFolder folder;
+    EXPECT_THROW(exportModel(*smallModel(), {}, folder / "tree.dwg", CProgress(2)), CError);
+    EXPECT_TRUE(folder.names().empty());
+}
+
+TEST(ExportAnything, BuiltInPicturesExist) {
+    for (const Surface surface : {Surface::Bark, Surface::Leaf})
+        EXPECT_TRUE(fs::is_regular_file(textureOf(CParams(), surface, {})));
+}
+
+} // namespace stromar::test

@@ -1,0 +1,161 @@
+#include "stromar/app/Prediction.h"
+#include "app/SameModel.h"
+#include "mesh/SampleTrees.h"
+#include <cmath>
+#include <gtest/gtest.h>
+#include <regex>
+
+namespace stromar::test {
+
+namespace {
+constexpr Caps kCaps{{0, 14, 6, 3}, 0.9, 8, 30, 4};
+
+std::string sizes(double stems, double leaves, double vertices) {
+    return std::to_string(stems) + " stems, " + std::to_string(leaves) + " leaves, " + std::to_string(vertices) +
+           " vertices";
+}
+
+void expectWithin(const CParams& params, const Detail& detail, bool varied, const std::string& label) {
+    const Prediction predicted = predictSize(params, detail);
+    const auto model = CTreeCreator(varied).create(params, detail, CProgress(2));
+    const double stems = double(model->tree->stemCount()), leaves = double(model->tree->leaves().size()),
+                 vertices = double(model->vertexCount());
+    EXPECT_TRUE(stems <= predicted.stems && leaves <= predicted.leaves && vertices <= predicted.vertices)
+        << label << ": " << sizes(stems, leaves, vertices) << "; predicted "
+        << sizes(predicted.stems, predicted.leaves, predicted.vertices);
+}
+
+/// The numbers before " million vertices" in a refusal.
+std::vector<double> millionsIn(const std::string& text) {
+    const std::regex number("([0-9.e+]+) million vertices");
+    std::vector<double> found;
+    for (std::sregex_iterator i(text.begin(), text.end(), number), end; i != end; ++i)
+        found.push_back(std::stod((*i)[1]));
+    return found;
+}
+
+std::string refusal(const CParams& params, double limit) {
+    try {
+        CTreeCreator(true, limit).create(params, detailOf(Model::Full), CProgress(2));
+    } catch (const CError& e) {
+        return e.what();
+    }
+    return "not refused";
+}
+} // namespace
+
+TEST(Prediction, BoundsThePresets) {
+    for (const Sample& sample : presets())
+        for (const int seed : {13, 1, 77, 4711})
+            for (const Detail& detail : detailTable()) {
+                CParams params = sample.params;
+                params.global.seed = seed;
+                if (seed == 77 && detail.model == Model::Full && detail.lod < 3) continue; // the largest: time
+                expectWithin(params, detail, true,
+                             sample.name + ", seed " + std::to_string(seed) + ", " + std::string(detail.name));
+            }
+}
+
+TEST(Prediction, IsNearForThePresets) {
+    for (const Sample& sample : presets())
+        for (const Detail& detail : detailTable()) {
+            const Prediction predicted = predictSize(sample.params, detail);
+            const auto model = createAnew(sample.params, detail);
+            EXPECT_LE(predicted.stems, 8 * double(model->tree->stemCount())) << sample.name;
+            EXPECT_LE(predicted.leaves, 8 * double(model->tree->leaves().size())) << sample.name;
+            EXPECT_LE(predicted.vertices, 8 * double(model->vertexCount())) << sample.name << ", " << detail.name;
+        }
+}
+
+TEST(Prediction, BoundsRandomTrees) {
+    int looked = 0;
+    for (std::uint64_t number = 1000; number < 1160; ++number) {
+        const CParams params = randomParams(number, kCaps);
+        for (const Detail& detail : detailTable()) {
+            if (predictSize(params, detail).vertices > 3e6) continue; // time
+            expectWithin(params, detail, number % 4 != 0,
+                         "sample " + std::to_string(number) + ", " + std::string(detail.name));
+            ++looked;
+        }
+    }
+    EXPECT_GE(looked, 600);
+}
+
+TEST(Prediction, BoundsDeepTrees) {
+    int looked = 0;
+    for (int levels = 5; levels <= 9; ++levels)
+        for (std::uint64_t number = 2000; number < 2006; ++number) {
+            CParams params = randomParams(number, {{0, 2, 2, 2}, 0.1, 3, 5, 4});
+            params.global.levels = levels;
+            const std::string label = "levels " + std::to_string(levels) + ", sample " + std::to_string(number);
+            if (predictSize(params, detailOf(Model::Full)).vertices > 2e6) continue; // time
+            expectWithin(params, detailOf(Model::Full), true, label);
+            ++looked;
+        }
+    EXPECT_GE(looked, 10);
+}
+
+TEST(Prediction, BoundsTrunksOfManySpheresSplitsAndTurns) {
+    for (const int resolution : {1, 2, 7, 60, 200})
+        for (const double taper : {1.0, 1.5, 2.0, 2.5, 3.0})
+            for (const double helix : {0.0, -60.0})
+                for (const int splits : {0, 3})
+                    for (const double ratio : {0.0001, 0.002, 0.05, 1.0}) {
+                        CParams params;
+                        params.global.levels = 1;
+                        params.global.ratio = ratio;
+                        params.global.baseSplits = splits;
+                        params.global.flare = 20;
+                        params.level[0].curveRes = resolution;
+                        params.level[0].taper = taper;
+                        params.level[0].curveV = helix;
+                        for (const Detail& detail : detailTable())
+                            expectWithin(params, detail, true,
+                                         "segments " + std::to_string(resolution) + ", taper " + std::to_string(taper) +
+                                             ", curve " + std::to_string(helix) + ", splits " + std::to_string(splits) +
+                                             ", ratio " + std::to_string(ratio) + ", " + std::string(detail.name));
+                    }
+}
+
+TEST(Prediction, ARefusalNamesBothNumbers) {
+    CParams params = preset("quaking_aspen");
+    params.level[1].branches = 5000;
+    params.level[2].branches = 5000;
+    const std::string text = refusal(params, CTreeCreator::kMostVertices);
+    const double predicted = predictSize(params, detailOf(Model::Full)).vertices / 1e6;
+    const auto numbers = millionsIn(text);
+    ASSERT_EQ(numbers.size(), 2u) << text;
+    EXPECT_NEAR(numbers[0], predicted, 0.1 + 0.01 * predicted) << text;
+    EXPECT_NEAR(numbers[1], 20, 0.01) << text;
+}
+
+TEST(Prediction, ARefusalNamesSmallLimitsToo) {
+    const std::string text = refusal(preset("quaking_aspen"), 1000);
+    EXPECT_NE(text, "not refused");
+    const auto numbers = millionsIn(text);
+    const bool asNumber =
+        text.find("1000 vertices") != std::string::npos || text.find("1,000 vertices") != std::string::npos;
+    EXPECT_TRUE(asNumber || (numbers.size() == 2 && numbers[1] < 0.002)) << text;
+}
+
+TEST(Prediction, TheLargestTreeIsRefusedAtOnce) {
+    CParams params;
+    for (const ParamRef& ref : allParams()) ref.set(params, ref.info->range.max);
+    for (const Detail& detail : detailTable()) {
+        const Prediction size = predictSize(params, detail);
+        EXPECT_TRUE(std::isfinite(size.vertices) && std::isfinite(size.stems) && std::isfinite(size.leaves));
+        EXPECT_THROW(CTreeCreator().create(params, detail, CProgress(2)), CError);
+    }
+}
+
+TEST(Prediction, ARefusedTreeLeavesTheCreatorAsItWas) {
+    CTreeCreator creator;
+    const CParams params = preset("quaking_aspen");
+    const auto before = creator.create(params, detailOf(Model::Simple), CProgress(2));
+    CParams large = params;
+    large.level[1].branches = large.level[2].branches = 5000;
+    EXPECT_THROW(creator.create(large, detailOf(Model::Simple), CProgress(2)), CError);
+    EXPECT_EQ(creator.create(params, detailOf(Model::Simple), CProgress(2))->stems, before->stems);
+}
+
+} // namespace stromar::test

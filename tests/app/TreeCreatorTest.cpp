@@ -1,0 +1,187 @@
+#include "app/SameModel.h"
+#include "mesh/SampleTrees.h"
+#include "stromar/params/ParamTable.h"
+#include <gtest/gtest.h>
+#include <random>
+
+namespace stromar::test {
+
+namespace {
+/// Of four levels, with leaves, quickly made; every kind of parameter changes something.
+CParams smallTree() {
+    CParams params = preset("ca_black_oak");
+    GlobalParams& g = params.global;
+    g.levels = 4;
+    g.leaves = 6;
+    g.lobes = 3;
+    g.lobeDepth = 0.2;
+    g.pruneRatio = 0.4;
+    params.level[1].branches = 8;
+    params.level[2].branches = 6;
+    params.level[3].branches = 3;
+    return params;
+}
+
+/// Another value of the row, inside its useful range.
+double otherValue(const ParamRef& ref, const CParams& params) {
+    const Range& useful = ref.info->useful;
+    const double now = ref.get(params), step = ref.info->step;
+    if (ref.info->key == "Levels") return 3;
+    if (ref.info->key == "Branches") return now + 1;
+    return now + step <= useful.max ? now + step : now - step;
+}
+
+int sharedStems(const TreeModel& a, const TreeModel& b) {
+    int count = 0;
+    for (std::size_t g = 0; g < std::min(a.stems.size(), b.stems.size()); ++g) count += a.stems[g] == b.stems[g];
+    return count;
+}
+} // namespace
+
+TEST(TreeCreator, GivesTheSameModelAgain) {
+    for (const Detail& detail : detailTable()) {
+        CTreeCreator creator;
+        const auto first = creator.create(smallTree(), detail, CProgress(2));
+        const auto second = creator.create(smallTree(), detail, CProgress(2));
+        EXPECT_EQ(first->tree, second->tree);
+        EXPECT_EQ(first->stems, second->stems);
+        EXPECT_EQ(first->leaves, second->leaves);
+        EXPECT_EQ(first->detail, &detail);
+    }
+}
+
+TEST(TreeCreator, SharesTheGenerationsBeforeAnEditedLevel) {
+    for (int level = 0; level < kParamLevels; ++level) {
+        CTreeCreator creator;
+        CParams params = smallTree();
+        const auto before = creator.create(params, detailOf(Model::Full), CProgress(2));
+        params.level[static_cast<std::size_t>(level)].curve += 5;
+        const auto after = creator.create(params, detailOf(Model::Full), CProgress(2));
+        EXPECT_EQ(sharedStems(*before, *after), level);
+        for (int g = 0; g < 4; ++g) {
+            const auto i = static_cast<std::size_t>(g);
+            EXPECT_EQ(before->stems[i] == after->stems[i], g < level) << "level " << level << ", generation " << g;
+            EXPECT_EQ(before->tree->generations()[i] == after->tree->generations()[i], g < level);
+        }
+        EXPECT_NE(before->leaves, after->leaves);
+    }
+}
+
+TEST(TreeCreator, KeepsStemsWhenOnlyLeavesChange) {
+    CTreeCreator creator;
+    CParams params = smallTree();
+    const auto before = creator.create(params, detailOf(Model::Full), CProgress(2));
+    params.global.leafScale *= 2;
+    const auto after = creator.create(params, detailOf(Model::Full), CProgress(2));
+    EXPECT_EQ(before->stems, after->stems);
+    EXPECT_NE(before->leaves, after->leaves);
+    EXPECT_EQ(modelDifference(*after, *createAnew(params, detailOf(Model::Full))), "");
+}
+
+TEST(TreeCreator, KeepsEverythingWhenOnlyTextsChange) {
+    for (const TextInfo& text : textTable()) {
+        if (text.stage == Stage::Structure) continue; // another way to grow trees
+        CTreeCreator creator;
+        CParams params = smallTree();
+        const auto before = creator.create(params, detailOf(Model::Simple), CProgress(2));
+        params.text.*text.field = "other.png";
+        const auto after = creator.create(params, detailOf(Model::Simple), CProgress(2));
+        EXPECT_EQ(before->tree, after->tree) << text.key;
+        EXPECT_EQ(before->stems, after->stems) << text.key;
+        EXPECT_EQ(before->leaves, after->leaves) << text.key;
+        EXPECT_EQ(after->params, params) << text.key;
+    }
+}
+
+TEST(TreeCreator, KeepsTheTreeWhenOnlyTheMeshChanges) {
+    CTreeCreator creator;
+    CParams params = smallTree();
+    const auto before = creator.create(params, detailOf(Model::Full), CProgress(2));
+    params.global.textureWrapX += 1;
+    const auto after = creator.create(params, detailOf(Model::Full), CProgress(2));
+    EXPECT_EQ(before->tree, after->tree);
+    EXPECT_EQ(sharedStems(*before, *after), 0);
+}
+
+TEST(TreeCreator, AnEditOfAnyParameterGivesWhatANewCreatorGives) {
+    for (const ParamRef& ref : allParams())
+        for (const Detail* detail : {&detailOf(Model::Simple), &detailOf(Model::Full, 1)}) {
+            CTreeCreator creator;
+            CParams params = smallTree();
+            const auto before = creator.create(params, *detail, CProgress(2));
+            ref.set(params, otherValue(ref, params));
+            ASSERT_NE(ref.get(params), ref.get(before->params)) << ref.key();
+            const Obsolete obsolete = firstObsolete(before->params, params);
+            const auto after = creator.create(params, *detail, CProgress(2));
+            EXPECT_EQ(modelDifference(*after, *createAnew(params, *detail)), "") << ref.key() << ", " << detail->name;
+            const int kept =
+                obsolete.stage > Stage::Mesh ? 4 : std::min(obsolete.generation, static_cast<int>(after->stems.size()));
+            EXPECT_GE(sharedStems(*before, *after), kept) << ref.key() << ", " << detail->name;
+        }
+}
+
+TEST(TreeCreator, ManyEditsGiveWhatANewCreatorGives) {
+    std::mt19937 random(5);
+    CTreeCreator creator;
+    CParams params = smallTree();
+    for (int edit = 0; edit < 150; ++edit) {
+        const auto refs = allParams();
+        const ParamRef& ref = refs[random() % refs.size()];
+        ref.set(params, otherValue(ref, params));
+        if (edit % 10 == 9) params = smallTree();
+        const Detail& detail = detailTable()[random() % detailTable().size()];
+        const auto model = creator.create(params, detail, CProgress(2));
+        ASSERT_EQ(modelDifference(*model, *createAnew(params, detail)), "")
+            << "edit " << edit << ", " << ref.key() << ", " << detail.name;
+        ASSERT_EQ(model->params, params);
+    }
+}
+
+TEST(TreeCreator, OlderModelsStayAsTheyWere) {
+    CTreeCreator creator;
+    CParams params = smallTree();
+    const auto first = creator.create(params, detailOf(Model::Full), CProgress(2));
+    const auto copy = createAnew(params, detailOf(Model::Full));
+    params.global.seed += 1;
+    EXPECT_NE(modelDifference(*creator.create(params, detailOf(Model::Full), CProgress(2)), *first), "");
+    EXPECT_EQ(modelDifference(*first, *copy), "");
+}
+
+TEST(TreeCreator, ForgettingStartsAnew) {
+    CTreeCreator creator;
+    const auto before = creator.create(smallTree(), detailOf(Model::Full), CProgress(2));
+    creator.forget();
+    const auto after = creator.create(smallTree(), detailOf(Model::Full), CProgress(2));
+    EXPECT_NE(before->tree, after->tree);
+    EXPECT_EQ(sharedStems(*before, *after), 0);
+    EXPECT_NE(before->leaves, after->leaves);
+    EXPECT_EQ(modelDifference(*before, *after), "");
+}
+
+TEST(TreeCreator, TheNeutralSourceIgnoresTheSeed) {
+    CParams params = smallTree();
+    CTreeCreator creator(false);
+    const auto before = creator.create(params, detailOf(Model::Full), CProgress(2));
+    params.global.seed += 1;
+    EXPECT_EQ(modelDifference(*before, *creator.create(params, detailOf(Model::Full), CProgress(2))), "");
+    EXPECT_NE(modelDifference(*before, *createAnew(params, detailOf(Model::Full))), "");
+}
+
+TEST(TreeCreator, CountsAndMeshesAgree) {
+    for (const Sample& sample : presets()) {
+        const auto model = createAnew(sample.params, detailOf(Model::Simple));
+        std::size_t vertices = 0, triangles = 0;
+        for (const auto& mesh : model->meshes()) {
+            EXPECT_GT(mesh->vertexCount(), 0u);
+            vertices += mesh->vertexCount();
+            triangles += mesh->triangleCount();
+        }
+        EXPECT_EQ(model->vertexCount(), vertices);
+        EXPECT_EQ(model->triangleCount(), triangles);
+        const auto& ms = model->milliseconds;
+        EXPECT_GT(ms.total, 0);
+        EXPECT_NEAR(ms.total, ms.structure + ms.smooth + ms.mesh, 0.01 * ms.total + 0.1);
+    }
+}
+
+} // namespace stromar::test

@@ -1,0 +1,151 @@
+#include "cli/Cli.h"
+#include "stromar/app/Formats.h"
+#include "stromar/util/FileSet.h"
+#include <algorithm>
+#include <chrono>
+#include <gtest/gtest.h>
+#include <thread>
+
+namespace stromar::test {
+
+namespace {
+namespace fs = std::filesystem;
+
+Words exportTo(const fs::path& path, const Words& more = {}) {
+    Words words = smallTree("export", {"-o", path.string()});
+    words.insert(words.end(), more.begin(), more.end());
+    return words;
+}
+
+/// Whether a file in the folder has at least so many bytes, within ten seconds.
+bool waitForBytes(const CTemporaryFolder& folder, std::uintmax_t bytes) {
+    for (int i = 0; i < 10'000; ++i) {
+        for (const std::string& name : folder.names()) {
+            std::error_code vanished;
+            const auto size = fs::file_size(folder / name, vanished);
+            if (!vanished && size >= bytes) return true;
+        }
+        std::this_thread::sleep_for(std::chrono::milliseconds(1));
+    }
+    return false;
+}
+} // namespace
+
+TEST(ExportCommand, WritesEveryFormat) {
+    for (const Format& format : formatTable()) {
+        const CTemporaryFolder folder;
+        const std::string name = "tree" + std::string(format.ending);
+        const ProcessResult run = cli(exportTo(folder / name));
+        EXPECT_EQ(run.status, 0) << run.err;
+        EXPECT_EQ(run.out, "") << "the model is the data";
+        EXPECT_NE(run.err.find("triangles"), std::string::npos) << run.err;
+        EXPECT_GT(fs::file_size(folder / name), 10'000u) << format.ending;
+        for (const char* picture : {"tree_bark.png", "tree_leaf.png"})
+            EXPECT_TRUE(fs::exists(folder / picture)) << format.ending;
+    }
+}
+
+TEST(ExportCommand, GivesTheSameBytesForEveryNumberOfThreads) {
+    for (const Format& format : formatTable()) {
+        const CTemporaryFolder one, two;
+        const std::string name = "tree" + std::string(format.ending);
+        ASSERT_EQ(cli({"export", kAspen, "--lod", "2", "-o", (one / name).string(), "--threads", "1"}).status, 0);
+        ASSERT_EQ(cli({"export", kAspen, "--lod", "2", "-o", (two / name).string(), "--threads", "2"}).status, 0);
+        ASSERT_EQ(one.names(), two.names());
+        for (const std::string& file : one.names()) EXPECT_TRUE(readFile(one / file) == readFile(two / file)) << file;
+    }
+}
+
+TEST(ExportCommand, WritesIntoTheCurrentFolder) {
+    const CTemporaryFolder folder;
+    const ProcessResult run = cli(exportTo("here.obj"), {.folder = folder.path().string()});
+    EXPECT_EQ(run.status, 0) << run.err;
+    EXPECT_EQ(folder.names(), (std::set<std::string>{"here.obj", "here.mtl", "here_bark.png", "here_leaf.png"}));
+}
+
+TEST(ExportCommand, FindsPicturesFromTheTreesFolder) {
+    const CTemporaryFolder folder;
+    fs::create_directories(folder / "trees/pictures");
+    writeFile(folder / "trees/pictures/own.png", "a picture");
+    writeFile(folder / "trees/own.tree", "Format = 1\nLevels = 1\nBarkTexture = pictures/own.png\n");
+    const std::string out = (folder / "x.obj").string();
+    const ProcessResult run = cli({"export", "own.tree", "-o", out}, {.folder = (folder / "trees").string()});
+    EXPECT_EQ(run.status, 0) << run.err;
+    EXPECT_EQ(readFile(folder / "x_bark.png"), "a picture");
+}
+
+TEST(ExportCommand, WrongUsageEndsWithTwo) {
+    const CTemporaryFolder folder;
+    EXPECT_EQ(cli({"export", kAspen}).status, 2);
+    for (const char* name : {"x.obk", "x", "x.tree"}) {
+        const ProcessResult run = cli(exportTo(folder / name));
+        EXPECT_EQ(run.status, 2) << name;
+        EXPECT_NE(run.err.find(".obj"), std::string::npos) << run.err;
+    }
+    EXPECT_EQ(cli(exportTo(folder / "x.obj", {"--model", "simple", "--lod", "1"})).status, 2);
+    EXPECT_EQ(cli(exportTo(folder / "x.obj", {"--set", "Scale=tall"})).status, 2);
+    EXPECT_TRUE(folder.names().empty());
+}
+
+TEST(ExportCommand, AFailureLeavesTheOlderFile) {
+    const CTemporaryFolder folder;
+    writeFile(folder / "broken.tree", "Scale = tall\n");
+    writeFile(folder / "x.obj", "older");
+    const std::string out = (folder / "x.obj").string();
+    const Words failing[] = {{"export", (folder / "broken.tree").string(), "-o", out},
+                             {"export", (folder / "none.tree").string(), "-o", out},
+                             exportTo(out, {"--set", "BarkTexture=none.png"}),
+                             exportTo(out, {"--set", "1Branches=5000", "--set", "2Branches=5000"})};
+    for (const Words& words : failing) {
+        const ProcessResult run = cli(words);
+        EXPECT_EQ(run.status, 1) << run.err;
+        EXPECT_EQ(readFile(folder / "x.obj"), "older");
+        EXPECT_EQ(folder.names(), (std::set<std::string>{"broken.tree", "x.obj"}));
+    }
+}
+
+TEST(ExportCommand, AMissingFolderEndsWithOne) {
+    const CTemporaryFolder folder;
+    const ProcessResult run = cli(exportTo(folder / "none" / "x.obj"));
+    EXPECT_EQ(run.status, 1);
+    EXPECT_NE(run.err.find("No such file or directory"), std::string::npos) << run.err;
+    EXPECT_TRUE(folder.names().empty());
+}
+
+TEST(ExportCommand, AFullDiskLeavesTheOlderFile) {
+    for (const Format& format : formatTable()) {
+        const CTemporaryFolder folder;
+        const std::string name = "x" + std::string(format.ending);
+        writeFile(folder / name, "older");
+        const ProcessResult run = cli({"export", kAspen, "-o", (folder / name).string()}, {.mostFileBytes = 1'500'000});
+        EXPECT_EQ(run.status, 1) << format.ending << ": " << run.err;
+        EXPECT_NE(run.err, "") << format.ending;
+        EXPECT_EQ(readFile(folder / name), "older") << format.ending;
+        EXPECT_EQ(folder.names(), std::set<std::string>{name}) << format.ending;
+    }
+}
+
+TEST(ExportCommand, AnInterruptLeavesNoFile) {
+    for (const Format& format : formatTable()) {
+        const CTemporaryFolder folder;
+        CProcess process(cliCommand(
+            {"export", presetFile("ca_black_oak"), "-o", (folder / ("x" + std::string(format.ending))).string()}));
+        const bool writing = waitForBytes(folder, 1'600'000); // more than the pictures have
+        process.signal(SIGINT);
+        const ProcessResult run = process.wait();
+        EXPECT_TRUE(writing) << format.ending;
+        EXPECT_EQ(run.status, 1) << format.ending << ": " << run.err;
+        EXPECT_TRUE(folder.names().empty()) << format.ending << ": " << *folder.names().begin();
+    }
+}
+
+TEST(ExportCommand, AnInterruptWhileGrowingLeavesNoFile) {
+    const CTemporaryFolder folder;
+    CProcess process(cliCommand({"export", presetFile("weeping_willow"), "-o", (folder / "x.obj").string()}));
+    std::this_thread::sleep_for(std::chrono::milliseconds(60));
+    process.signal(SIGINT);
+    EXPECT_EQ(process.wait().status, 1);
+    EXPECT_TRUE(folder.names().empty());
+}
+
+} // namespace stromar::test

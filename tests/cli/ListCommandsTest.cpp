@@ -1,0 +1,70 @@
+// The lists of parameters and formats.
+#include "cli/Cli.h"
+#include "stromar/app/Formats.h"
+#include "stromar/params/ParamTable.h"
+#include "stromar/util/FileSet.h"
+#include <algorithm>
+#include <gtest/gtest.h>
+#include <map>
+
+namespace stromar::test {
+
+TEST(ParamsCommand, MarkdownIsThePageOfTheManual) {
+    const ProcessResult run = cli({"params", "--markdown"});
+    EXPECT_EQ(run.status, 0);
+    EXPECT_EQ(run.err, "");
+    EXPECT_EQ(run.out, readFile(STROMAR_SOURCE "/docs/parameters.md"))
+        << "write it anew with: stromar-cli params --markdown";
+}
+
+TEST(ParamsCommand, MarkdownTablesAreWhole) {
+    std::istringstream page(cli({"params", "--markdown"}).out);
+    std::size_t rows = 0;
+    for (std::string line; std::getline(page, line);) {
+        if (!line.starts_with('|')) continue;
+        EXPECT_EQ(std::ranges::count(line, '|'), 7) << line;
+        ++rows;
+    }
+    EXPECT_GT(rows, paramTable().size() + textTable().size());
+}
+
+TEST(ParamsCommand, JsonListsEveryParameter) {
+    const Json rows = Json::parse(cli({"params", "--json"}).out);
+    std::map<std::string, Json> byKey;
+    for (const Json& row : rows) EXPECT_TRUE(byKey.emplace(row.at("key"), row).second) << row.at("key");
+    EXPECT_EQ(byKey.size(), allParams().size() + textTable().size());
+    for (const ParamRef& ref : allParams()) {
+        ASSERT_TRUE(byKey.contains(ref.key())) << ref.key();
+        const Json& row = byKey[ref.key()];
+        EXPECT_EQ(row.at("min"), ref.info->range.min) << ref.key();
+        EXPECT_EQ(row.at("max"), ref.info->range.max) << ref.key();
+        EXPECT_EQ(row.at("default"), ref.info->defaultOf(ref.level)) << ref.key();
+        EXPECT_EQ(row.at("type"), ref.info->integer() ? "integer" : "number") << ref.key();
+        EXPECT_EQ(row.contains("words"), !ref.info->words.empty()) << ref.key();
+    }
+    for (const TextInfo& text : textTable()) EXPECT_TRUE(byKey.contains(std::string(text.key))) << text.key;
+}
+
+TEST(ParamsCommand, TextNamesEveryRow) {
+    const ProcessResult run = cli({"params"});
+    EXPECT_EQ(run.status, 0);
+    for (const ParamInfo& info : paramTable()) EXPECT_NE(run.out.find(info.key), std::string::npos) << info.key;
+    for (const TextInfo& text : textTable()) EXPECT_NE(run.out.find(text.key), std::string::npos) << text.key;
+}
+
+TEST(FormatsCommand, ListsEveryFormat) {
+    const ProcessResult run = cli({"formats", "--json"});
+    EXPECT_EQ(run.status, 0);
+    const Json rows = Json::parse(run.out);
+    ASSERT_EQ(rows.size(), formatTable().size());
+    for (std::size_t i = 0; i < rows.size(); ++i) {
+        EXPECT_EQ(rows[i].at("ending"), formatTable()[i].ending);
+        EXPECT_EQ(rows[i].at("name"), formatTable()[i].name);
+        EXPECT_FALSE(rows[i].at("loses").get<std::string>().empty());
+    }
+    const std::string text = cli({"formats"}).out;
+    EXPECT_EQ(std::ranges::count(text, '\n'), static_cast<std::ptrdiff_t>(formatTable().size()));
+    for (const Format& format : formatTable()) EXPECT_NE(text.find(format.ending), std::string::npos) << format.ending;
+}
+
+} // namespace stromar::test

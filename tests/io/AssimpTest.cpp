@@ -1,0 +1,168 @@
+// Models read back by assimp, which has readers of its own for these formats.
+#include "io/ExportedModels.h"
+#include <assimp/Importer.hpp>
+#include <assimp/postprocess.h>
+#include <assimp/scene.h>
+#include <cmath>
+#include <glm/geometric.hpp>
+#include <gtest/gtest.h>
+#include <map>
+#include <set>
+
+namespace stromar::test {
+
+namespace {
+struct ReadModel {
+    std::vector<Corner> corners;                 ///< right-handed, y up
+    std::vector<std::string> materials;          ///< of each triangle
+    std::map<std::string, std::string> textures; ///< by material
+    std::size_t meshCount = 0, mostFaces = 0;
+};
+
+glm::vec3 toGlm(const aiVector3D& v) { return {v.x, v.y, v.z}; }
+
+void addMesh(const aiMesh& mesh, const aiMatrix4x4& place, const std::string& material, ReadModel& model) {
+    ASSERT_TRUE(mesh.HasTextureCoords(0)) << mesh.mName.C_Str();
+    const aiMatrix3x3 turn(place);
+    for (unsigned f = 0; f < mesh.mNumFaces; ++f) {
+        ASSERT_EQ(mesh.mFaces[f].mNumIndices, 3u);
+        for (unsigned c = 0; c < 3; ++c) {
+            const unsigned v = mesh.mFaces[f].mIndices[c];
+            const aiVector3D& t = mesh.mTextureCoords[0][v];
+            const aiVector3D normal = mesh.HasNormals() ? turn * mesh.mNormals[v] : aiVector3D();
+            model.corners.push_back({toGlm(place * mesh.mVertices[v]), toGlm(normal), {t.x, t.y}});
+        }
+        model.materials.push_back(material);
+    }
+    ++model.meshCount;
+    model.mostFaces = std::max<std::size_t>(model.mostFaces, mesh.mNumFaces);
+}
+
+void addNode(const aiScene& scene, const aiNode& node, const aiMatrix4x4& parent, ReadModel& model) {
+    const aiMatrix4x4 place = parent * node.mTransformation;
+    for (unsigned i = 0; i < node.mNumMeshes; ++i) {
+        const aiMesh& mesh = *scene.mMeshes[node.mMeshes[i]];
+        addMesh(mesh, place, scene.mMaterials[mesh.mMaterialIndex]->GetName().C_Str(), model);
+    }
+    for (unsigned i = 0; i < node.mNumChildren; ++i) addNode(scene, *node.mChildren[i], place, model);
+}
+
+ReadModel read(const std::string& path) {
+    Assimp::Importer importer;
+    const aiScene* scene = importer.ReadFile(path, 0);
+    ReadModel model;
+    if (!scene) {
+        ADD_FAILURE() << importer.GetErrorString();
+        return model;
+    }
+    EXPECT_FALSE(scene->mFlags & AI_SCENE_FLAGS_INCOMPLETE);
+    addNode(*scene, *scene->mRootNode, aiMatrix4x4(), model);
+    for (unsigned i = 0; i < scene->mNumMaterials; ++i) {
+        aiString file;
+        const std::string name = scene->mMaterials[i]->GetName().C_Str();
+        if (scene->mMaterials[i]->GetTexture(aiTextureType_DIFFUSE, 0, &file) == aiReturn_SUCCESS)
+            model.textures[name] = file.C_Str();
+    }
+    return model;
+}
+
+Bounds boundsOf(const std::vector<Corner>& corners) {
+    Bounds box{corners.front().position, corners.front().position};
+    for (const Corner& c : corners) box = {glm::min(box.min, c.position), glm::max(box.max, c.position)};
+    return box;
+}
+
+double barkVolume(const ReadModel& model) {
+    double volume = 0;
+    for (std::size_t t = 0; t < model.materials.size(); ++t) {
+        if (model.materials[t] != "bark") continue;
+        const glm::dvec3 a(model.corners[3 * t].position), b(model.corners[3 * t + 1].position),
+            c(model.corners[3 * t + 2].position);
+        volume += glm::dot(a, glm::cross(b, c)) / 6;
+    }
+    return volume;
+}
+
+/// By how many places the first triangle's corners are turned.
+std::size_t cornersTurned(const std::vector<Corner>& got, const std::vector<Corner>& wanted) {
+    const auto gap = [&](std::size_t turn) { return glm::distance(got[0].position, wanted[turn].position); };
+    return gap(0) <= gap(1) && gap(0) <= gap(2) ? 0 : gap(1) <= gap(2) ? 1 : 2;
+}
+
+struct Case {
+    std::string ending, sample;
+};
+[[maybe_unused]] void PrintTo(const Case& c, std::ostream* out) { *out << c.sample << c.ending; }
+std::vector<Case> cases() {
+    std::vector<Case> all;
+    for (const std::string& ending : kAssimp.endings)
+        for (const char* sample : {"small", "aspen", "tupelo"}) all.push_back({ending, sample});
+    return all;
+}
+std::string labelOf(const testing::TestParamInfo<Case>& info) {
+    return info.param.ending.substr(1) + "_" + info.param.sample;
+}
+} // namespace
+
+class AssimpReads : public testing::TestWithParam<Case> {};
+INSTANTIATE_TEST_SUITE_P(All, AssimpReads, testing::ValuesIn(cases()), labelOf);
+
+TEST_P(AssimpReads, TheWholeModel) {
+    const TreeModel& model = sampleModel(GetParam().sample);
+    const CExported file(model, GetParam().ending);
+    const ReadModel got = read(file.path());
+    const std::vector<Corner> wanted = cornersOf(model, yUp);
+    ASSERT_EQ(got.corners.size(), wanted.size());
+    expectNear(boundsOf(got.corners), boundsOf(model, yUp));
+    EXPECT_NEAR(barkVolume(got), barkVolume(model), 0.01 * barkVolume(model)) << "the bark does not face outwards";
+    EXPECT_EQ(got.textures, (std::map<std::string, std::string>{{"bark", "tree_bark.png"}, {"leaf", "tree_leaf.png"}}));
+    EXPECT_EQ(std::set<std::string>(got.materials.begin(), got.materials.end()),
+              (std::set<std::string>{"bark", "leaf"}));
+}
+
+/// These formats keep the triangles in their order; a cyclic turn of the corners is no change.
+TEST_P(AssimpReads, EveryCornerInItsPlace) {
+    const TreeModel& model = sampleModel(GetParam().sample);
+    const ReadModel got = read(CExported(model, GetParam().ending).path());
+    const std::vector<Corner> wanted = cornersOf(model, yUp);
+    ASSERT_EQ(got.corners.size(), wanted.size());
+    const std::size_t leafCorners = model.leaves->indices.size();
+    const float tolerance = 1e-6f * static_cast<float>(model.tree->scaleTree());
+    const std::size_t turn = cornersTurned(got.corners, wanted);
+    for (std::size_t i = 0; i < wanted.size(); ++i) {
+        const Corner& corner = wanted[i - i % 3 + (i + turn) % 3];
+        ASSERT_LE(glm::distance(got.corners[i].position, corner.position), tolerance) << "corner " << i;
+        ASSERT_LE(glm::distance(got.corners[i].texCoord, corner.texCoord), 1e-5f) << "corner " << i;
+        ASSERT_EQ(got.materials[i / 3], i + leafCorners < wanted.size() ? "bark" : "leaf") << "corner " << i;
+    }
+}
+
+TEST(AssimpReads3ds, MeshesWithinTheFormatsLimits) {
+    const ReadModel got = read(CExported(sampleModel("tupelo"), ".3ds").path());
+    EXPECT_GT(got.meshCount, sampleModel("tupelo").meshes().size()) << "nothing had to be cut";
+    EXPECT_LE(got.mostFaces, 65535u);
+}
+
+TEST(AssimpReadsObj, TheNormals) {
+    const TreeModel& model = sampleModel("aspen");
+    const ReadModel got = read(CExported(model, ".obj").path());
+    const std::vector<Corner> wanted = cornersOf(model, yUp);
+    ASSERT_EQ(got.corners.size(), wanted.size());
+    for (std::size_t i = 0; i < wanted.size(); ++i)
+        ASSERT_LE(glm::distance(got.corners[i].normal, wanted[i].normal), 1e-5f) << "corner " << i;
+}
+
+TEST(AssimpReadsNames, ThatAreUnusual) {
+    for (const std::string& ending : kAssimp.endings)
+        for (const char* stem : {"my tree", "Břečťan", "tree.v2", "a#b", "it's", "50% (copy)"}) {
+            const CExported file(sampleModel("small"), ending, stem);
+            const ReadModel got = read(file.path());
+            EXPECT_EQ(got.corners.size(), 3 * sampleModel("small").triangleCount()) << stem << ending;
+            EXPECT_EQ(got.textures.size(), 2u) << stem << ending;
+            for (const auto& [material, texture] : got.textures)
+                EXPECT_TRUE(file.temporary().names().contains(texture))
+                    << stem << ending << ": " << material << " shows " << texture;
+        }
+}
+
+} // namespace stromar::test

@@ -1,0 +1,80 @@
+#include "io/ExportedModels.h"
+#include "mesh/MeshCheck.h"
+#include "mesh/SampleTrees.h"
+#include "stromar/app/Export.h"
+#include <algorithm>
+#include <glm/common.hpp>
+#include <gtest/gtest.h>
+#include <stdexcept>
+
+namespace stromar::test {
+
+const ForeignReader kAssimp{"assimp", {".obj", ".3ds", ".lwo"}};
+const ForeignReader kOsg{"osgDB in another process", {".osg", ".osgt", ".osgb", ".obj", ".3ds"}};
+const ForeignReader kPovRay{"POV-Ray", {".pov"}};
+
+namespace {
+std::shared_ptr<const TreeModel> create(const CParams& params, const Detail& detail) {
+    return CTreeCreator().create(params, detail, CProgress(2));
+}
+
+CParams fewBranches() {
+    CParams params = preset("quaking_aspen");
+    params.level[1].branches = 8;
+    params.level[2].branches = 4;
+    params.global.textureWrapX = 2;
+    params.global.textureWrapY = 3;
+    return params;
+}
+} // namespace
+
+const std::vector<SampleModel>& sampleModels() {
+    static const std::vector<SampleModel> all = {{"small", create(fewBranches(), detailOf(Model::Full))},
+                                                 {"aspen", create(preset("quaking_aspen"), detailOf(Model::Full))},
+                                                 {"tupelo", create(preset("black_tupelo"), detailOf(Model::Full))}};
+    return all;
+}
+
+const TreeModel& sampleModel(const std::string& name) {
+    const auto found = std::ranges::find(sampleModels(), name, &SampleModel::name);
+    if (found == sampleModels().end()) throw std::runtime_error("no model " + name);
+    return *found->model;
+}
+
+std::vector<Corner> cornersOf(const TreeModel& model, Axes axes) {
+    std::vector<Corner> corners;
+    for (const auto& mesh : model.meshes())
+        for (const std::uint32_t v : mesh->indices)
+            corners.push_back({axes(mesh->positions[v]), axes(mesh->normals[v]), mesh->texCoords[v]});
+    return corners;
+}
+
+Bounds boundsOf(const TreeModel& model, Axes axes) {
+    std::vector<glm::vec3> points;
+    for (const auto& mesh : model.meshes())
+        for (const glm::vec3& p : mesh->positions) points.push_back(axes(p));
+    Bounds box{points.front(), points.front()};
+    for (const glm::vec3& p : points) box = {glm::min(box.min, p), glm::max(box.max, p)};
+    return box;
+}
+
+double barkVolume(const TreeModel& model) {
+    double volume = 0;
+    for (const auto& mesh : model.stems) volume += signedVolume(*mesh);
+    return volume;
+}
+
+void expectNear(const Bounds& box, const Bounds& wanted) {
+    for (int i = 0; i < 3; ++i) {
+        const float tolerance = 1e-4f * (wanted.max[i] - wanted.min[i]);
+        EXPECT_NEAR(box.min[i], wanted.min[i], tolerance) << "axis " << i;
+        EXPECT_NEAR(box.max[i], wanted.max[i], tolerance) << "axis " << i;
+    }
+}
+
+CExported::CExported(const TreeModel& model, const std::string& ending, const std::string& stem)
+    : m_path((m_folder / (stem + ending)).string()) {
+    exportModel(model, {}, m_path, CProgress(2));
+}
+
+} // namespace stromar::test

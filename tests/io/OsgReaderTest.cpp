@@ -1,0 +1,75 @@
+// Models read back by OpenSceneGraph in a fresh process.
+#include "cli/Process.h"
+#include "io/ExportedModels.h"
+#include <filesystem>
+#include <glm/common.hpp>
+#include <gtest/gtest.h>
+#include <nlohmann/json.hpp>
+
+namespace stromar::test {
+
+namespace {
+struct Case {
+    std::string ending, sample;
+};
+[[maybe_unused]] void PrintTo(const Case& c, std::ostream* out) { *out << c.sample << c.ending; }
+std::vector<Case> cases() {
+    std::vector<Case> all;
+    for (const std::string& ending : kOsg.endings)
+        for (const char* sample : {"small", "aspen"}) all.push_back({ending, sample});
+    return all;
+}
+std::string labelOf(const testing::TestParamInfo<Case>& info) {
+    return info.param.ending.substr(1) + "_" + info.param.sample;
+}
+
+Bounds boundsIn(const nlohmann::json& stats) {
+    const auto vector = [](const nlohmann::json& v) { return glm::vec3(v.at(0), v.at(1), v.at(2)); };
+    return {vector(stats.at("min")), vector(stats.at("max"))};
+}
+
+std::set<std::string> fileNames(const nlohmann::json& paths) {
+    std::set<std::string> names;
+    for (const std::string path : paths) names.insert(std::filesystem::path(path).filename().string());
+    return names;
+}
+void expectTexCoords(const nlohmann::json& stats, const TreeModel& model) {
+    glm::vec2 low(1e30f), high(-1e30f);
+    for (const Corner& corner : cornersOf(model, zUp)) {
+        low = glm::min(low, corner.texCoord);
+        high = glm::max(high, corner.texCoord);
+    }
+    for (int i = 0; i < 2; ++i) {
+        EXPECT_NEAR(stats.at("tex_min").at(static_cast<std::size_t>(i)), low[i], 1e-5);
+        EXPECT_NEAR(stats.at("tex_max").at(static_cast<std::size_t>(i)), high[i], 1e-5);
+    }
+}
+
+/// Its 3DS reader says so of every file without animation.
+std::string withoutNotice(std::string text) {
+    const std::string notice = "Warning: in 3ds loader: file has no nodes, traversing by meshes instead\n";
+    if (const auto at = text.find(notice); at != std::string::npos) text.erase(at, notice.size());
+    return text;
+}
+} // namespace
+
+class OsgReads : public testing::TestWithParam<Case> {};
+INSTANTIATE_TEST_SUITE_P(All, OsgReads, testing::ValuesIn(cases()), labelOf);
+
+TEST_P(OsgReads, TheWholeModel) {
+    const TreeModel& model = sampleModel(GetParam().sample);
+    const CExported file(model, GetParam().ending);
+    const ProcessResult run = runProcess({STROMAR_BIN "/osg-stats", file.path()}, {.folder = file.folder()});
+    ASSERT_EQ(run.status, 0) << run.err;
+    EXPECT_EQ(withoutNotice(run.err), "");
+    const auto stats = nlohmann::json::parse(run.out);
+    EXPECT_EQ(stats.at("triangles"), model.triangleCount());
+    expectNear(boundsIn(stats), boundsOf(model, zUp)); // its reader turns OBJ files upright
+    EXPECT_NEAR(stats.at("bark_volume"), barkVolume(model), 0.01 * barkVolume(model))
+        << "the bark does not face outwards";
+    EXPECT_EQ(stats.at("materials"), (nlohmann::json{"bark", "leaf"}));
+    EXPECT_EQ(fileNames(stats.at("textures")), (std::set<std::string>{"tree_bark.png", "tree_leaf.png"}));
+    expectTexCoords(stats, model);
+}
+
+} // namespace stromar::test

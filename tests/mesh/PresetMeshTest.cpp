@@ -1,0 +1,124 @@
+#include "mesh/MeshCheck.h"
+#include "mesh/SampleTrees.h"
+#include <gtest/gtest.h>
+
+namespace stromar::test {
+
+namespace {
+constexpr int kSeeds[] = {13, 4711};
+
+/// Calls `look(tree, params, generation, plan, mesh)` for every mesh of stems of a preset.
+template <typename Look>
+void forEachStemMesh(const CParams& params, const Detail& detail, Look&& look) {
+    const auto tree = grow(params);
+    for (int g = 0; g < static_cast<int>(tree->generationCount()); ++g) {
+        const MeshPlan plan = planRings(*tree, g, params, detail, CProgress(2));
+        look(*tree, g, plan, *meshOfStems(*tree, g, plan, params, CProgress(2)));
+    }
+}
+
+std::string nameOf(const testing::TestParamInfo<std::size_t>& info) { return presets()[info.param].name; }
+} // namespace
+
+class PresetMesh : public testing::TestWithParam<std::size_t> {
+protected:
+    const CParams& params() const { return presets()[GetParam()].params; }
+    CParams params(int seed) const {
+        CParams changed = params();
+        changed.global.seed = seed;
+        return changed;
+    }
+};
+INSTANTIATE_TEST_SUITE_P(All, PresetMesh, testing::Range<std::size_t>(0, presets().size()), nameOf);
+
+TEST_P(PresetMesh, ArraysAndTrianglesAreSound) {
+    for (const int seed : kSeeds)
+        for (const Detail& detail : detailTable()) {
+            const CParams seeded = params(seed);
+            for (const auto& mesh : meshesOf(*grow(seeded), seeded, detail)) {
+                EXPECT_EQ(arrayFault(*mesh), "") << detail.name << ", seed " << seed << ", " << mesh->name;
+                EXPECT_EQ(triangleFault(*mesh), "") << detail.name << ", seed " << seed << ", " << mesh->name;
+                EXPECT_GT(mesh->triangleCount(), 0u) << detail.name << ", seed " << seed << ", " << mesh->name;
+            }
+        }
+}
+
+TEST_P(PresetMesh, EveryTubeIsClosedAndFacesOutwards) {
+    for (const Detail& detail : detailTable())
+        forEachStemMesh(params(), detail, [&](const CTree& tree, int g, const MeshPlan& plan, const CMesh& mesh) {
+            SCOPED_TRACE(std::string(detail.name) + ", " + mesh.name);
+            const auto tubes = tubeRanges(tree, g, plan, params());
+            ASSERT_FALSE(tubes.empty());
+            ASSERT_EQ(tubes.back().firstVertex + tubes.back().vertexCount, mesh.vertexCount());
+            ASSERT_EQ(tubes.back().firstIndex + tubes.back().indexCount, mesh.indices.size());
+            std::size_t inverted = 0;
+            for (const TubeRange& tube : tubes) {
+                ASSERT_EQ(closednessFault(mesh, tube), "") << "tube at vertex " << tube.firstVertex;
+                if (!(signedVolume(mesh, tube.firstIndex, tube.indexCount) > 0)) ++inverted;
+            }
+            EXPECT_EQ(inverted, 0u) << "of " << tubes.size() << " tubes face inwards";
+            EXPECT_GT(signedVolume(mesh), 0);
+        });
+}
+
+TEST_P(PresetMesh, TexturesRunOnceAroundAndAlong) {
+    const double wrapX = params().global.textureWrapX, wrapY = params().global.textureWrapY;
+    forEachStemMesh(params(), detailOf(Model::Full),
+                    [&](const CTree& tree, int g, const MeshPlan& plan, const CMesh& mesh) {
+                        for (const TubeRange& tube : tubeRanges(tree, g, plan, params())) {
+                            glm::vec2 low = mesh.texCoords[tube.firstVertex], high = low;
+                            for (std::size_t v = tube.firstVertex; v < tube.firstVertex + tube.vertexCount; ++v) {
+                                low = glm::min(low, mesh.texCoords[v]);
+                                high = glm::max(high, mesh.texCoords[v]);
+                            }
+                            ASSERT_NEAR(low.x, 0, 1e-6 * wrapX) << mesh.name;
+                            ASSERT_NEAR(high.x, wrapX, 1e-6 * wrapX) << mesh.name;
+                            ASSERT_GE(low.y, -0.2 * wrapY) << mesh.name; // lids hold a small round piece of the picture
+                            ASSERT_LE(high.y, 1.2 * wrapY) << mesh.name;
+                        }
+                    });
+}
+
+TEST_P(PresetMesh, NormalsPointToTheFront) {
+    for (const Detail& detail : detailTable())
+        forEachStemMesh(params(), detail, [&](const CTree&, int, const MeshPlan&, const CMesh& mesh) {
+            EXPECT_EQ(countTiltedNormals(mesh), 0u)
+                << "of " << mesh.triangleCount() << ", " << detail.name << ", " << mesh.name;
+        });
+}
+
+TEST_P(PresetMesh, IsTheSameForEveryNumberOfThreads) {
+    for (const Detail& detail : detailTable()) {
+        const auto one = meshesOf(*grow(params(), 1), params(), detail, 1);
+        for (const int threads : {2, 5}) {
+            const auto more = meshesOf(*grow(params(), threads), params(), detail, threads);
+            ASSERT_EQ(one.size(), more.size());
+            for (std::size_t m = 0; m < one.size(); ++m)
+                EXPECT_TRUE(sameBytes(*one[m], *more[m]))
+                    << detail.name << ", " << one[m]->name << ", " << threads << " threads";
+        }
+    }
+}
+
+TEST_P(PresetMesh, HasFewerTrianglesAtEveryLevelOfDetail) {
+    const auto tree = grow(params());
+    std::size_t last = std::numeric_limits<std::size_t>::max();
+    for (int lod = 0; lod <= 3; ++lod) {
+        std::size_t triangles = 0;
+        for (const auto& mesh : meshesOf(*tree, params(), detailOf(Model::Full, lod)))
+            triangles += mesh->triangleCount();
+        EXPECT_LT(triangles, last) << "level of detail " << lod;
+        last = triangles;
+    }
+}
+
+TEST_P(PresetMesh, StaysInsideTheTreesSize) {
+    const auto tree = grow(params());
+    const auto meshes = meshesOf(*tree, params(), detailOf(Model::Full));
+    const Bounds trunk = meshes.front()->bounds();
+    EXPECT_LT(trunk.min.z, 0.01f);
+    EXPECT_NEAR(trunk.max.z, tree->generation(0).stems[0].measures.length, 0.35 * tree->scaleTree());
+    for (const auto& mesh : meshes) EXPECT_LT(mesh->bounds().max.z, 1.6 * tree->scaleTree()) << mesh->name;
+}
+
+} // namespace stromar::test

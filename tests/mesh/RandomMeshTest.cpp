@@ -1,0 +1,109 @@
+#include "mesh/MeshCheck.h"
+#include "mesh/SampleTrees.h"
+#include <gtest/gtest.h>
+
+namespace stromar::test {
+
+namespace {
+constexpr std::uint64_t kSamples = 60;
+
+/// Calls `look(tree, params, generation, plan, mesh, label)` for every mesh of stems of every sample in every detail.
+template <typename Look>
+void forEachStemMesh(Look&& look) {
+    for (std::uint64_t number = 0; number < kSamples; ++number) {
+        const CParams params = randomParams(number);
+        const auto tree = grow(params);
+        for (const Detail& detail : detailTable())
+            for (int g = 0; g < static_cast<int>(tree->generationCount()); ++g) {
+                const MeshPlan plan = planRings(*tree, g, params, detail, CProgress(2));
+                const auto mesh = meshOfStems(*tree, g, plan, params, CProgress(2));
+                const std::string label =
+                    "sample " + std::to_string(number) + ", " + std::string(detail.name) + ", " + mesh->name;
+                look(*tree, params, g, plan, *mesh, label);
+            }
+    }
+}
+} // namespace
+
+TEST(RandomMesh, ArraysAndTrianglesAreSound) {
+    std::size_t vertices = 0;
+    for (std::uint64_t number = 0; number < kSamples; ++number) {
+        const CParams params = randomParams(number);
+        const auto tree = grow(params);
+        for (const Detail& detail : detailTable())
+            for (const auto& mesh : meshesOf(*tree, params, detail)) {
+                EXPECT_EQ(arrayFault(*mesh), "") << "sample " << number << ", " << detail.name << ", " << mesh->name;
+                EXPECT_EQ(triangleFault(*mesh), "") << "sample " << number << ", " << detail.name << ", " << mesh->name;
+                vertices += mesh->vertexCount();
+            }
+    }
+    EXPECT_GT(vertices, 1'000'000u) << "the samples show too little";
+}
+
+TEST(RandomMesh, NoStemHasANegativeRadius) {
+    for (std::uint64_t number = 0; number < kSamples; ++number) {
+        const auto tree = grow(randomParams(number));
+        for (const auto& generation : tree->generations())
+            for (const CStem& stem : generation->stems) ASSERT_GE(stem.measures.radius, 0) << "sample " << number;
+    }
+}
+
+TEST(RandomMesh, EveryTubeIsClosed) {
+    forEachStemMesh([](const CTree& tree, const CParams& params, int g, const MeshPlan& plan, const CMesh& mesh,
+                       const std::string& label) {
+        std::size_t open = 0, indices = 0;
+        std::string fault;
+        for (const TubeRange& tube : tubeRanges(tree, g, plan, params)) {
+            const std::string own = closednessFault(mesh, tube);
+            if (!own.empty()) fault = own;
+            if (!own.empty()) ++open;
+            indices += tube.indexCount;
+        }
+        EXPECT_EQ(indices, mesh.indices.size()) << label;
+        EXPECT_EQ(open, 0u) << "of " << plan.tubes.size() << " tubes: " << fault << ", " << label;
+    });
+}
+
+TEST(RandomMesh, StraightTubesFaceOutwards) {
+    std::size_t looked = 0;
+    for (std::uint64_t number = 0; number < kSamples; ++number) {
+        CParams params = randomParams(number);
+        for (LevelParams& level : params.level) level.curve = level.curveBack = level.curveV = level.segSplits = 0;
+        params.global.baseSplits = 0;
+        params.global.attractionUp = 0;
+        const auto tree = grow(params);
+        for (const Detail& detail : detailTable())
+            for (int g = 0; g < static_cast<int>(tree->generationCount()); ++g) {
+                const MeshPlan plan = planRings(*tree, g, params, detail, CProgress(2));
+                const auto mesh = meshOfStems(*tree, g, plan, params, CProgress(2));
+                std::size_t inverted = 0;
+                for (const TubeRange& tube : tubeRanges(*tree, g, plan, params))
+                    if (!(signedVolume(*mesh, tube.firstIndex, tube.indexCount) > 0)) ++inverted;
+                EXPECT_EQ(inverted, 0u) << "of " << plan.tubes.size() << " tubes, sample " << number << ", "
+                                        << detail.name << ", " << mesh->name;
+                looked += plan.tubes.size();
+            }
+    }
+    EXPECT_GT(looked, 1000u);
+}
+
+TEST(RandomMesh, WholeMeshesEncloseWood) {
+    forEachStemMesh(
+        [](const CTree&, const CParams&, int, const MeshPlan&, const CMesh& mesh, const std::string& label) {
+            if (mesh.vertexCount() == 0) return;
+            EXPECT_GT(signedVolume(mesh), 0) << label;
+        });
+}
+
+TEST(RandomMesh, IsTheSameForEveryNumberOfThreads) {
+    for (std::uint64_t number = 0; number < kSamples; number += 3) {
+        const CParams params = randomParams(number);
+        const auto one = meshesOf(*grow(params, 1), params, detailOf(Model::Full), 1);
+        const auto two = meshesOf(*grow(params, 2), params, detailOf(Model::Full), 2);
+        ASSERT_EQ(one.size(), two.size());
+        for (std::size_t m = 0; m < one.size(); ++m)
+            EXPECT_TRUE(sameBytes(*one[m], *two[m])) << "sample " << number << ", " << one[m]->name;
+    }
+}
+
+} // namespace stromar::test

@@ -1,0 +1,103 @@
+#include "mesh/SampleTrees.h"
+#include "stromar/params/TreeFile.h"
+#include <algorithm>
+#include <filesystem>
+#include <random>
+#include <stdexcept>
+
+namespace stromar::test {
+
+namespace {
+std::vector<Sample> readPresets() {
+    std::vector<Sample> all;
+    for (const auto& entry : std::filesystem::directory_iterator(STROMAR_SOURCE "/presets"))
+        if (entry.path().extension() == ".tree")
+            all.push_back({entry.path().stem().string(), CTreeFile::read(entry.path()).params()});
+    std::ranges::sort(all, {}, &Sample::name);
+    if (all.size() < 4) throw std::runtime_error("presets are missing");
+    return all;
+}
+
+/// std::uniform_real_distribution differs between libraries; this does not.
+double uniform(std::mt19937_64& random) { return static_cast<double>(random() >> 11) * 0x1p-53; }
+
+double drawn(const ParamRef& ref, std::mt19937_64& random) {
+    const Range& range = ref.info->useful;
+    const double kind = uniform(random), place = uniform(random);
+    if (kind < 0.1) return range.min;
+    if (kind < 0.2) return range.max;
+    if (kind < 0.45) return ref.info->defaultOf(ref.level);
+    return range.min + place * (range.max - range.min);
+}
+
+void cap(CParams& params, const Caps& caps) {
+    for (std::size_t i = 0; i < params.level.size(); ++i) {
+        LevelParams& level = params.level[i];
+        level.branches = std::min(level.branches, caps.branches[i]);
+        level.segSplits = std::min(level.segSplits, caps.segSplits);
+        level.curveRes = std::min(level.curveRes, caps.curveRes);
+    }
+    params.global.leaves = std::clamp(params.global.leaves, -caps.leaves, caps.leaves);
+    params.global.levels = std::min(params.global.levels, caps.levels);
+}
+
+/// What the useful ranges leave out or seldom hit.
+void makeExtreme(CParams& params, std::uint64_t number) {
+    GlobalParams& g = params.global;
+    if (number % 6 == 1) g.scale = 0.01;
+    if (number % 6 == 2) g.scale = 1000;
+    if (number % 5 == 1) g.minRadius = 0;
+    if (number % 7 == 1) g.minRadius = 1;
+    if (number % 4 == 1) g.lobeDepth = 1;
+    if (number % 4 == 1) g.lobes = std::max(g.lobes, 1);
+    if (number % 8 == 3) g.flare = -1;
+    params.level[number % 4].taper = 0.25 * static_cast<double>(number % 13);
+    if (number % 3 == 0) params.level[number / 3 % 4].curveV = -40;
+}
+} // namespace
+
+const std::vector<Sample>& presets() {
+    static const std::vector<Sample> all = readPresets();
+    return all;
+}
+
+CParams preset(const std::string& name) {
+    const auto found = std::ranges::find(presets(), name, &Sample::name);
+    if (found == presets().end()) throw std::runtime_error("no preset " + name);
+    return found->params;
+}
+
+CParams randomParams(std::uint64_t number, const Caps& caps) {
+    std::mt19937_64 random(number);
+    CParams params;
+    for (const ParamRef& ref : allParams()) ref.set(params, drawn(ref, random));
+    makeExtreme(params, number);
+    cap(params, caps);
+    return params;
+}
+
+CParams plainTrunk() {
+    CParams params;
+    params.global.levels = 1;
+    params.global.flare = 0;
+    params.global.lobes = 0;
+    params.global.minRadius = 0;
+    params.level[0].taper = 0;
+    return params;
+}
+
+std::shared_ptr<const CTree> grow(const CParams& params, int threads) {
+    return CWeberPennBuilder().build(params, nullptr, 0, CProgress(threads));
+}
+
+std::vector<std::shared_ptr<const CMesh>> meshesOf(const CTree& tree, const CParams& params, const Detail& detail,
+                                                   int threads) {
+    const CProgress progress(threads);
+    std::vector<std::shared_ptr<const CMesh>> meshes;
+    for (int g = 0; g < static_cast<int>(tree.generationCount()); ++g)
+        meshes.push_back(meshOfStems(tree, g, planRings(tree, g, params, detail, progress), params, progress));
+    meshes.push_back(meshOfLeaves(tree, detail, progress));
+    return meshes;
+}
+
+} // namespace stromar::test

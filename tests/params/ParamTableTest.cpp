@@ -1,0 +1,265 @@
+#include "stromar/params/ParamTable.h"
+#include "params/Support.h"
+#include <algorithm>
+#include <gtest/gtest.h>
+#include <map>
+
+namespace stromar {
+namespace {
+
+using test::otherValue;
+using test::param;
+using test::valueOf;
+
+/// The specification's table of parameters, copied by hand.
+const std::map<std::string, double>& specified() {
+    static const std::map<std::string, double> defaults = [] {
+        std::map<std::string, double> all{{"Shape", 0},
+                                          {"BaseSize", 0.25},
+                                          {"Scale", 10},
+                                          {"ScaleV", 0},
+                                          {"ZScale", 1},
+                                          {"ZScaleV", 0},
+                                          {"Levels", 3},
+                                          {"Ratio", 0.05},
+                                          {"RatioPower", 1},
+                                          {"Lobes", 0},
+                                          {"LobeDepth", 0},
+                                          {"Flare", 0.5},
+                                          {"AttractionUp", 0},
+                                          {"0Scale", 1},
+                                          {"0ScaleV", 0},
+                                          {"0BaseSplits", 0},
+                                          {"Leaves", 0},
+                                          {"LeafShape", 0},
+                                          {"LeafScale", 0.2},
+                                          {"LeafScaleX", 0.5},
+                                          {"LeafBend", 0.3},
+                                          {"LeafQuality", 1},
+                                          {"PruneRatio", 0},
+                                          {"PruneWidth", 0.5},
+                                          {"PruneWidthPeak", 0.5},
+                                          {"PrunePowerLow", 0.5},
+                                          {"PrunePowerHigh", 0.5},
+                                          {"TextureWrapX", 1},
+                                          {"TextureWrapY", 1},
+                                          {"MinRadius", 0.0005},
+                                          {"CloneHalving", 1},
+                                          {"Seed", 13},
+                                          {"LobeFade", 1},
+                                          {"0Length", 1},
+                                          {"1Length", 0.5},
+                                          {"2Length", 0.5},
+                                          {"3Length", 0.5},
+                                          {"0CurveRes", 3},
+                                          {"1CurveRes", 3},
+                                          {"2CurveRes", 1},
+                                          {"3CurveRes", 1},
+                                          {"1Branches", 10},
+                                          {"2Branches", 5},
+                                          {"3Branches", 5}};
+        for (const std::string n : {"0", "1", "2", "3"}) {
+            for (const char* zero :
+                 {"LengthV", "Curve", "CurveBack", "CurveV", "SegSplits", "SplitAngle", "SplitAngleV"})
+                all[n + zero] = 0;
+            all[n + "Taper"] = 1;
+        }
+        for (const std::string n : {"1", "2", "3"}) {
+            all[n + "BranchDist"] = 1;
+            all[n + "BranchDistV"] = 0.25;
+            all[n + "DownAngle"] = 30;
+            all[n + "DownAngleV"] = 0;
+            all[n + "Rotate"] = 120;
+            all[n + "RotateV"] = 0;
+        }
+        return all;
+    }();
+    return defaults;
+}
+
+TEST(ParamTable, HoldsWhatTheSpecificationLists) {
+    std::map<std::string, double> table;
+    for (const ParamRef& ref : allParams()) table[ref.key()] = ref.info->defaultOf(ref.level);
+    EXPECT_EQ(table, specified());
+    EXPECT_EQ(allParams().size(), specified().size()) << "a value is listed twice";
+}
+
+TEST(ParamTable, NewParamsHaveTheDefaults) {
+    const CParams params;
+    for (const auto& [key, value] : specified()) EXPECT_EQ(valueOf(params, key), value) << key;
+    EXPECT_EQ(params.text.species, "default");
+    EXPECT_EQ(params.text.method, "weber-penn");
+    EXPECT_TRUE(params == CParams());
+}
+
+TEST(ParamTable, RangesOfTheSpecification) {
+    const std::tuple<const char*, double, double> exact[] = {
+        {"Shape", 0, 8},          {"BaseSize", 0, 1},     {"Levels", 1, 9},          {"LobeDepth", 0, 1},
+        {"LobeFade", 0, 1},       {"0Taper", 0, 3},       {"1SplitAngle", 0, 180},   {"1SplitAngleV", 0, 180},
+        {"1BranchDist", 0, 1},    {"1BranchDistV", 0, 1}, {"1DownAngle", -180, 180}, {"1Rotate", -360, 360},
+        {"LeafShape", 0, 7},      {"LeafBend", 0, 1},     {"PruneRatio", 0, 1},      {"PruneWidth", 0, 1},
+        {"PruneWidthPeak", 0, 1}, {"CloneHalving", 0, 1}};
+    for (const auto& [key, least, most] : exact) {
+        EXPECT_EQ(param(key).info->range.min, least) << key;
+        EXPECT_EQ(param(key).info->range.max, most) << key;
+    }
+    for (const char* positive : {"Scale", "Ratio", "0Scale", "LeafScale", "LeafScaleX", "LeafQuality", "PrunePowerLow",
+                                 "PrunePowerHigh", "TextureWrapX", "TextureWrapY"})
+        EXPECT_GT(param(positive).info->range.min, 0) << positive;
+    for (const char* fromZero :
+         {"ScaleV", "0ScaleV", "Lobes", "0BaseSplits", "1Length", "1LengthV", "1SegSplits", "1Branches", "MinRadius"})
+        EXPECT_EQ(param(fromZero).info->range.min, 0) << fromZero;
+    EXPECT_EQ(param("Flare").info->range.min, -1);
+    EXPECT_EQ(param("1CurveRes").info->range.min, 1);
+    EXPECT_GT(param("1CurveV").info->range.min, -90);
+    EXPECT_LT(param("1CurveV").info->range.min, -60);
+    EXPECT_LT(param("Leaves").info->range.min, -100);
+}
+
+TEST(ParamTable, SetAndGetTouchOneValueOnly) {
+    for (const ParamRef& ref : allParams()) {
+        CParams params;
+        const double value = otherValue(*ref.info, ref.get(params));
+        ASSERT_TRUE(ref.set(params, value)) << ref.key();
+        EXPECT_EQ(ref.get(params), value) << ref.key();
+        for (const ParamRef& other : allParams())
+            if (!(other == ref)) {
+                EXPECT_EQ(other.get(params), other.get(CParams())) << ref.key() << " changed " << other.key();
+            }
+        EXPECT_NE(params, CParams()) << ref.key();
+    }
+}
+
+TEST(ParamTable, SetClamps) {
+    for (const ParamRef& ref : allParams()) {
+        const Range range = ref.info->range;
+        CParams params;
+        for (const double bound : {range.min, range.max}) {
+            EXPECT_TRUE(ref.set(params, bound)) << ref.key();
+            EXPECT_EQ(ref.get(params), bound) << ref.key();
+        }
+        EXPECT_FALSE(ref.set(params, range.max + 1)) << ref.key();
+        EXPECT_EQ(ref.get(params), range.max) << ref.key();
+        EXPECT_FALSE(ref.set(params, range.min - 1)) << ref.key();
+        EXPECT_EQ(ref.get(params), range.min) << ref.key();
+        EXPECT_FALSE(ref.set(params, 1e300)) << ref.key();
+        EXPECT_EQ(ref.get(params), range.max) << ref.key();
+        EXPECT_TRUE(range.contains(ref.info->useful.min) && range.contains(ref.info->useful.max)) << ref.key();
+    }
+}
+
+TEST(ParamTable, IntegersAreRounded) {
+    int integers = 0;
+    for (const ParamRef& ref : allParams()) {
+        if (!ref.info->integer()) continue;
+        ++integers;
+        CParams params;
+        EXPECT_FALSE(ref.set(params, ref.info->range.min + 0.7)) << ref.key();
+        EXPECT_EQ(ref.get(params), ref.info->range.min + 1) << ref.key();
+    }
+    EXPECT_EQ(integers, 8 + 4 + 3); // whole tree, nCurveRes, nBranches
+}
+
+TEST(ParamTable, KeysAreFound) {
+    for (const ParamRef& ref : allParams()) {
+        const auto found = findParam(ref.key());
+        ASSERT_TRUE(found) << ref.key();
+        EXPECT_EQ(std::get<ParamRef>(*found), ref);
+    }
+    for (const TextInfo& text : textTable()) EXPECT_EQ(std::get<const TextInfo*>(findParam(text.key).value()), &text);
+    for (const char* unknown : {"", "scale", "Length", "4Length", "0Branches", "0DownAngle", "Scale ", "00Scale"})
+        EXPECT_FALSE(findParam(unknown)) << unknown;
+}
+
+CParams withLevels(int levels) {
+    CParams params;
+    params.global.levels = levels;
+    return params;
+}
+
+Obsolete afterChangeOf(const ParamRef& ref, const CParams& before) {
+    CParams after = before;
+    ref.set(after, otherValue(*ref.info, ref.get(before)));
+    return firstObsolete(before, after);
+}
+
+TEST(FirstObsolete, NothingForTheSameTree) { EXPECT_EQ(firstObsolete(CParams(), CParams()).stage, Stage::None); }
+
+TEST(FirstObsolete, EveryRowNamesItsStage) {
+    const std::vector<std::string> nothing{"ZScale", "ZScaleV"};
+    const std::vector<std::string> mesh{"MinRadius", "Lobes",        "LobeDepth",   "LobeFade",
+                                        "LeafShape", "TextureWrapX", "TextureWrapY"};
+    const auto in = [](const std::vector<std::string>& list, const std::string& key) {
+        return std::ranges::find(list, key) != list.end();
+    };
+    for (const ParamRef& ref : allParams()) {
+        const std::string key = ref.key();
+        const Stage expected = in(nothing, key) ? Stage::None : in(mesh, key) ? Stage::Mesh : Stage::Structure;
+        EXPECT_EQ(afterChangeOf(ref, withLevels(4)).stage, expected) << key;
+        EXPECT_EQ(ref.info->unused(), expected == Stage::None) << key;
+    }
+}
+
+TEST(FirstObsolete, AValueOfALevelStartsAtItsGeneration) {
+    for (const ParamRef& ref : allParams())
+        for (int levels = ref.info->perLevel() ? ref.level + 1 : 10; levels <= 9; ++levels)
+            EXPECT_EQ(afterChangeOf(ref, withLevels(levels)), (Obsolete{Stage::Structure, ref.level})) << ref.key();
+}
+
+TEST(FirstObsolete, TheLevelBehindTheLastPlacesTheLeaves) {
+    const std::vector<std::string> placing{"2DownAngle", "2DownAngleV", "2Rotate", "2RotateV", "2BranchDistV"};
+    for (const ParamRef& ref : allParams()) {
+        if (!ref.info->perLevel() || ref.level < 2) continue;
+        const bool places = std::ranges::find(placing, ref.key()) != placing.end();
+        const Obsolete first = afterChangeOf(ref, withLevels(2));
+        EXPECT_EQ(first.stage, places ? Stage::Structure : Stage::None) << ref.key();
+        if (places) {
+            EXPECT_EQ(first.generation, Obsolete::kLeaves) << ref.key();
+        }
+    }
+}
+
+TEST(FirstObsolete, LeavesAlone) {
+    for (const char* key : {"Leaves", "LeafScale", "LeafScaleX", "LeafBend", "LeafQuality"})
+        EXPECT_EQ(afterChangeOf(param(key), CParams()), (Obsolete{Stage::Structure, Obsolete::kLeaves})) << key;
+}
+
+TEST(FirstObsolete, LevelsKeepsWhatBothTreesHave) {
+    for (int from = 1; from <= 9; ++from)
+        for (int to = 1; to <= 9; ++to) {
+            const Obsolete expected = from == to ? Obsolete{} : Obsolete{Stage::Structure, std::min(from, to)};
+            EXPECT_EQ(firstObsolete(withLevels(from), withLevels(to)), expected) << from << " to " << to;
+        }
+}
+
+TEST(FirstObsolete, OfTwoChangesTheEarlierCounts) {
+    for (const ParamRef& a : allParams())
+        for (const char* key : {"Seed", "1Curve", "2Curve", "Leaves", "MinRadius", "ZScale"}) {
+            const ParamRef b = param(key);
+            if (a == b || a.key() == "Levels") continue;
+            const Obsolete alone = afterChangeOf(a, CParams()), other = afterChangeOf(b, CParams());
+            CParams both;
+            a.set(both, otherValue(*a.info, a.get(both)));
+            b.set(both, otherValue(*b.info, b.get(both)));
+            const Obsolete first = firstObsolete(CParams(), both);
+            EXPECT_EQ(first.stage, std::min(alone.stage, other.stage)) << a.key() << " and " << key;
+            for (const Obsolete& part : {alone, other}) {
+                if (part.stage == Stage::None) continue;
+                EXPECT_LE(first.generation, part.generation) << a.key() << " and " << key;
+            }
+        }
+}
+
+TEST(FirstObsolete, Texts) {
+    CParams params;
+    params.text.species = params.text.author = params.text.description = "other";
+    EXPECT_EQ(firstObsolete(CParams(), params).stage, Stage::None);
+    for (std::string TextParams::*picture : {&TextParams::barkTexture, &TextParams::leafTexture}) {
+        CParams textured;
+        textured.text.*picture = "bark.png";
+        EXPECT_EQ(firstObsolete(CParams(), textured).stage, Stage::Material);
+    }
+}
+
+} // namespace
+} // namespace stromar

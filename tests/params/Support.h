@@ -1,0 +1,30 @@
+#pragma once
+#include "stromar/params/ParamText.h"
+#include "stromar/params/TreeFile.h"
+#include <cmath>
+#include <filesystem>
+#include <vector>
+
+namespace stromar::test {
+
+inline std::vector<std::filesystem::path> presetFiles() {
+    std::vector<std::filesystem::path> files;
+    for (const auto& entry : std::filesystem::directory_iterator(STROMAR_SOURCE "/presets"))
+        if (entry.path().extension() == ".tree") files.push_back(entry.path());
+    return files;
+}
+
+/// Any parameter of the tree by its key.
+inline ParamRef param(std::string_view key) { return std::get<ParamRef>(findParam(key).value()); }
+
+inline double valueOf(const CParams& params, std::string_view key) { return param(key).get(params); }
+
+/// A value that the row allows and that is not `old`; with odd digits where the row has a fraction.
+inline double otherValue(const ParamInfo& info, double old) {
+    if (info.integer()) return old + 1 <= info.range.max ? old + 1 : old - 1;
+    const double step = (info.range.max - info.range.min) * 0.1234567890123;
+    const double up = old + step;
+    return up <= info.range.max ? up : old - step;
+}
+
+} // namespace stromar::test

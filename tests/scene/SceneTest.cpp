@@ -1,0 +1,106 @@
+// Nodes and arrays, without an OpenGL context.
+#include "mesh/SampleTrees.h"
+#include "stromar/scene/OsgGeometry.h"
+#include "stromar/scene/ViewScene.h"
+#include <gtest/gtest.h>
+#include <osg/Texture2D>
+#include <osg/TriangleFunctor>
+
+namespace stromar::test {
+
+namespace {
+struct TriangleCounter {
+    std::size_t count = 0;
+    void operator()(const osg::Vec3&, const osg::Vec3&, const osg::Vec3&, bool = false) { ++count; }
+};
+
+std::vector<std::shared_ptr<const CMesh>> aspenMeshes() {
+    const CParams params = preset("quaking_aspen");
+    return meshesOf(*grow(params), params, detailOf(Model::Simple));
+}
+
+template <typename Array>
+const Array& as(const osg::Array* array) {
+    return dynamic_cast<const Array&>(*array);
+}
+
+std::size_t drawablesUnder(const osg::Group& group) {
+    std::size_t count = 0;
+    for (unsigned i = 0; i < group.getNumChildren(); ++i) {
+        if (const osg::Group* inner = group.getChild(i)->asGroup())
+            count += drawablesUnder(*inner);
+        else
+            count += group.getChild(i)->asDrawable() != nullptr;
+    }
+    return count;
+}
+} // namespace
+
+TEST(OsgGeometry, IsACopyOfTheMesh) {
+    for (const auto& mesh : aspenMeshes()) {
+        const osg::ref_ptr<osg::Geometry> geometry = makeGeometry(*mesh);
+        EXPECT_EQ(geometry->getName(), mesh->name);
+        const auto& points = as<osg::Vec3Array>(geometry->getVertexArray());
+        const auto& normals = as<osg::Vec3Array>(geometry->getNormalArray());
+        const auto& coords = as<osg::Vec2Array>(geometry->getTexCoordArray(0));
+        ASSERT_EQ(points.size(), mesh->vertexCount());
+        ASSERT_EQ(normals.size(), mesh->vertexCount());
+        ASSERT_EQ(coords.size(), mesh->vertexCount());
+        EXPECT_EQ(normals.getBinding(), osg::Array::BIND_PER_VERTEX);
+        for (std::size_t v = 0; v < mesh->vertexCount(); ++v)
+            for (int i = 0; i < 3; ++i) {
+                ASSERT_EQ(points[v][i], mesh->positions[v][i]);
+                ASSERT_EQ(normals[v][i], mesh->normals[v][i]);
+                if (i < 2) {
+                    ASSERT_EQ(coords[v][i], mesh->texCoords[v][i]);
+                }
+            }
+        osg::TriangleFunctor<TriangleCounter> counter;
+        geometry->accept(counter);
+        EXPECT_EQ(counter.count, mesh->triangleCount());
+        const Bounds box = mesh->bounds();
+        for (int i = 0; i < 3; ++i) {
+            EXPECT_EQ(geometry->getBoundingBox()._min[i], box.min[i]);
+            EXPECT_EQ(geometry->getBoundingBox()._max[i], box.max[i]);
+        }
+    }
+}
+
+TEST(ViewScene, ShowsWhatItIsGiven) {
+    CViewScene scene;
+    const std::size_t stage = drawablesUnder(*scene.root());
+    EXPECT_FALSE(scene.bounds().valid()) << "the stage is no tree";
+    std::vector<ViewPart> parts;
+    osg::BoundingBox wanted;
+    for (const auto& mesh : aspenMeshes()) {
+        parts.push_back({makeGeometry(*mesh), mesh->surface});
+        wanted.expandBy(parts.back().geometry->getBoundingBox());
+    }
+    for (int times = 0; times < 2; ++times) {
+        scene.show(parts);
+        EXPECT_EQ(drawablesUnder(*scene.root()), stage + parts.size()) << "the older tree is replaced";
+        EXPECT_EQ(scene.bounds()._min, wanted._min);
+        EXPECT_EQ(scene.bounds()._max, wanted._max);
+    }
+    scene.show({});
+    EXPECT_EQ(drawablesUnder(*scene.root()), stage);
+    EXPECT_FALSE(scene.bounds().valid());
+}
+
+TEST(ViewScene, TheStageDoesNotChangeWhatIsFramed) {
+    CViewScene scene;
+    const auto trunk = makeGeometry(*aspenMeshes().front());
+    scene.show({{trunk, Surface::Bark}});
+    EXPECT_NEAR(scene.root()->getBound().radius(), trunk->getBound().radius(), 0.01 * trunk->getBound().radius());
+}
+
+TEST(ViewScene, SaysWhichPictureIsMissing) {
+    CViewScene scene;
+    for (const Surface surface : {Surface::Bark, Surface::Leaf}) {
+        EXPECT_EQ(scene.setTexture(surface, ""), "");
+        EXPECT_EQ(scene.setTexture(surface, STROMAR_SOURCE "/textures/leaf.png"), "");
+        EXPECT_NE(scene.setTexture(surface, "/none/such.png").find("/none/such.png"), std::string::npos);
+    }
+}
+
+} // namespace stromar::test
