@@ -25,6 +25,7 @@ struct Site {
     StemMeasures measures; ///< length before pruning; radius not yet known
     StemMeasures parentMeasures;
     double woodThere;
+    double birth;
     std::int32_t parent;
     std::uint32_t path, position;
 };
@@ -109,6 +110,8 @@ private:
         site.measures.parentLength = stem.measures.length;
         site.parentMeasures = stem.measures;
         site.woodThere = m_parents.calc().woodRadius(stem.taper, stem.measures, offset / stem.measures.length);
+        // The parent's tip passes here, if it grows evenly until now.
+        site.birth = stem.birth + (1 - stem.birth) * offset / stem.measures.length;
         site.parent = parent;
         site.path = share.path;
         site.position = share.position;
@@ -171,6 +174,7 @@ private:
         stem.measures = measures;
         stem.woodAtBase = site.woodThere;
         stem.taper = m_params.level().taper;
+        stem.birth = site.birth;
         stem.parent = site.parent;
         stem.path = site.path;
         stem.position = site.position;

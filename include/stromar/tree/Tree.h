@@ -43,7 +43,7 @@ struct CStem {
     StemMeasures measures;
     double woodAtBase;      ///< radius of the parent's wood where it sits; 0 for the trunk
     double taper;           ///< up to 1: radii are linear along segments; above: CCalculations::taperedRadius
-    double birth;           ///< when it starts to grow, as a part of the tree's age
+    double birth;           ///< when it starts to grow, 0..1 of the tree's age
     std::int32_t parent;    ///< stem of the generation before, −1 for the trunk
     std::uint32_t path;     ///< of the parent
     std::uint32_t position; ///< which segment along that path's stem it sits on, counted from the stem's base
