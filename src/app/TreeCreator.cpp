@@ -32,11 +32,11 @@ bool meshIsStale(const CParams& made, const CParams& wanted, int generation) {
 template <typename Made, typename Make>
 std::shared_ptr<const CMesh> keptOr(Made& made, int generation, const std::shared_ptr<const void>& source,
                                     const CParams& params, Make&& make) {
-    if (!made.mesh || made.source != source || meshIsStale(made.params, params, generation)) {
+    if (!made.stems.mesh || made.source != source || meshIsStale(made.params, params, generation)) {
         made = {}; // first the memory of the old mesh
         made = {source, make(), params};
     }
-    return made.mesh;
+    return made.stems.mesh;
 }
 
 /// "950", "1.3 million": rounded up.
@@ -94,15 +94,18 @@ std::shared_ptr<const TreeModel> CTreeCreator::create(const CParams& params, con
     for (int g = 0; g < generations; ++g) {
         const auto slot = static_cast<std::size_t>(g);
         model->stems.push_back(keptOr(made[slot], g, m_tree->generations()[slot], params, [&] {
-            const MeshPlan plan = planRings(*m_tree, g, params, detail, progress);
+            const StemMesh* parents = g > 0 ? &made[slot - 1].stems : nullptr;
+            StemMesh stems{planRings(*m_tree, g, params, detail, parents, progress), nullptr};
             model->milliseconds.smooth += watch.lap();
-            return meshOfStems(*m_tree, g, plan, params, progress);
+            stems.mesh = meshOfStems(*m_tree, g, stems.plan, params, progress);
+            return stems;
         }));
         model->milliseconds.mesh += watch.lap();
         progress.report(0.5 + 0.4 * (g + 1) / generations);
     }
-    model->leaves = keptOr(made.back(), Obsolete::kLeaves, m_tree->sharedLeaves(), params,
-                           [&] { return meshOfLeaves(*m_tree, detail, progress); });
+    model->leaves = keptOr(made.back(), Obsolete::kLeaves, m_tree->sharedLeaves(), params, [&] {
+        return StemMesh{{}, meshOfLeaves(*m_tree, detail, progress)};
+    });
     model->milliseconds.mesh += watch.lap();
     model->milliseconds.total = model->milliseconds.structure + model->milliseconds.smooth + model->milliseconds.mesh;
     progress.report(1);

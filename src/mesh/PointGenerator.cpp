@@ -8,12 +8,16 @@ namespace stromar {
 
 namespace {
 constexpr double kTurn = 2 * std::numbers::pi;
+constexpr double kCrease = 0.3;   // least cosine between a collar's lowest normals and the branch's
+constexpr double kLidDepth = 0.1; // radii
+constexpr double kFillet = 0.6;   // part of the collar's height along which it follows the branch
 
 /// A frame half way between two that differ by a bend.
 Frame between(const Frame& a, const Frame& b) { return transported(a, glm::normalize(a[2] + b[2])); }
 } // namespace
 
 void CPointGenerator::startTube(const Tube& tube) {
+    m_tube = &tube;
     const CStem& stem = m_generation.stems[tube.stem];
     m_floor = m_surface.drawnFloor(stem, m_generation.segments[stem.firstSegment]);
     if (m_points != tube.points) {
@@ -109,14 +113,63 @@ void CPointGenerator::addTip(VertexSink& sink) const {
     }
 }
 
+/// The parent's normal, turned towards the branch's where the two meet in a crease.
+glm::dvec3 CPointGenerator::creaseNormal(const glm::dvec3& parent, const glm::dvec3& own) {
+    const double cosine = glm::dot(parent, own);
+    const double share = cosine < kCrease ? (kCrease - cosine) / (1 - cosine) : 0;
+    return glm::normalize((1 - share) * parent + share * own);
+}
+
+/// From the parent's surface to the first own ring on a parabola that leaves along the branch: a fillet.
+SurfacePoint CPointGenerator::collarPointAt(std::uint32_t ring, std::uint32_t i) const {
+    const SurfacePoint& low = m_plan.collarPoints[m_tube->firstCollarPoint + i];
+    const RingShape& own = m_rings.front();
+    const glm::dvec3 normal = normalAt(own, kTurn * i / m_points, m_circle[i]);
+    const glm::dvec3 lowNormal = creaseNormal(low.normal, normal);
+    if (ring == 0) return {low.position, lowNormal};
+    const glm::dvec3 high = pointAt(own, i);
+    const glm::dvec3 corner = high - kFillet * glm::dot(high - low.position, own.frame[2]) * own.frame[2];
+    const double t = double(ring) / m_tube->collarRings;
+    return {(1 - t) * (1 - t) * low.position + 2 * t * (1 - t) * corner + t * t * high,
+            glm::normalize((1 - t) * lowNormal + t * normal)};
+}
+
+void CPointGenerator::addCollarRing(std::uint32_t ring, VertexSink& sink) const {
+    const CStem& stem = m_generation.stems[m_tube->stem];
+    const CSegment& first = m_generation.segments[stem.firstSegment];
+    for (std::uint32_t i = 0; i <= m_points; ++i) {
+        const SurfacePoint point = collarPointAt(ring, i == m_points ? 0 : i);
+        const double along = glm::dot(point.position - first.centre(0), first.tangent(0)) / stem.measures.length;
+        sink.add(point.position, point.normal, m_wrap.x * i / m_points, m_wrap.y * along);
+    }
+}
+
 void CPointGenerator::addLid(bool base, VertexSink& sink) const {
+    if (base && m_tube->collarRings > 0) return addCollarLid(sink);
     const RingShape& ring = base ? m_rings.front() : m_rings.back();
     const glm::dvec3 normal = base ? -ring.frame[2] : ring.frame[2];
     const auto add = [&](const glm::dvec3& point, glm::dvec2 at) {
         sink.add(point, normal, m_wrap.x * (0.5 + at.x / 8), m_wrap.y * (ring.along + at.y / 8));
     };
-    if (ring.lobes > 0) add(ring.centre, {0, 0});
+    if (m_tube->middleOfLid(base)) add(ring.centre, {0, 0});
     for (std::uint32_t i = 0; i < m_points; ++i) add(pointAt(ring, i), m_circle[i]);
+}
+
+/// Closes a collar inside the parent: square to its first ring as a whole, the middle a little deeper.
+void CPointGenerator::addCollarLid(VertexSink& sink) const {
+    const SurfacePoint* points = &m_plan.collarPoints[m_tube->firstCollarPoint];
+    glm::dvec3 middle(0), area(0);
+    for (std::uint32_t i = 0; i < m_points; ++i) {
+        middle += points[i].position / double(m_points);
+        area += glm::cross(points[i].position - points[0].position,
+                           points[(i + 1) % m_points].position - points[0].position);
+    }
+    const glm::dvec3 inwards = -glm::normalize(area);
+    const auto add = [&](const glm::dvec3& point, glm::dvec2 at) {
+        sink.add(point, inwards, m_wrap.x * (0.5 + at.x / 8), m_wrap.y * at.y / 8);
+    };
+    add(middle + kLidDepth * m_rings.front().radius * inwards, {0, 0});
+    for (std::uint32_t i = 0; i < m_points; ++i) add(points[i].position, m_circle[i]);
 }
 
 } // namespace stromar

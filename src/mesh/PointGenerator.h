@@ -39,9 +39,11 @@ public:
     void startTube(const Tube& tube);
     /// Points + 1 vertices: the seam is doubled.
     void addRing(std::size_t ring, VertexSink& sink) const;
+    /// The same for a ring of the collar, counted from the parent's surface.
+    void addCollarRing(std::uint32_t ring, VertexSink& sink) const;
     /// The tip of a pointed tube: one vertex per side.
     void addTip(VertexSink& sink) const;
-    /// A flat lid on the first (`base`) or last ring; a lobed one has a middle vertex in front.
+    /// A lid on the lowest (`base`) or last ring, its middle vertex, if it has one, in front.
     void addLid(bool base, VertexSink& sink) const;
 
 private:
@@ -49,6 +51,9 @@ private:
     Frame frameOf(const Tube& tube, const Ring& ring, std::uint32_t index) const;
     void setSlopes();
     double radiusAt(const RingShape& ring, double angle) const;
+    void addCollarLid(VertexSink& sink) const;
+    static glm::dvec3 creaseNormal(const glm::dvec3& parent, const glm::dvec3& own);
+    SurfacePoint collarPointAt(std::uint32_t ring, std::uint32_t i) const;
     glm::dvec3 pointAt(const RingShape& ring, std::uint32_t i) const;
     glm::dvec3 normalAt(const RingShape& ring, double angle, glm::dvec2 direction) const;
 
@@ -56,6 +61,7 @@ private:
     const MeshPlan& m_plan;
     const CStemSurface& m_surface;
     glm::dvec2 m_wrap;
+    const Tube* m_tube = nullptr;
     std::uint32_t m_points = 0;
     double m_floor = 0;
     std::vector<RingShape> m_rings;

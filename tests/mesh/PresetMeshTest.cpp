@@ -11,10 +11,8 @@ constexpr int kSeeds[] = {13, 4711};
 template <typename Look>
 void forEachStemMesh(const CParams& params, const Detail& detail, Look&& look) {
     const auto tree = grow(params);
-    for (int g = 0; g < static_cast<int>(tree->generationCount()); ++g) {
-        const MeshPlan plan = planRings(*tree, g, params, detail, CProgress(2));
-        look(*tree, g, plan, *meshOfStems(*tree, g, plan, params, CProgress(2)));
-    }
+    for (int g = 0; const auto& [plan, mesh] : meshAllStems(*tree, params, detail, CProgress(2)))
+        look(*tree, g++, plan, *mesh);
 }
 
 std::string nameOf(const testing::TestParamInfo<std::size_t>& info) { return presets()[info.param].name; }
@@ -45,9 +43,9 @@ TEST_P(PresetMesh, ArraysAndTrianglesAreSound) {
 
 TEST_P(PresetMesh, EveryTubeIsClosedAndFacesOutwards) {
     for (const Detail& detail : detailTable())
-        forEachStemMesh(params(), detail, [&](const CTree& tree, int g, const MeshPlan& plan, const CMesh& mesh) {
+        forEachStemMesh(params(), detail, [&](const CTree&, int, const MeshPlan& plan, const CMesh& mesh) {
             SCOPED_TRACE(std::string(detail.name) + ", " + mesh.name);
-            const auto tubes = tubeRanges(tree, g, plan, params());
+            const auto tubes = tubeRanges(plan);
             ASSERT_FALSE(tubes.empty());
             ASSERT_EQ(tubes.back().firstVertex + tubes.back().vertexCount, mesh.vertexCount());
             ASSERT_EQ(tubes.back().firstIndex + tubes.back().indexCount, mesh.indices.size());
@@ -64,8 +62,8 @@ TEST_P(PresetMesh, EveryTubeIsClosedAndFacesOutwards) {
 TEST_P(PresetMesh, TexturesRunOnceAroundAndAlong) {
     const double wrapX = params().global.textureWrapX, wrapY = params().global.textureWrapY;
     forEachStemMesh(params(), detailOf(Model::Full),
-                    [&](const CTree& tree, int g, const MeshPlan& plan, const CMesh& mesh) {
-                        for (const TubeRange& tube : tubeRanges(tree, g, plan, params())) {
+                    [&](const CTree&, int, const MeshPlan& plan, const CMesh& mesh) {
+                        for (const TubeRange& tube : tubeRanges(plan)) {
                             glm::vec2 low = mesh.texCoords[tube.firstVertex], high = low;
                             for (std::size_t v = tube.firstVertex; v < tube.firstVertex + tube.vertexCount; ++v) {
                                 low = glm::min(low, mesh.texCoords[v]);

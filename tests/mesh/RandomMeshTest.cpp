@@ -14,12 +14,10 @@ void forEachStemMesh(Look&& look) {
         const CParams params = randomParams(number);
         const auto tree = grow(params);
         for (const Detail& detail : detailTable())
-            for (int g = 0; g < static_cast<int>(tree->generationCount()); ++g) {
-                const MeshPlan plan = planRings(*tree, g, params, detail, CProgress(2));
-                const auto mesh = meshOfStems(*tree, g, plan, params, CProgress(2));
+            for (int g = 0; const auto& [plan, mesh] : meshAllStems(*tree, params, detail, CProgress(2))) {
                 const std::string label =
                     "sample " + std::to_string(number) + ", " + std::string(detail.name) + ", " + mesh->name;
-                look(*tree, params, g, plan, *mesh, label);
+                look(*tree, params, g++, plan, *mesh, label);
             }
     }
 }
@@ -49,11 +47,11 @@ TEST(RandomMesh, NoStemHasANegativeRadius) {
 }
 
 TEST(RandomMesh, EveryTubeIsClosed) {
-    forEachStemMesh([](const CTree& tree, const CParams& params, int g, const MeshPlan& plan, const CMesh& mesh,
+    forEachStemMesh([](const CTree&, const CParams&, int, const MeshPlan& plan, const CMesh& mesh,
                        const std::string& label) {
         std::size_t open = 0, indices = 0;
         std::string fault;
-        for (const TubeRange& tube : tubeRanges(tree, g, plan, params)) {
+        for (const TubeRange& tube : tubeRanges(plan)) {
             const std::string own = closednessFault(mesh, tube);
             if (!own.empty()) fault = own;
             if (!own.empty()) ++open;
@@ -73,11 +71,9 @@ TEST(RandomMesh, StraightTubesFaceOutwards) {
         params.global.attractionUp = 0;
         const auto tree = grow(params);
         for (const Detail& detail : detailTable())
-            for (int g = 0; g < static_cast<int>(tree->generationCount()); ++g) {
-                const MeshPlan plan = planRings(*tree, g, params, detail, CProgress(2));
-                const auto mesh = meshOfStems(*tree, g, plan, params, CProgress(2));
+            for (const auto& [plan, mesh] : meshAllStems(*tree, params, detail, CProgress(2))) {
                 std::size_t inverted = 0;
-                for (const TubeRange& tube : tubeRanges(*tree, g, plan, params))
+                for (const TubeRange& tube : tubeRanges(plan))
                     if (!(signedVolume(*mesh, tube.firstIndex, tube.indexCount) > 0)) ++inverted;
                 EXPECT_EQ(inverted, 0u) << "of " << plan.tubes.size() << " tubes, sample " << number << ", "
                                         << detail.name << ", " << mesh->name;

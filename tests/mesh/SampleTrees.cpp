@@ -94,8 +94,7 @@ std::vector<std::shared_ptr<const CMesh>> meshesOf(const CTree& tree, const CPar
                                                    int threads) {
     const CProgress progress(threads);
     std::vector<std::shared_ptr<const CMesh>> meshes;
-    for (int g = 0; g < static_cast<int>(tree.generationCount()); ++g)
-        meshes.push_back(meshOfStems(tree, g, planRings(tree, g, params, detail, progress), params, progress));
+    for (const StemMesh& stems : meshAllStems(tree, params, detail, progress)) meshes.push_back(stems.mesh);
     meshes.push_back(meshOfLeaves(tree, detail, progress));
     return meshes;
 }

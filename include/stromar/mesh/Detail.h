@@ -15,6 +15,7 @@ struct Detail {
     int lod;                       ///< 0..3, of the full model
     std::array<int, 4> ringPoints; ///< points of a ring by generation; deeper ones use the last
     int smoothGenerations;         ///< the first so many get rings between their segments' ends
+    int collarRings;               ///< between a parent's surface and a branch's own rings
     double leafShare;              ///< part of the leaves that is drawn; they grow to make up for it
     std::size_t leafBudget;        ///< and never more than so many
 };
