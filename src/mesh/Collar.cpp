@@ -2,6 +2,7 @@
 #include <algorithm>
 #include <cmath>
 #include <glm/geometric.hpp>
+#include <limits>
 #include <numbers>
 
 namespace stromar {
@@ -22,6 +23,13 @@ double placeOf(const CPath& path, const Ring& ring) {
 /// Length of the drawn centre line.
 double arcOf(const CSegment& segment) { return std::hypot(segment.length, 2 * std::numbers::pi * segment.helixRadius); }
 } // namespace
+
+double Collar::leastGap() const {
+    double gap = std::numeric_limits<double>::infinity();
+    for (std::size_t i = 0; i < points.size(); ++i)
+        gap = std::min(gap, glm::distance(points[i].position, points[(i + 1) % points.size()].position));
+    return gap;
+}
 
 const Collar* CCollarMaker::make(const CStem& stem, std::span<const CSegment> branch, double radius,
                                  std::uint32_t points) {

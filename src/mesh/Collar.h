@@ -10,6 +10,9 @@ namespace stromar {
 struct Collar {
     std::vector<SurfacePoint> points;
     double clear; ///< how far along the branch, from its base, its own rings may start; metres
+
+    /// The shortest distance between neighbours; metres.
+    double leastGap() const;
 };
 
 /// Presses the first rings of branches onto the triangles of their parents (thesis §4.4, "branch connection").

@@ -1,5 +1,4 @@
 #include "FrontNormals.h"
-#include <array>
 #include <glm/geometric.hpp>
 
 namespace stromar {
@@ -8,13 +7,13 @@ namespace {
 constexpr int kPasses = 8;
 constexpr float kMargin = 0.02f; // cosine
 
-/// The triangles of the collar and of the wall above it, whose lower ring is the collar's upper one.
-class CCollarNormals {
+/// The triangles of a tube; those of its rings share normals at the seam.
+class CRingNormals {
 public:
-    CCollarNormals(CMesh& mesh, const Tube& tube) : m_mesh(mesh), m_tube(tube) {
-        const std::size_t above = tube.pointed && tube.ringCount == 2 ? 3 : 6;
-        m_verticesEnd = tube.firstVertex + (tube.collarRings + 1) * (tube.points + 1);
-        m_end = tube.firstIndex + (6 * std::size_t{tube.collarRings} + above) * tube.points;
+    CRingNormals(CMesh& mesh, const Tube& tube)
+        : m_mesh(mesh), m_tube(tube), m_rings(tube.collarRings + tube.ringCount - (tube.pointed ? 1 : 0)) {
+        m_ringsEnd = tube.firstVertex + m_rings * (tube.points + 1);
+        m_end = tube.firstIndex + tube.indexCount();
     }
 
     /// Whether some had to be turned.
@@ -26,7 +25,7 @@ public:
 
     /// Gives the doubled vertices of the seam the same normals again.
     void closeSeam() {
-        for (std::uint32_t ring = 0; ring <= m_tube.collarRings; ++ring) {
+        for (std::uint32_t ring = 0; ring < m_rings; ++ring) {
             const std::uint32_t first = m_tube.firstVertex + ring * (m_tube.points + 1);
             m_mesh.normals[first + m_tube.points] = m_mesh.normals[first];
         }
@@ -39,9 +38,7 @@ private:
         const float area = glm::length(face);
         if (!(area > 0)) return false;
         bool turned = false;
-        for (int c = 0; c < 3; ++c)
-            if (const std::uint32_t vertex = seamless(corners[c]); vertex < m_verticesEnd)
-                turned |= turn(m_mesh.normals[vertex], face / area);
+        for (int c = 0; c < 3; ++c) turned |= turn(m_mesh.normals[seamless(corners[c])], face / area);
         return turned;
     }
 
@@ -53,19 +50,20 @@ private:
     }
 
     std::uint32_t seamless(std::uint32_t vertex) const {
-        const bool seam = (vertex - m_tube.firstVertex) % (m_tube.points + 1) == m_tube.points;
+        const bool seam = vertex < m_ringsEnd && (vertex - m_tube.firstVertex) % (m_tube.points + 1) == m_tube.points;
         return seam ? vertex - m_tube.points : vertex;
     }
 
     CMesh& m_mesh;
     const Tube& m_tube;
-    std::uint32_t m_verticesEnd; ///< behind the last that may turn, the first own ring's
+    std::uint32_t m_rings; ///< a tip is none
+    std::uint32_t m_ringsEnd;
     std::size_t m_end;
 };
 } // namespace
 
-bool turnCollarNormalsToFront(CMesh& mesh, const Tube& tube) {
-    CCollarNormals normals(mesh, tube);
+bool turnNormalsToFront(CMesh& mesh, const Tube& tube) {
+    CRingNormals normals(mesh, tube);
     int pass = 0;
     while (pass < kPasses && normals.turnOnce()) ++pass;
     normals.closeSeam();

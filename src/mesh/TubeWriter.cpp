@@ -71,7 +71,8 @@ bool writeTube(const Tube& tube, CPointGenerator& points, CMesh& mesh) {
     }
     points.addLid(true, sink);
     triangles.addLid(true, tube.middleOfLid(true));
-    return tube.collarRings == 0 || turnCollarNormalsToFront(mesh, tube);
+    const bool smooth = tube.points == 3 && tube.collarRings == 0;
+    return smooth || turnNormalsToFront(mesh, tube);
 }
 
 std::size_t Tube::vertexCount() const {

@@ -94,8 +94,9 @@ std::vector<std::shared_ptr<const CMesh>> meshesOf(const CTree& tree, const CPar
                                                    int threads) {
     const CProgress progress(threads);
     std::vector<std::shared_ptr<const CMesh>> meshes;
-    for (const StemMesh& stems : meshAllStems(tree, params, detail, progress)) meshes.push_back(stems.mesh);
-    meshes.push_back(meshOfLeaves(tree, detail, progress));
+    const std::vector<StemMesh> all = meshAllStems(tree, params, detail, progress);
+    for (const StemMesh& stems : all) meshes.push_back(stems.mesh);
+    meshes.push_back(meshOfLeaves(tree, all.back().plan, detail, progress));
     return meshes;
 }
 

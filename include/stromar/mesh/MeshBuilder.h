@@ -25,6 +25,7 @@ struct Tube {
     std::uint32_t stem, path; ///< of the generation
     std::uint32_t firstRing = 0, ringCount = 0;
     std::uint32_t points = 0;           ///< of each ring
+    double mostTurn = 0;                ///< radians of a bend between its rings; 0: bends are mitred
     bool lobed = false;                 ///< the rings have bulges
     bool pointed = false;               ///< the last ring is a single point
     std::uint32_t collarRings = 0;      ///< in front of the first ring, the lowest pressed onto the parent
@@ -44,6 +45,7 @@ struct MeshPlan {
     std::vector<Tube> tubes;
     std::vector<SurfacePoint> collarPoints;
     std::vector<std::int32_t> tubeOfPath; ///< −1: too short to be drawn
+    std::vector<bool> stemIsChosen;       ///< to be drawn, if it is long enough, and its leaves
     std::size_t vertexCount = 0, indexCount = 0;
 };
 
@@ -53,8 +55,13 @@ struct StemMesh {
     std::shared_ptr<const CMesh> mesh;
 };
 
+/// Whether a level of detail may leave out stems of a generation: only of the last one, from level 2 on.
+bool isSparse(const CTree& tree, int generation, const Detail& detail);
+
 /// Decides where the rings of a generation stand. With the `parents`' mesh, that of the generation before at the same
-/// level of detail, branches get collars on it. Time linear in the segments; runs on progress.threads() threads.
+/// level of detail, branches get collars on it. A sparse generation keeps so many stems, chosen evenly, that all wood
+/// together has about the detail's share of the triangles of LOD 0, but never less than that share of them.
+/// Time linear in the segments; runs on progress.threads() threads.
 MeshPlan planRings(const CTree& tree, int generation, const CParams& params, const Detail& detail,
                    const StemMesh* parents, const CProgress& progress);
 
@@ -67,7 +74,10 @@ std::shared_ptr<const CMesh> meshOfStems(const CTree& tree, int generation, cons
 std::vector<StemMesh> meshAllStems(const CTree& tree, const CParams& params, const Detail& detail,
                                    const CProgress& progress);
 
-/// One rectangle per drawn leaf, its normal the leaf's upper side. Throws CCancelled.
-std::shared_ptr<const CMesh> meshOfLeaves(const CTree& tree, const Detail& detail, const CProgress& progress);
+/// One rectangle per drawn leaf, its normal the leaf's upper side. Only the leaves on the stems that `last`, the plan
+/// of the last generation, chose; at most the detail's share, enlarged to keep their area as far as kMostLeafGrowth
+/// allows. Throws CCancelled.
+std::shared_ptr<const CMesh> meshOfLeaves(const CTree& tree, const MeshPlan& last, const Detail& detail,
+                                          const CProgress& progress);
 
 } // namespace stromar
