@@ -28,21 +28,35 @@ StemBound boundOfStem(const CParams& params, int generation) {
     return {paths, segments};
 }
 
-/// Rings that CSmoother may add between the ends of a stem's segments.
-double addedRings(const CParams& params, const Detail& detail, int generation, const StemBound& bound) {
-    if (generation >= detail.smoothGenerations) return 0;
-    const LevelParams& level = params.level[static_cast<std::size_t>(std::min(generation, kParamLevels - 1))];
-    const double helix = level.curveV < 0 ? 9 * bound.segments : 0;
-    const bool flares = generation == 0 && params.global.flare != 0;
-    const double most = std::max(9.0, std::floor(1024.0 / level.curveRes)) * bound.segments; // CSmoother's own limit
-    if (level.taper > 2) return std::max(helix, most);
-    const double uneven = (level.taper > 1 ? 40 : 0) + (flares ? 60 : 0);
-    return std::max(helix, std::min(most, uneven * bound.paths));
+/// How thick a stem of a generation is at most, as a part of the trunk's radius (Weber & Penn §4.4: by the power of the
+/// lengths' ratio, never thicker than its parent).
+double thicknessBound(const CParams& params, int generation) {
+    double thickness = 1;
+    for (int g = 1; g <= generation; ++g) {
+        const LevelParams& level = params.level[static_cast<std::size_t>(std::min(g, kParamLevels - 1))];
+        const double longest = level.length + std::abs(level.lengthV);
+        thickness *= params.global.ratioPower > 0 ? std::min(1.0, std::pow(longest, params.global.ratioPower)) : 1;
+    }
+    return thickness;
 }
 
 double ringPoints(const CParams& params, const Detail& detail, int generation) {
-    const double own = detail.ringPoints[static_cast<std::size_t>(std::min(generation, 3))];
-    return generation == 0 && detail.model == Model::Full ? std::max(own, 8.0 * params.global.lobes) : own;
+    const double round = std::ceil(detail.ringPoints * std::sqrt(thicknessBound(params, generation)));
+    const bool close = generation == 0 && detail.model == Model::Full && detail.lod == 0;
+    return std::max({3.0, round, close ? 8.0 * params.global.lobes : 0});
+}
+/// Rings that CSmoother may add between the ends of a stem's segments.
+double addedRings(const CParams& params, const Detail& detail, int generation, const StemBound& bound) {
+    if (generation >= detail.smoothGenerations) return 0;
+    const double bends =
+        detail.mostTurn > 0 && ringPoints(params, detail, generation) > 3 ? 6 * (bound.segments - 1) : 0;
+    const LevelParams& level = params.level[static_cast<std::size_t>(std::min(generation, kParamLevels - 1))];
+    const double helix = level.curveV < 0 ? (detail.helixRings - 1) * bound.segments : 0;
+    const bool flares = generation == 0 && params.global.flare != 0;
+    const double most = std::max(9.0, std::floor(1024.0 / level.curveRes)) * bound.segments; // CSmoother's own limit
+    if (level.taper > 2) return bends + std::max(helix, most);
+    const double uneven = (level.taper > 1 ? 40 : 0) + (flares ? 60 : 0);
+    return bends + std::max(helix, std::min(most, uneven * bound.paths));
 }
 } // namespace
 
@@ -56,7 +70,8 @@ Prediction predictSize(const CParams& params, const Detail& detail) {
             stems *= most > 0 ? most + 1 : 0;
         }
         const StemBound bound = boundOfStem(params, generation);
-        const double rings = bound.segments + 2 * bound.paths + addedRings(params, detail, generation, bound);
+        const double collars = generation > 0 ? detail.collarRings : 0;
+        const double rings = bound.segments + 2 * bound.paths + collars + addedRings(params, detail, generation, bound);
         size.stems += stems;
         size.vertices += stems * (rings + 2 * bound.paths) * (ringPoints(params, detail, generation) + 1);
         lastPaths = bound.paths;
@@ -65,7 +80,7 @@ Prediction predictSize(const CParams& params, const Detail& detail) {
         const double each = std::abs(g.leaves) * g.leafQuality;
         size.leaves = stems * (g.leaves > 0 ? each + 1 : each + lastPaths);
     }
-    const double drawn = std::min(double(detail.leafBudget), std::ceil(size.leaves * detail.leafShare));
+    const double drawn = std::min(double(detail.leafBudget), std::ceil(size.leaves * detail.share));
     size.vertices += 4 * drawn;
     return size;
 }

@@ -31,12 +31,13 @@ bool meshIsStale(const CParams& made, const CParams& wanted, int generation) {
 /// The mesh that was made before, if it still shows `source` with these values, else a new one.
 template <typename Made, typename Make>
 std::shared_ptr<const CMesh> keptOr(Made& made, int generation, const std::shared_ptr<const void>& source,
-                                    const CParams& params, Make&& make) {
-    if (!made.mesh || made.source != source || meshIsStale(made.params, params, generation)) {
+                                    const CParams& params, bool sparse, Make&& make) {
+    if (!made.stems.mesh || made.source != source || made.sparse != sparse ||
+        meshIsStale(made.params, params, generation)) {
         made = {}; // first the memory of the old mesh
-        made = {source, make(), params};
+        made = {source, make(), params, sparse};
     }
-    return made.mesh;
+    return made.stems.mesh;
 }
 
 /// "950", "1.3 million": rounded up.
@@ -93,16 +94,21 @@ std::shared_ptr<const TreeModel> CTreeCreator::create(const CParams& params, con
     made.resize(m_tree->generationCount() + 1);
     for (int g = 0; g < generations; ++g) {
         const auto slot = static_cast<std::size_t>(g);
-        model->stems.push_back(keptOr(made[slot], g, m_tree->generations()[slot], params, [&] {
-            const MeshPlan plan = planRings(*m_tree, g, params, detail, progress);
-            model->milliseconds.smooth += watch.lap();
-            return meshOfStems(*m_tree, g, plan, params, progress);
-        }));
+        model->stems.push_back(
+            keptOr(made[slot], g, m_tree->generations()[slot], params, isSparse(*m_tree, g, detail), [&] {
+                const StemMesh* parents = g > 0 ? &made[slot - 1].stems : nullptr;
+                StemMesh stems{planRings(*m_tree, g, params, detail, parents, progress), nullptr};
+                model->milliseconds.smooth += watch.lap();
+                stems.mesh = meshOfStems(*m_tree, g, stems.plan, params, progress);
+                return stems;
+            }));
         model->milliseconds.mesh += watch.lap();
         progress.report(0.5 + 0.4 * (g + 1) / generations);
     }
-    model->leaves = keptOr(made.back(), Obsolete::kLeaves, m_tree->sharedLeaves(), params,
-                           [&] { return meshOfLeaves(*m_tree, detail, progress); });
+    const auto slotOfLast = static_cast<std::size_t>(generations - 1);
+    model->leaves = keptOr(made.back(), Obsolete::kLeaves, m_tree->sharedLeaves(), params, false, [&] {
+        return StemMesh{{}, meshOfLeaves(*m_tree, made[slotOfLast].stems.plan, detail, progress)};
+    });
     model->milliseconds.mesh += watch.lap();
     model->milliseconds.total = model->milliseconds.structure + model->milliseconds.smooth + model->milliseconds.mesh;
     progress.report(1);

@@ -8,13 +8,16 @@ namespace {
 constexpr int kAll = 1000;
 constexpr std::size_t kNoBudget = std::numeric_limits<std::size_t>::max();
 
+// clang-format off
 constexpr Detail kDetails[] = {
-    {"Simple model", Model::Simple, 0, {6, 4, 3, 3}, 1, 1.0, 12000},
-    {"Full model", Model::Full, 0, {16, 8, 5, 3}, kAll, 1.0, kNoBudget},
-    {"Full model, LOD 1", Model::Full, 1, {10, 6, 4, 3}, kAll, 0.5, kNoBudget},
-    {"Full model, LOD 2", Model::Full, 2, {8, 4, 3, 3}, 2, 0.25, kNoBudget},
-    {"Full model, LOD 3", Model::Full, 3, {5, 3, 3, 3}, 1, 0.1, kNoBudget},
+    //                                    points turn least helix smooth collar share leaves
+    {"Simple model",      Model::Simple, 0,  6,   0,    0,  10,   1,    0,    1.0, 12000},
+    {"Full model",        Model::Full,   0, 24,   8,    0,  10, kAll,   3,    1.0, kNoBudget},
+    {"Full model, LOD 1", Model::Full,   1, 16,  16,    4,   6, kAll,   2,    0.5, kNoBudget},
+    {"Full model, LOD 2", Model::Full,   2, 10,   0,   10,   4, kAll,   1,    0.25, kNoBudget},
+    {"Full model, LOD 3", Model::Full,   3,  6,   0,   20,   3,   1,    0,    0.1, kNoBudget},
 };
+// clang-format on
 } // namespace
 
 std::span<const Detail> detailTable() { return kDetails; }

@@ -8,12 +8,15 @@ namespace stromar {
 
 namespace {
 constexpr double kTurn = 2 * std::numbers::pi;
+constexpr double kLidDepth = 0.1; // radii
+constexpr double kFillet = 0.6;   // part of the collar's height along which it follows the branch
 
-/// A frame half way between two that differ by a bend.
-Frame between(const Frame& a, const Frame& b) { return transported(a, glm::normalize(a[2] + b[2])); }
+// How much of the sky is hidden where a surface starts, and how far that reaches, in radii.
+constexpr double kHiddenInCollar = 0.55, kHiddenInFork = 0.35, kHiddenAtGround = 0.4, kHiddenReach = 2;
 } // namespace
 
 void CPointGenerator::startTube(const Tube& tube) {
+    m_tube = &tube;
     const CStem& stem = m_generation.stems[tube.stem];
     m_floor = m_surface.drawnFloor(stem, m_generation.segments[stem.firstSegment]);
     if (m_points != tube.points) {
@@ -22,42 +25,37 @@ void CPointGenerator::startTube(const Tube& tube) {
         for (std::uint32_t i = 0; i < m_points; ++i)
             m_circle[i] = {std::cos(kTurn * i / m_points), std::sin(kTurn * i / m_points)};
     }
+    m_bark = m_surface.barkOf(stem);
+    m_line.start(stem, m_generation.paths[tube.path], tube.mostTurn);
     m_rings.clear();
     for (std::uint32_t i = 0; i < tube.ringCount; ++i)
-        m_rings.push_back(shapeOf(tube, m_plan.rings[tube.firstRing + i], i));
+        m_rings.push_back(shapeOf(tube, m_plan.rings[tube.firstRing + i]));
     setSlopes();
 }
 
-RingShape CPointGenerator::shapeOf(const Tube& tube, const Ring& ring, std::uint32_t index) const {
+RingShape CPointGenerator::shapeOf(const Tube& tube, const Ring& ring) const {
     const CStem& stem = m_generation.stems[tube.stem];
     const CPath& path = m_generation.paths[tube.path];
     const CSegment& segment = m_generation.segments[ring.segment];
     const std::uint32_t position = path.firstPosition + ring.segment - path.firstSegment;
     RingShape shape{};
-    shape.centre = segment.centre(ring.t);
-    shape.frame = frameOf(tube, ring, index);
+    static_cast<CCentreLine::Place&>(shape) = m_line.at(ring.segment, ring.t);
     shape.radius = std::max(m_floor, m_surface.woodRadius(stem, segment, position, ring.t));
     shape.along = CStemSurface::along(stem, position, ring.t);
     shape.lobes = tube.lobed ? m_surface.lobes() : 0;
     shape.lobeDepth = tube.lobed ? m_surface.lobeDepth(shape.along) : 0;
+    shape.openness = opennessAt(tube, shape.along);
     return shape;
 }
 
-Frame CPointGenerator::frameOf(const Tube& tube, const Ring& ring, std::uint32_t index) const {
+/// Darker towards where the tube leaves its parent, a fork or the ground.
+std::uint8_t CPointGenerator::opennessAt(const Tube& tube, double along) const {
+    const CStem& stem = m_generation.stems[tube.stem];
     const CPath& path = m_generation.paths[tube.path];
-    const CSegment& segment = m_generation.segments[ring.segment];
-    if (segment.helixRadius > 0) return transported(segment.frame, segment.tangent(ring.t));
-    if (ring.t > 0) return segment.frame;
-    if (index > 0) {
-        const CSegment& below = m_generation.segments[ring.segment - 1];
-        // Where clones leave, the ring stays square to the part below, so that all paths start from the same circle.
-        return below.forks ? transported(segment.frame, below.frame[2]) : between(segment.frame, below.frame);
-    }
-    if (path.source < 0) return segment.frame;
-    const CPath& source =
-        m_generation.paths[m_generation.stems[tube.stem].firstPath + static_cast<std::uint32_t>(path.source)];
-    const CSegment& fork = m_generation.segments[source.firstSegment + path.firstPosition - 1 - source.firstPosition];
-    return transported(segment.frame, fork.frame[2]);
+    const double start = CStemSurface::along(stem, path.firstPosition, 0);
+    const double most = path.source >= 0 ? kHiddenInFork : stem.parent >= 0 ? kHiddenInCollar : kHiddenAtGround;
+    const double radii = (along - start) * stem.measures.length / std::max(1e-9, stem.measures.radius);
+    return static_cast<std::uint8_t>(255 * (1 - most * std::exp(-std::max(0.0, radii) / kHiddenReach)) + 0.5);
 }
 
 void CPointGenerator::setSlopes() {
@@ -75,7 +73,9 @@ double CPointGenerator::radiusAt(const RingShape& ring, double angle) const {
 
 glm::dvec3 CPointGenerator::pointAt(const RingShape& ring, std::uint32_t i) const {
     const double radius = radiusAt(ring, kTurn * i / m_points);
-    return ring.centre + radius * (m_circle[i].x * ring.frame[0] + m_circle[i].y * ring.frame[1]);
+    const glm::dvec3 offset = radius * (m_circle[i].x * ring.frame[0] + m_circle[i].y * ring.frame[1]);
+    if (ring.stretch == 1) return ring.centre + offset;
+    return ring.centre + offset + (ring.stretch - 1) * glm::dot(offset, ring.stretchAxis) * ring.stretchAxis;
 }
 
 /// The surface is centre + r(angle, s)·outwards + s·axis; the normal is the product of its two tangents.
@@ -92,31 +92,70 @@ void CPointGenerator::addRing(std::size_t r, VertexSink& sink) const {
     const RingShape& ring = m_rings[r];
     for (std::uint32_t i = 0; i <= m_points; ++i) {
         const std::uint32_t k = i == m_points ? 0 : i;
-        sink.add(pointAt(ring, k), normalAt(ring, kTurn * k / m_points, m_circle[k]), m_wrap.x * i / m_points,
-                 m_wrap.y * ring.along);
+        sink.add(pointAt(ring, k), normalAt(ring, kTurn * k / m_points, m_circle[k]), around(i), bark(ring.along),
+                 ring.openness);
     }
 }
 
 void CPointGenerator::addTip(VertexSink& sink) const {
-    const RingShape& tip = m_rings.back();
-    RingShape below = m_rings[m_rings.size() - 2];
-    below.slope = -below.radius / glm::distance(below.centre, tip.centre);
-    below.lobes = 0;
+    const RingShape &tip = m_rings.back(), &below = m_rings[m_rings.size() - 2];
     for (std::uint32_t i = 0; i < m_points; ++i) {
-        const double middle = kTurn * (i + 0.5) / m_points;
-        sink.add(tip.centre, normalAt(below, middle, {std::cos(middle), std::sin(middle)}),
-                 m_wrap.x * (i + 0.5) / m_points, m_wrap.y * tip.along);
+        const glm::dvec3 left = pointAt(below, i), right = pointAt(below, (i + 1) % m_points);
+        const glm::dvec3 face = glm::cross(right - left, tip.centre - left);
+        sink.add(tip.centre, glm::normalize(face), around(i + 0.5), bark(tip.along), tip.openness);
+    }
+}
+
+/// From the parent's surface to the first own ring on a parabola that leaves along the branch: a fillet.
+SurfacePoint CPointGenerator::collarPointAt(std::uint32_t ring, std::uint32_t i) const {
+    const SurfacePoint& low = m_plan.collarPoints[m_tube->firstCollarPoint + i];
+    const RingShape& own = m_rings.front();
+    const glm::dvec3 normal = normalAt(own, kTurn * i / m_points, m_circle[i]);
+    if (ring == 0) return low;
+    const glm::dvec3 high = pointAt(own, i);
+    const glm::dvec3 corner = high - kFillet * glm::dot(high - low.position, own.frame[2]) * own.frame[2];
+    const double t = double(ring) / m_tube->collarRings;
+    return {(1 - t) * (1 - t) * low.position + 2 * t * (1 - t) * corner + t * t * high,
+            glm::normalize((1 - t) * low.normal + t * normal)};
+}
+
+void CPointGenerator::addCollarRing(std::uint32_t ring, VertexSink& sink) const {
+    const RingShape& own = m_rings.front();
+    const double share = double(ring) / m_tube->collarRings;
+    const double hidden = 255 * (1 - kHiddenInCollar);
+    const auto open = static_cast<std::uint8_t>(hidden + share * (own.openness - hidden) + 0.5);
+    for (std::uint32_t i = 0; i <= m_points; ++i) {
+        const std::uint32_t k = i == m_points ? 0 : i;
+        const SurfacePoint point = collarPointAt(ring, k);
+        const double below = m_bark.perMetre * glm::distance(point.position, pointAt(own, k));
+        sink.add(point.position, point.normal, around(i), bark(own.along) - below, open);
     }
 }
 
 void CPointGenerator::addLid(bool base, VertexSink& sink) const {
+    if (base && m_tube->collarRings > 0) return addCollarLid(sink);
     const RingShape& ring = base ? m_rings.front() : m_rings.back();
     const glm::dvec3 normal = base ? -ring.frame[2] : ring.frame[2];
     const auto add = [&](const glm::dvec3& point, glm::dvec2 at) {
-        sink.add(point, normal, m_wrap.x * (0.5 + at.x / 8), m_wrap.y * (ring.along + at.y / 8));
+        sink.add(point, normal, m_bark.around * (0.5 + at.x / 8), bark(ring.along) + m_bark.around * at.y / 8,
+                 ring.openness);
     };
-    if (ring.lobes > 0) add(ring.centre, {0, 0});
+    if (m_tube->middleOfLid(base)) add(ring.centre, {0, 0});
     for (std::uint32_t i = 0; i < m_points; ++i) add(pointAt(ring, i), m_circle[i]);
+}
+
+/// Closes a collar inside the parent: seen along the branch its points lie around the branch's middle in their order.
+void CPointGenerator::addCollarLid(VertexSink& sink) const {
+    const SurfacePoint* points = &m_plan.collarPoints[m_tube->firstCollarPoint];
+    const RingShape& own = m_rings.front();
+    const glm::dvec3 inwards = -own.frame[2];
+    double depth = kLidDepth * own.radius;
+    for (std::uint32_t i = 0; i < m_points; ++i) depth += glm::dot(points[i].position - own.centre, inwards) / m_points;
+    const auto add = [&](const glm::dvec3& point, glm::dvec2 at) {
+        sink.add(point, inwards, m_bark.around * (0.5 + at.x / 8), m_bark.around * at.y / 8, 0);
+    };
+    add(own.centre + depth * inwards, {0, 0});
+    for (std::uint32_t i = 0; i < m_points; ++i) add(points[i].position, m_circle[i]);
 }
 
 } // namespace stromar

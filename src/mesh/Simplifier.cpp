@@ -1,74 +1,200 @@
+#include "CentreLine.h"
+#include "Collar.h"
 #include "Smoother.h"
+#include "TubeWriter.h"
 #include "stromar/mesh/MeshBuilder.h"
 #include "stromar/util/Parallel.h"
+#include "stromar/util/Random.h"
 #include <algorithm>
 #include <glm/geometric.hpp>
+#include <optional>
 
 namespace stromar {
 
 namespace {
-constexpr std::size_t kGrain = 256;
+constexpr std::size_t kGrain = 64;
 constexpr int kPointsPerLobe = 8, kFewestPointsPerLobe = 4;
+constexpr double kCoarsestTurn = 2.5; // times what is allowed to a trunk
+constexpr double kFreeOfDisc = 1.05;  // radii that a tilted ring stays off the plane of the next
+constexpr double kApart = 0.2;        // radii between the first own ring above a collar and the next
+
+/// Whether a stem is among the share of its generation that is drawn. A smaller share chooses of what a larger one
+/// does.
+bool isChosen(const CStem& stem, std::uint32_t s, double share) {
+    return share >= 1 || s == 0 || double(hashCombine(0, stem.id) >> 11) * 0x1p-53 < share;
+}
 
 /// Chooses the parts of one generation for a level of detail: which rings are drawn and how many points each has.
 class CSimplifier {
 public:
-    CSimplifier(const CTree& tree, int generation, const CParams& params, const Detail& detail)
-        : m_generation(tree.generation(static_cast<std::size_t>(generation))),
-          m_surface(params, generation, tree.scaleTree()), m_smoother(m_surface),
-          m_smooth(generation < detail.smoothGenerations),
-          m_points(detail.ringPoints[static_cast<std::size_t>(std::min(generation, 3))]),
-          m_full(detail.model == Model::Full && detail.lod == 0) {}
+    CSimplifier(const CTree& tree, int generation, const CParams& params, const Detail& detail, const StemMesh* parents,
+                double share)
+        : m_detail(detail), m_generation(tree.generation(static_cast<std::size_t>(generation))),
+          m_surface(params, generation, tree), m_smoother(m_surface), m_line(m_generation, m_surface),
+          m_smooth(generation < detail.smoothGenerations), m_share(share) {
+        if (parents && detail.collarRings > 0)
+            m_collars.emplace(tree.generation(static_cast<std::size_t>(generation - 1)), *parents);
+    }
 
     void planStem(std::uint32_t s, MeshPlan& plan) {
         const CStem& stem = m_generation.stems[s];
+        if (!isChosen(stem, s, m_share)) return;
         for (std::uint32_t p = 0; p < stem.pathCount; ++p) planPath(s, stem.firstPath + p, plan);
     }
 
 private:
     void planPath(std::uint32_t s, std::uint32_t p, MeshPlan& plan) {
+        const bool mayHaveCollar = m_collars && m_generation.paths[p].source < 0;
+        if (!mayHaveCollar || !planTube(s, p, true, plan)) planTube(s, p, false, plan);
+    }
+
+    /// False, and the plan as it was, when the tube cannot be drawn so.
+    bool planTube(std::uint32_t s, std::uint32_t p, bool withCollar, MeshPlan& plan) {
         const CStem& stem = m_generation.stems[s];
         const CPath& path = m_generation.paths[p];
-        const CSegment& first = m_generation.segments[path.firstSegment];
-        const double spacing = CStemSurface::leastDrawn(stem, m_generation.segments[stem.firstSegment]);
-        Tube tube{s, p, static_cast<std::uint32_t>(plan.rings.size()), 0, ringPoints(), false, false};
+        Tube tube{.stem = s,
+                  .path = p,
+                  .firstRing = static_cast<std::uint32_t>(plan.rings.size()),
+                  .points = ringPoints(stem),
+                  .firstCollarPoint = static_cast<std::uint32_t>(plan.collarPoints.size())};
+        tube.mostTurn = tube.points > 3 ? turnOf(stem, m_detail.mostTurn) : 0;
+        m_line.start(stem, path, tube.mostTurn);
         tube.lobed = m_surface.lobes() > 0 &&
                      tube.points >= static_cast<std::uint32_t>(kFewestPointsPerLobe * m_surface.lobes());
-        plan.rings.push_back({path.firstSegment, 0});
-        glm::dvec3 last = first.centre(0);
-        const auto add = [&](std::uint32_t segment, double t, bool tip) {
-            const glm::dvec3 here = m_generation.segments[segment].centre(t);
-            const bool near = glm::distance(here, last) < spacing;
-            if (near && !tip) return;
-            if (near && plan.rings.size() - tube.firstRing > 1) plan.rings.pop_back();
-            plan.rings.push_back({segment, t});
-            last = here;
+        tube.pointed = endsInPoint(stem, path);
+        const double start = withCollar ? addCollar(stem, tube, plan) : 0;
+        if ((start > 0 || !withCollar) && addRings(stem, path, start, tube, plan) && !collarFolds(tube, plan)) {
+            plan.tubes.push_back(tube);
+            return true;
+        }
+        plan.rings.resize(tube.firstRing);
+        plan.collarPoints.resize(tube.firstCollarPoint);
+        return false;
+    }
+
+    /// How far from the stem's base its own rings start, metres; 0 without a collar.
+    double addCollar(const CStem& stem, Tube& tube, MeshPlan& plan) {
+        const CSegment& first = m_generation.segments[stem.firstSegment];
+        const double radius = std::max(m_surface.woodRadius(stem, first, 0, 0), m_surface.drawnFloor(stem, first));
+        const Collar* collar = m_collars->make(
+            stem,
+            std::span(m_generation.segments).subspan(stem.firstSegment, m_generation.paths[tube.path].segmentCount),
+            radius, tube.points);
+        if (!collar || collar->leastGap() < CStemSurface::leastDrawn(stem, first)) return 0;
+        tube.collarRings = static_cast<std::uint32_t>(tube.points > 3 ? m_detail.collarRings : 1);
+        plan.collarPoints.insert(plan.collarPoints.end(), collar->points.begin(), collar->points.end());
+        return collar->clear;
+    }
+
+    /// False when the tube is too short to be drawn.
+    bool addRings(const CStem& stem, const CPath& path, double start, Tube& tube, MeshPlan& plan) {
+        const double segmentLength = stem.measures.length / stem.curveRes;
+        const double clear = start > 0 ? start + kApart * stem.measures.radius : 0;
+        const auto segmentAt = static_cast<std::uint32_t>(start / segmentLength);
+        m_spacing = CStemSurface::leastDrawn(stem, m_generation.segments[stem.firstSegment]);
+        m_last = discAt(stem, path, {path.firstSegment + segmentAt, start / segmentLength - segmentAt});
+        plan.rings.push_back(m_last.ring);
+        const auto add = [&](std::uint32_t segment, double t, bool needed) {
+            if ((segment - path.firstSegment + t) * segmentLength > clear)
+                addRing(stem, path, tube, discAt(stem, path, {segment, t}), needed, plan);
         };
-        for (std::uint32_t i = 0; i < path.segmentCount; ++i) {
+        double left = 0;
+        for (std::uint32_t i = segmentAt; i < path.segmentCount; ++i) {
             const std::uint32_t segment = path.firstSegment + i;
-            if (i > 0) add(segment, 0, false);
+            if (i > 0 && !isLeftOut(stem, segment, left)) add(segment, 0, m_line.forksBelow(segment));
             if (m_smooth) addBetween(stem, segment, path.firstPosition + i, add);
             if (i + 1 == path.segmentCount) add(segment, 1, true);
         }
         tube.ringCount = static_cast<std::uint32_t>(plan.rings.size()) - tube.firstRing;
-        tube.pointed = endsInPoint(stem, path);
-        if (glm::distance(ringCentre(plan.rings[tube.firstRing]), ringCentre(plan.rings.back())) < spacing) {
-            plan.rings.resize(tube.firstRing); // too short to be drawn
-            return;
+        return glm::distance(ringCentre(plan.rings[tube.firstRing]), ringCentre(plan.rings.back())) >= m_spacing;
+    }
+
+    /// A ring as the flat round thing it covers.
+    struct Disc {
+        Ring ring;
+        glm::dvec3 centre, axis;
+        double radius;
+    };
+
+    Disc discAt(const CStem& stem, const CPath& path, const Ring& ring) const {
+        const CCentreLine::Place place = m_line.at(ring.segment, ring.t);
+        const std::uint32_t position = path.firstPosition + ring.segment - path.firstSegment;
+        const double radius = m_surface.woodRadius(stem, m_generation.segments[ring.segment], position, ring.t);
+        return {ring, place.centre, place.frame[2], place.stretch * std::max(radius, m_surface.minRadius())};
+    }
+
+    /// Whether two rings would touch or one reach through the other, so that the wall between them folds.
+    bool collide(const Disc& low, const Disc& high) const {
+        const glm::dvec3 apart = high.centre - low.centre;
+        const double distance = glm::length(apart);
+        if (distance < m_spacing) return true;
+        if (distance > low.radius + high.radius) return false;
+        const double cosine = glm::dot(low.axis, high.axis);
+        if (cosine > 1 - 1e-12) return false;
+        const double sine = cosine > 0 ? std::sqrt(std::max(0.0, 1 - cosine * cosine)) : 1;
+        return glm::dot(apart, low.axis) < kFreeOfDisc * high.radius * sine ||
+               glm::dot(apart, high.axis) < kFreeOfDisc * low.radius * sine;
+    }
+
+    /// Appends a ring that keeps off the last one; a ring that is needed pushes others out, all but the first.
+    void addRing(const CStem& stem, const CPath& path, const Tube& tube, const Disc& disc, bool needed,
+                 MeshPlan& plan) {
+        if (!needed && collide(m_last, disc)) return;
+        while (collide(m_last, disc) && plan.rings.size() - tube.firstRing > 1) {
+            plan.rings.pop_back();
+            m_last = discAt(stem, path, plan.rings.back());
         }
-        plan.tubes.push_back(tube);
+        plan.rings.push_back(disc.ring);
+        m_last = disc;
+    }
+
+    /// Whether a ring between segments changes too little to be drawn; `left` sums the turns since the last that is.
+    bool isLeftOut(const CStem& stem, std::uint32_t segment, double& left) const {
+        left += m_line.turnBelow(segment);
+        const CSegment& above = m_generation.segments[segment];
+        const bool needed = m_line.forksBelow(segment) || m_surface.uneven(stem) || above.helixRadius > 0 ||
+                            left >= turnOf(stem, m_detail.leastTurn) ||
+                            left * above.length > 2 * above.radiusBase; // the chord would leave the wood
+        if (needed) left = 0;
+        return !needed;
+    }
+
+    double turnOf(const CStem& stem, double ofTrunk) const {
+        return kRadiansPerDegree *
+               std::min(kCoarsestTurn * ofTrunk, ofTrunk / std::max(1e-6, m_surface.thickness(stem)));
+    }
+
+    /// Tries the tube's collar and what is next to it.
+    bool collarFolds(const Tube& tube, const MeshPlan& plan) {
+        if (tube.collarRings == 0) return false;
+        Tube trial = tube;
+        trial.firstVertex = 0;
+        trial.firstIndex = 0;
+        trial.pointed = tube.pointed && tube.ringCount == 2;
+        trial.ringCount = 2;
+        m_trial.positions.resize(trial.vertexCount());
+        m_trial.normals.resize(trial.vertexCount());
+        m_trial.texCoords.resize(trial.vertexCount());
+        m_trial.openness.resize(trial.vertexCount());
+        m_trial.indices.resize(trial.indexCount());
+        CPointGenerator points(m_generation, plan, m_surface);
+        return !writeTube(trial, points, m_trial);
     }
 
     template <typename Add>
     void addBetween(const CStem& stem, std::uint32_t segment, std::uint32_t position, Add&& add) {
         m_places.clear();
-        m_smoother.subdivide(stem, m_generation.segments[segment], position, m_places);
+        m_smoother.subdivide(stem, m_generation.segments[segment], position, m_detail.helixRings, m_places);
+        m_line.addBendRings(segment, m_places);
+        std::ranges::sort(m_places);
         for (const double t : m_places) add(segment, t, false);
     }
 
-    std::uint32_t ringPoints() const {
-        const int forLobes = m_full ? kPointsPerLobe * m_surface.lobes() : 0;
-        return static_cast<std::uint32_t>(std::max(m_points, forLobes));
+    std::uint32_t ringPoints(const CStem& stem) const {
+        const int round = static_cast<int>(std::ceil(m_detail.ringPoints * m_surface.thickness(stem) - 1e-9));
+        const bool close = m_detail.model == Model::Full && m_detail.lod == 0;
+        const int forLobes = close ? kPointsPerLobe * m_surface.lobes() : 0;
+        return static_cast<std::uint32_t>(std::max({3, round, forLobes}));
     }
 
     bool endsInPoint(const CStem& stem, const CPath& path) const {
@@ -78,43 +204,89 @@ private:
         return radius < m_surface.drawnFloor(stem, m_generation.segments[stem.firstSegment]);
     }
 
-    glm::dvec3 ringCentre(const Ring& ring) const { return m_generation.segments[ring.segment].centre(ring.t); }
+    glm::dvec3 ringCentre(const Ring& ring) const { return m_line.at(ring.segment, ring.t).centre; }
 
+    const Detail& m_detail;
     const CGeneration& m_generation;
     CStemSurface m_surface;
     CSmoother m_smoother;
+    CCentreLine m_line;
     bool m_smooth;
-    int m_points;
-    bool m_full;
+    double m_share; ///< of the stems that is drawn
+    std::optional<CCollarMaker> m_collars;
+    Disc m_last{};        ///< of the tube that is being planned
+    double m_spacing = 0; ///< metres below which rings coincide
     std::vector<double> m_places;
+    CMesh m_trial;
 };
 
 void append(MeshPlan& whole, const MeshPlan& part) {
     const auto rings = static_cast<std::uint32_t>(whole.rings.size());
+    const auto collarPoints = static_cast<std::uint32_t>(whole.collarPoints.size());
     whole.rings.insert(whole.rings.end(), part.rings.begin(), part.rings.end());
+    whole.collarPoints.insert(whole.collarPoints.end(), part.collarPoints.begin(), part.collarPoints.end());
     for (Tube tube : part.tubes) {
         tube.firstRing += rings;
+        tube.firstCollarPoint += collarPoints;
         whole.tubes.push_back(tube);
     }
 }
-} // namespace
 
-MeshPlan planRings(const CTree& tree, int generation, const CParams& params, const Detail& detail,
-                   const CProgress& progress) {
-    const std::size_t stems = tree.generation(static_cast<std::size_t>(generation)).stems.size();
-    std::vector<MeshPlan> parts((stems + kGrain - 1) / kGrain);
+/// Gives every tube its place in the mesh.
+void layOut(MeshPlan& plan, std::size_t paths) {
+    plan.tubeOfPath.assign(paths, -1);
+
+    for (std::size_t t = 0; t < plan.tubes.size(); ++t) {
+        Tube& tube = plan.tubes[t];
+        plan.tubeOfPath[tube.path] = static_cast<std::int32_t>(t);
+        tube.firstVertex = static_cast<std::uint32_t>(plan.vertexCount);
+        tube.firstIndex = plan.indexCount;
+        plan.vertexCount += tube.vertexCount();
+        plan.indexCount += tube.indexCount();
+    }
+}
+
+MeshPlan planAll(const CTree& tree, int generation, const CParams& params, const Detail& detail,
+                 const StemMesh* parents, double share, const CProgress& progress) {
+    const CGeneration& own = tree.generation(static_cast<std::size_t>(generation));
+    std::vector<MeshPlan> parts((own.stems.size() + kGrain - 1) / kGrain);
     parallelFor(
-        stems, kGrain,
+        own.stems.size(), kGrain,
         [&](std::size_t begin, std::size_t end) {
-            CSimplifier simplifier(tree, generation, params, detail);
+            CSimplifier simplifier(tree, generation, params, detail, parents, share);
             for (std::size_t s = begin; s < end; ++s)
                 simplifier.planStem(static_cast<std::uint32_t>(s), parts[begin / kGrain]);
         },
         progress);
-    if (parts.size() == 1) return std::move(parts.front());
     MeshPlan plan;
     for (const MeshPlan& part : parts) append(plan, part);
+    layOut(plan, own.paths.size());
+    for (std::uint32_t s = 0; s < own.stems.size(); ++s) plan.stemIsChosen.push_back(isChosen(own.stems[s], s, share));
     return plan;
+}
+
+/// The part of the last generation's stems that fills what the others leave of the detail's share of triangles.
+double shareOfTwigs(const CTree& tree, const CParams& params, const Detail& detail, const CProgress& progress) {
+    const int last = static_cast<int>(tree.generationCount()) - 1;
+    const auto size = [&](int generation, const Detail& at) {
+        return double(planAll(tree, generation, params, at, nullptr, 1, progress).indexCount);
+    };
+    double left = 0;
+    for (int g = 0; g <= last; ++g) left += detail.share * size(g, detailOf(detail.model, 0));
+    for (int g = 0; g < last; ++g) left -= size(g, detail);
+    return std::clamp(left / std::max(1.0, size(last, detail)), detail.share, 1.0);
+}
+} // namespace
+
+bool isSparse(const CTree& tree, int generation, const Detail& detail) {
+    return detail.share < 1 && generation >= 2 && generation + 1 == static_cast<int>(tree.generationCount());
+}
+
+MeshPlan planRings(const CTree& tree, int generation, const CParams& params, const Detail& detail,
+                   const StemMesh* parents, const CProgress& progress) {
+    const bool sparse = isSparse(tree, generation, detail);
+    const double share = sparse ? shareOfTwigs(tree, params, detail, progress) : 1;
+    return planAll(tree, generation, params, detail, parents, share, progress);
 }
 
 } // namespace stromar

@@ -11,10 +11,10 @@ constexpr double kRadiusTolerance = 0.03; // of the stem's radius
 constexpr double kPi = 3.14159265358979323846;
 } // namespace
 
-void CSmoother::subdivide(const CStem& stem, const CSegment& segment, std::uint32_t position,
+void CSmoother::subdivide(const CStem& stem, const CSegment& segment, std::uint32_t position, int helixRings,
                           std::vector<double>& places) const {
     if (segment.helixRadius > 0) {
-        for (int i = 1; i < kHelixRings; ++i) places.push_back(double(i) / kHelixRings);
+        for (int i = 1; i < helixRings; ++i) places.push_back(double(i) / helixRings);
         return;
     }
     if (!m_surface.uneven(stem)) return;

@@ -18,8 +18,8 @@ public:
 
     explicit CSmoother(const CStemSurface& surface) : m_surface(surface) {}
 
-    /// Appends the places, 0 < t < 1, in rising order.
-    void subdivide(const CStem& stem, const CSegment& segment, std::uint32_t position,
+    /// Appends the places, 0 < t < 1, in rising order. `helixRings` per turn, kHelixRings at most.
+    void subdivide(const CStem& stem, const CSegment& segment, std::uint32_t position, int helixRings,
                    std::vector<double>& places) const;
 
 private:

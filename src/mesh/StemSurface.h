@@ -2,14 +2,22 @@
 #include "stromar/params/TreeParams.h"
 #include "stromar/tree/Tree.h"
 #include <algorithm>
+#include <cmath>
 
 namespace stromar {
 
 /// The form of the stems' wood in one generation: radius by taper, flare, lobes and the least radius. Metres, radians.
 class CStemSurface {
 public:
-    CStemSurface(const CParams& params, int generation, double scaleTree)
-        : m_params(params, generation, scaleTree), m_trunk(generation == 0) {}
+    CStemSurface(const CParams& params, int generation, const CTree& tree)
+        : m_params(params, generation, tree.scaleTree()), m_trunk(generation == 0),
+          m_trunkMeasures(tree.generation(0).stems.empty() ? StemMeasures{} : tree.generation(0).stems[0].measures) {}
+
+    /// The root of the radius over the trunk's, at most 1: rings and bends err by equally many metres when their points
+    /// and pieces are in this proportion.
+    double thickness(const CStem& stem) const {
+        return m_trunkMeasures.radius > 0 ? std::min(1.0, std::sqrt(stem.measures.radius / m_trunkMeasures.radius)) : 1;
+    }
 
     /// Radius at a place of a segment, before lobes and the least radius.
     double woodRadius(const CStem& stem, const CSegment& segment, std::uint32_t position, double t) const {
@@ -42,9 +50,27 @@ public:
         return std::max(minRadius(), leastDrawn(stem, first));
     }
 
+    /// How often the bark's picture is repeated.
+    struct Bark {
+        double around;   ///< times
+        double perMetre; ///< along
+    };
+    /// The trunk by TextureWrapX/Y (thesis §4.7). Other stems in the trunk's metres per repeat, but whole times around,
+    /// at least once; along so that the picture keeps its shape.
+    Bark barkOf(const CStem& stem) const {
+        const double x = m_params.global().textureWrapX, y = m_params.global().textureWrapY;
+        const double perMetre = y / std::max(1e-9, m_trunkMeasures.length);
+        if (m_trunk) return {x, perMetre};
+        const double exact = x * std::max(minRadius(), stem.measures.radius) / std::max(1e-9, m_trunkMeasures.radius);
+        if (!(exact > 1e-6)) return {1, perMetre};
+        const double around = std::max(1.0, std::round(exact));
+        return {around, perMetre * around / exact};
+    }
+
 private:
     CTreeParams m_params;
     bool m_trunk;
+    StemMeasures m_trunkMeasures;
 };
 
 } // namespace stromar

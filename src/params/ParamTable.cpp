@@ -216,10 +216,10 @@ constexpr ParamInfo kParams[] = {
     // Textures
     {.key = "TextureWrapX", .label = "Bark repeats around", .group = Group::Textures, .section = "Bark",
      .field = &G::textureWrapX, .range = {0.001, 1000}, .useful = {0.5, 10}, .step = 0.5, .decimals = 2, .defaults = {1},
-     .obsolete = kMeshOnly, .help = "How often the bark picture goes around a stem. Whole numbers leave no seam."},
+     .obsolete = kMeshOnly, .help = "How often the bark picture goes around the trunk; branches follow. Whole numbers leave no seam."},
     {.key = "TextureWrapY", .label = "Bark repeats along", .group = Group::Textures, .section = "Bark",
      .field = &G::textureWrapY, .range = {0.001, 1000}, .useful = {0.5, 20}, .step = 0.5, .decimals = 2, .defaults = {1},
-     .obsolete = kMeshOnly, .help = "How often the bark picture repeats from the base of a stem to its tip."},
+     .obsolete = kMeshOnly, .help = "How often the bark picture repeats from the trunk's base to its tip. Branches show it at the same scale."},
 };
 
 constexpr TextInfo kTexts[] = {

@@ -42,10 +42,9 @@ void buildMeshes(State& state, const CParams& params, const Detail& detail) {
     std::size_t vertices = 0;
     for (auto _ : state) {
         vertices = 0;
-        for (int g = 0; g < static_cast<int>(tree->generationCount()); ++g)
-            vertices +=
-                meshOfStems(*tree, g, planRings(*tree, g, params, detail, progress), params, progress)->vertexCount();
-        vertices += meshOfLeaves(*tree, detail, progress)->vertexCount();
+        const std::vector<StemMesh> all = meshAllStems(*tree, params, detail, progress);
+        for (const StemMesh& stems : all) vertices += stems.mesh->vertexCount();
+        vertices += meshOfLeaves(*tree, all.back().plan, detail, progress)->vertexCount();
     }
     state.counters["vertices/s"] = perSecond(double(vertices));
 }

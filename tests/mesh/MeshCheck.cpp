@@ -53,17 +53,6 @@ bool sameArray(const Array& a, const Array& b) {
     return a.size() == b.size() && (a.empty() || std::memcmp(a.data(), b.data(), a.size() * sizeof(a[0])) == 0);
 }
 
-using TubeForm = std::tuple<std::uint32_t, std::uint32_t, bool, bool>;
-
-TubeRange sizeAlone(const CTree& tree, int generation, const MeshPlan& plan, const Tube& tube, const CParams& params) {
-    MeshPlan one;
-    const auto first = plan.rings.begin() + tube.firstRing;
-    one.rings.assign(first, first + tube.ringCount);
-    one.tubes.push_back(tube);
-    one.tubes.front().firstRing = 0;
-    const auto mesh = meshOfStems(tree, generation, one, params, CProgress(1));
-    return {0, mesh->vertexCount(), 0, mesh->indices.size()};
-}
 } // namespace
 
 std::string arrayFault(const CMesh& mesh) {
@@ -91,17 +80,10 @@ std::string triangleFault(const CMesh& mesh) {
     return {};
 }
 
-std::vector<TubeRange> tubeRanges(const CTree& tree, int generation, const MeshPlan& plan, const CParams& params) {
-    std::map<TubeForm, TubeRange> sizes;
+std::vector<TubeRange> tubeRanges(const MeshPlan& plan) {
     std::vector<TubeRange> ranges;
-    TubeRange next;
-    for (const Tube& tube : plan.tubes) {
-        TubeRange& size = sizes[{tube.ringCount, tube.points, tube.lobed, tube.pointed}];
-        if (size.vertexCount == 0) size = sizeAlone(tree, generation, plan, tube, params);
-        next = {next.firstVertex + next.vertexCount, size.vertexCount, next.firstIndex + next.indexCount,
-                size.indexCount};
-        ranges.push_back(next);
-    }
+    for (const Tube& tube : plan.tubes)
+        ranges.push_back({tube.firstVertex, tube.vertexCount(), tube.firstIndex, tube.indexCount()});
     return ranges;
 }
 

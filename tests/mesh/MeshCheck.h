@@ -19,7 +19,7 @@ struct TubeRange {
 };
 
 /// The parts in the order of the plan's tubes. The size of a tube is learnt by meshing such a tube alone.
-std::vector<TubeRange> tubeRanges(const CTree& tree, int generation, const MeshPlan& plan, const CParams& params);
+std::vector<TubeRange> tubeRanges(const MeshPlan& plan);
 
 /// Whether each edge is used exactly twice, in opposite directions, once equal positions count as one vertex.
 std::string closednessFault(const CMesh& mesh, const TubeRange& tube);

@@ -11,10 +11,8 @@ constexpr int kSeeds[] = {13, 4711};
 template <typename Look>
 void forEachStemMesh(const CParams& params, const Detail& detail, Look&& look) {
     const auto tree = grow(params);
-    for (int g = 0; g < static_cast<int>(tree->generationCount()); ++g) {
-        const MeshPlan plan = planRings(*tree, g, params, detail, CProgress(2));
-        look(*tree, g, plan, *meshOfStems(*tree, g, plan, params, CProgress(2)));
-    }
+    for (int g = 0; const auto& [plan, mesh] : meshAllStems(*tree, params, detail, CProgress(2)))
+        look(*tree, g++, plan, *mesh);
 }
 
 std::string nameOf(const testing::TestParamInfo<std::size_t>& info) { return presets()[info.param].name; }
@@ -45,9 +43,9 @@ TEST_P(PresetMesh, ArraysAndTrianglesAreSound) {
 
 TEST_P(PresetMesh, EveryTubeIsClosedAndFacesOutwards) {
     for (const Detail& detail : detailTable())
-        forEachStemMesh(params(), detail, [&](const CTree& tree, int g, const MeshPlan& plan, const CMesh& mesh) {
+        forEachStemMesh(params(), detail, [&](const CTree&, int, const MeshPlan& plan, const CMesh& mesh) {
             SCOPED_TRACE(std::string(detail.name) + ", " + mesh.name);
-            const auto tubes = tubeRanges(tree, g, plan, params());
+            const auto tubes = tubeRanges(plan);
             ASSERT_FALSE(tubes.empty());
             ASSERT_EQ(tubes.back().firstVertex + tubes.back().vertexCount, mesh.vertexCount());
             ASSERT_EQ(tubes.back().firstIndex + tubes.back().indexCount, mesh.indices.size());
@@ -61,22 +59,36 @@ TEST_P(PresetMesh, EveryTubeIsClosedAndFacesOutwards) {
         });
 }
 
-TEST_P(PresetMesh, TexturesRunOnceAroundAndAlong) {
+TEST_P(PresetMesh, BarkGoesWholeTimesAroundAndKeepsItsScale) {
     const double wrapX = params().global.textureWrapX, wrapY = params().global.textureWrapY;
-    forEachStemMesh(params(), detailOf(Model::Full),
-                    [&](const CTree& tree, int g, const MeshPlan& plan, const CMesh& mesh) {
-                        for (const TubeRange& tube : tubeRanges(tree, g, plan, params())) {
-                            glm::vec2 low = mesh.texCoords[tube.firstVertex], high = low;
-                            for (std::size_t v = tube.firstVertex; v < tube.firstVertex + tube.vertexCount; ++v) {
-                                low = glm::min(low, mesh.texCoords[v]);
-                                high = glm::max(high, mesh.texCoords[v]);
-                            }
-                            ASSERT_NEAR(low.x, 0, 1e-6 * wrapX) << mesh.name;
-                            ASSERT_NEAR(high.x, wrapX, 1e-6 * wrapX) << mesh.name;
-                            ASSERT_GE(low.y, -0.2 * wrapY) << mesh.name; // lids hold a small round piece of the picture
-                            ASSERT_LE(high.y, 1.2 * wrapY) << mesh.name;
-                        }
-                    });
+    const auto tree = grow(params());
+    const StemMeasures& trunk = tree->generation(0).stems[0].measures;
+    forEachStemMesh(
+        params(), detailOf(Model::Full), [&](const CTree& grown, int g, const MeshPlan& plan, const CMesh& mesh) {
+            for (const Tube& tube : plan.tubes) {
+                const std::size_t seam = tube.firstVertex + tube.points;
+                const double around = mesh.texCoords[seam].x - mesh.texCoords[tube.firstVertex].x;
+                const StemMeasures& own = grown.generation(std::size_t(g)).stems[tube.stem].measures;
+                const double radius = std::max(own.radius, params().global.minRadius);
+                if (g == 0)
+                    ASSERT_NEAR(around, wrapX, 1e-5 * wrapX);
+                else
+                    ASSERT_NEAR(around, std::max(1.0, std::round(wrapX * radius / trunk.radius)), 1e-5);
+                // Metres per repeat along over metres per repeat around are the trunk's.
+                const std::size_t tip =
+                    tube.firstVertex + tube.vertexCount() - tube.points - (tube.middleOfLid(true) ? 1 : 0) - 1;
+                const Ring &low = plan.rings[tube.firstRing], &high = plan.rings[tube.firstRing + tube.ringCount - 1];
+                const CGeneration& generation = grown.generation(std::size_t(g));
+                const double along = (high.segment - low.segment + high.t - low.t) *
+                                     generation.stems[tube.stem].measures.length / generation.stems[tube.stem].curveRes;
+                if (!tube.pointed) continue; // lids show a round piece of the picture
+                const std::size_t first = tube.firstVertex + tube.collarRings * (tube.points + 1);
+                const double repeats = mesh.texCoords[tip].y - mesh.texCoords[first].y;
+                const double shape = (along / repeats) / (radius / around);
+                const double trunkShape = (trunk.length / wrapY) / (trunk.radius / wrapX);
+                ASSERT_NEAR(shape / trunkShape, 1, 0.01) << mesh.name;
+            }
+        });
 }
 
 TEST_P(PresetMesh, NormalsPointToTheFront) {

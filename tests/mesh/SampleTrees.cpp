@@ -94,9 +94,9 @@ std::vector<std::shared_ptr<const CMesh>> meshesOf(const CTree& tree, const CPar
                                                    int threads) {
     const CProgress progress(threads);
     std::vector<std::shared_ptr<const CMesh>> meshes;
-    for (int g = 0; g < static_cast<int>(tree.generationCount()); ++g)
-        meshes.push_back(meshOfStems(tree, g, planRings(tree, g, params, detail, progress), params, progress));
-    meshes.push_back(meshOfLeaves(tree, detail, progress));
+    const std::vector<StemMesh> all = meshAllStems(tree, params, detail, progress);
+    for (const StemMesh& stems : all) meshes.push_back(stems.mesh);
+    meshes.push_back(meshOfLeaves(tree, all.back().plan, detail, progress));
     return meshes;
 }
 

@@ -162,7 +162,7 @@ TEST(TrunkSurface, EnclosesTheVolumeOfItsPrism) {
     for (const Detail& detail : detailTable()) {
         const Trunk trunk = trunkOf(params, detail);
         const StemMeasures& m = trunk.stem().measures;
-        const int n = detail.ringPoints[0];
+        const int n = detail.ringPoints;
         const double area = 0.5 * n * m.radius * m.radius * std::sin(2 * std::numbers::pi / n);
         EXPECT_NEAR(signedVolume(*trunk.mesh), area * m.length, 1e-4 * area * m.length) << detail.name;
     }

@@ -40,8 +40,9 @@ public:
 private:
     struct MadeMesh {
         std::shared_ptr<const void> source; ///< the generation or the leaves it shows
-        std::shared_ptr<const CMesh> mesh;
+        StemMesh stems;                     ///< of leaves only the mesh
         CParams params;
+        bool sparse = false; ///< only a part of the generation was drawn
     };
     using MadeMeshes = std::vector<MadeMesh>; ///< by generation, the leaves last
 

@@ -1,5 +1,4 @@
 #pragma once
-#include <array>
 #include <cstddef>
 #include <span>
 #include <string_view>
@@ -12,11 +11,15 @@ enum class Model { Simple, Full };
 struct Detail {
     std::string_view name; ///< for people
     Model model;
-    int lod;                       ///< 0..3, of the full model
-    std::array<int, 4> ringPoints; ///< points of a ring by generation; deeper ones use the last
-    int smoothGenerations;         ///< the first so many get rings between their segments' ends
-    double leafShare;              ///< part of the leaves that is drawn; they grow to make up for it
-    std::size_t leafBudget;        ///< and never more than so many
+    int lod;               ///< 0..3, of the full model
+    int ringPoints;        ///< of a ring as thick as the trunk; thinner stems have fewer by the root, 3 at least
+    double mostTurn;       ///< degrees between rings of a stem as thick as the trunk, thinner ones bend more; 0: mitres
+    double leastTurn;      ///< degrees, likewise: rings between smaller turns are left out; 0 draws all
+    int helixRings;        ///< per turn of a helix
+    int smoothGenerations; ///< the first so many get rings between their segments' ends
+    int collarRings;       ///< between a parent's surface and a branch's own rings
+    double share;          ///< of the full model's triangles that is aimed at: see planRings()
+    std::size_t leafBudget; ///< most leaves that are drawn
 };
 
 constexpr double kMostLeafGrowth = 2; ///< thinned leaves grow at most to this times their length

@@ -22,12 +22,13 @@ public:
     RawVector<glm::vec3> positions;
     RawVector<glm::vec3> normals; ///< unit
     RawVector<glm::vec2> texCoords;
+    RawVector<std::uint8_t> openness; ///< 255: sees the whole sky as far as its own stem is concerned; 0: none
     RawVector<std::uint32_t> indices; ///< three per triangle
 
     std::size_t vertexCount() const { return positions.size(); }
     std::size_t triangleCount() const { return indices.size() / 3; }
     std::size_t bytes() const {
-        return vertexCount() * (2 * sizeof(glm::vec3) + sizeof(glm::vec2)) + indices.size() * sizeof(std::uint32_t);
+        return vertexCount() * (2 * sizeof(glm::vec3) + sizeof(glm::vec2) + 1) + indices.size() * sizeof(std::uint32_t);
     }
     /// Of a mesh with vertices.
     Bounds bounds() const;

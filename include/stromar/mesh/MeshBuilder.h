@@ -15,31 +15,69 @@ struct Ring {
     double t;
 };
 
-/// The drawn surface of one path of a stem: rings from its base to its tip.
+/// A place on the surface of a parent's wood, as its triangles have it.
+struct SurfacePoint {
+    glm::dvec3 position, normal;
+};
+
+/// The drawn surface of one path of a stem: perhaps a collar, then rings from its base to its tip.
 struct Tube {
     std::uint32_t stem, path; ///< of the generation
-    std::uint32_t firstRing, ringCount;
-    std::uint32_t points; ///< of each ring
-    bool lobed;           ///< the rings have bulges
-    bool pointed;         ///< the last ring is a single point
+    std::uint32_t firstRing = 0, ringCount = 0;
+    std::uint32_t points = 0;           ///< of each ring
+    double mostTurn = 0;                ///< radians of a bend between its rings; 0: bends are mitred
+    bool lobed = false;                 ///< the rings have bulges
+    bool pointed = false;               ///< the last ring is a single point
+    std::uint32_t collarRings = 0;      ///< in front of the first ring, the lowest pressed onto the parent
+    std::uint32_t firstCollarPoint = 0; ///< `points` of them, in the plan
+    std::uint32_t firstVertex = 0;      ///< in the mesh
+    std::size_t firstIndex = 0;
+
+    /// The lid at the base (of a collar or a lobed ring) or at the tip (of a lobed ring) has a vertex in its middle.
+    bool middleOfLid(bool base) const { return lobed || (base && collarRings > 0); }
+    std::size_t vertexCount() const;
+    std::size_t indexCount() const;
 };
 
 /// Where the rings of one generation stand and how many points each has.
 struct MeshPlan {
     std::vector<Ring> rings;
     std::vector<Tube> tubes;
+    std::vector<SurfacePoint> collarPoints;
+    std::vector<std::int32_t> tubeOfPath; ///< −1: too short to be drawn
+    std::vector<bool> stemIsChosen;       ///< to be drawn, if it is long enough, and its leaves
+    std::size_t vertexCount = 0, indexCount = 0;
 };
 
-/// Decides where the rings of a generation stand. Time linear in its segments; runs on progress.threads() threads.
+/// The stems of one generation as they are drawn: what the next generation's branches grow out of.
+struct StemMesh {
+    MeshPlan plan;
+    std::shared_ptr<const CMesh> mesh;
+};
+
+/// Whether a level of detail may leave out stems of a generation: only of the last one, from level 2 on.
+bool isSparse(const CTree& tree, int generation, const Detail& detail);
+
+/// Decides where the rings of a generation stand. With the `parents`' mesh, that of the generation before at the same
+/// level of detail, branches get collars on it. A sparse generation keeps so many stems, chosen evenly, that all wood
+/// together has about the detail's share of the triangles of LOD 0, but never less than that share of them.
+/// Time linear in the segments; runs on progress.threads() threads.
 MeshPlan planRings(const CTree& tree, int generation, const CParams& params, const Detail& detail,
-                   const CProgress& progress);
+                   const StemMesh* parents, const CProgress& progress);
 
 /// The mesh of one generation of stems: every tube is closed at its base and its tip. Same result for any number of
 /// threads. Throws CCancelled.
 std::shared_ptr<const CMesh> meshOfStems(const CTree& tree, int generation, const MeshPlan& plan, const CParams& params,
                                          const CProgress& progress);
 
-/// One rectangle per drawn leaf, its normal the leaf's upper side. Throws CCancelled.
-std::shared_ptr<const CMesh> meshOfLeaves(const CTree& tree, const Detail& detail, const CProgress& progress);
+/// The meshes of all generations, each on the one before.
+std::vector<StemMesh> meshAllStems(const CTree& tree, const CParams& params, const Detail& detail,
+                                   const CProgress& progress);
+
+/// One rectangle per drawn leaf, its normal the leaf's upper side. Only the leaves on the stems that `last`, the plan
+/// of the last generation, chose; at most the detail's share, enlarged to keep their area as far as kMostLeafGrowth
+/// allows. Throws CCancelled.
+std::shared_ptr<const CMesh> meshOfLeaves(const CTree& tree, const MeshPlan& last, const Detail& detail,
+                                          const CProgress& progress);
 
 } // namespace stromar

@@ -1,0 +1,117 @@
+#include "CentreLine.h"
+#include <algorithm>
+#include <cmath>
+#include <glm/geometric.hpp>
+
+namespace stromar {
+
+namespace {
+constexpr double kLeastTurn = 0.01;  // radians: below, a line is straight
+constexpr double kOffAxis = 0.4;     // radii that a rounded bend may leave the corner: branches start on the axis
+constexpr double kOfSegment = 0.4;   // of a segment that a bend at one of its ends may take
+constexpr double kBehindFork = 0.55; // of a segment that a fork may take
+constexpr double kMostStretch = 2;   // of a mitred ring
+constexpr double kForkOffAxis = 0.3; // of reach × half sine, what the curve behind a fork leaves the axis
+} // namespace
+
+void CCentreLine::start(const CStem& stem, const CPath& path, double mostTurn) {
+    m_path = &path;
+    m_joints.clear();
+    for (std::uint32_t i = 0; i < path.segmentCount; ++i) m_joints.push_back(jointAt(stem, i, mostTurn));
+    m_joints.emplace_back();
+}
+
+const CSegment* CCentreLine::segmentBelow(const CStem& stem, std::uint32_t i) const {
+    if (i > 0) return &m_generation.segments[m_path->firstSegment + i - 1];
+    if (m_path->source < 0) return nullptr;
+    const CPath& source = m_generation.paths[stem.firstPath + static_cast<std::uint32_t>(m_path->source)];
+    return &m_generation.segments[source.firstSegment + m_path->firstPosition - 1 - source.firstPosition];
+}
+
+CCentreLine::Joint CCentreLine::jointAt(const CStem& stem, std::uint32_t i, double mostTurn) const {
+    const CSegment* below = segmentBelow(stem, i);
+    if (!below) return {};
+    const CSegment& above = m_generation.segments[m_path->firstSegment + i];
+    Joint joint{.kind = below->forks ? Kind::Fork : Kind::Bend, .axisBelow = below->frame[2]};
+    const double sine = std::min(1.0, glm::distance(joint.axisBelow, above.frame[2]) / 2); // of half the turn
+    joint.turn = 2 * std::asin(sine);
+    const bool helix = below->helixRadius > 0 || above.helixRadius > 0;
+    if (mostTurn <= 0 || joint.turn <= mostTurn || joint.turn < kLeastTurn || helix) return joint;
+    const double radius = m_surface.woodRadius(stem, above, m_path->firstPosition + i, 0);
+    const int pieces = std::min(kMostBendRings, static_cast<int>(std::ceil(joint.turn / mostTurn)));
+    if (joint.kind == Kind::Fork) {
+        const double reach = std::min(kBehindFork * above.length, kOffAxis * radius / (kForkOffAxis * sine));
+        if (reach < 1.5 * radius * joint.turn) return joint;
+        joint.reach = reach;
+        joint.rings = std::max(2, pieces);
+    } else {
+        const double tangent = sine / std::sqrt(std::max(1e-12, 1 - sine * sine));
+        const double reach = std::min(kOfSegment * std::min(below->length, above.length), 2 * kOffAxis * radius / sine);
+        if (reach < 1.1 * radius * tangent) return joint;
+        joint.reach = reach;
+        joint.rings = (pieces + 1) / 2;
+    }
+    return joint;
+}
+
+CCentreLine::Place CCentreLine::at(std::uint32_t index, double t) const {
+    const CSegment& segment = m_generation.segments[index];
+    if (segment.helixRadius > 0) return {segment.centre(t), transported(segment.frame, segment.tangent(t))};
+    const Joint& low = m_joints[index - m_path->firstSegment];
+    const Joint& high = m_joints[index - m_path->firstSegment + 1];
+    const double along = t * segment.length, left = segment.length - along;
+    if (low.kind == Kind::Fork && (along < low.reach || t == 0)) return behindFork(low, segment, along);
+    if (low.kind == Kind::Bend && along < low.reach) return onBend(low, segment, segment.position, along);
+    if (high.kind == Kind::Bend && left < high.reach) {
+        const CSegment& above = m_generation.segments[index + 1];
+        return onBend({high.kind, high.turn, high.reach, high.rings, segment.frame[2]}, above, above.position, -left);
+    }
+    if (t == 0 && low.kind == Kind::Bend) return mitred(low, segment);
+    return {segment.axisPoint(t), segment.frame};
+}
+
+/// On the parabola that touches both segments `reach` metres from their corner.
+CCentreLine::Place CCentreLine::onBend(const Joint& joint, const CSegment& segment, const glm::dvec3& corner,
+                                       double along) const {
+    const double u = (along + joint.reach) / (2 * joint.reach);
+    const glm::dvec3& above = segment.frame[2];
+    const glm::dvec3 centre = corner + joint.reach * (u * u * above - (1 - u) * (1 - u) * joint.axisBelow);
+    const glm::dvec3 axis = glm::normalize((1 - u) * joint.axisBelow + u * above);
+    return {centre, transported(segment.frame, axis)};
+}
+
+/// On the cubic that leaves the fork along the segment below and reaches this one's axis `reach` metres behind it.
+CCentreLine::Place CCentreLine::behindFork(const Joint& joint, const CSegment& segment, double along) const {
+    if (joint.reach == 0) return {segment.position, transported(segment.frame, joint.axisBelow)};
+    const double u = along / joint.reach, v = 1 - u, third = joint.reach / 3;
+    const glm::dvec3& above = segment.frame[2];
+    const glm::dvec3 first = third * joint.axisBelow, last = joint.reach * above, second = last - third * above;
+    const glm::dvec3 centre = segment.position + 3 * v * v * u * first + 3 * v * u * u * second + u * u * u * last;
+    const glm::dvec3 axis = v * v * first + 2 * v * u * (second - first) + u * u * (last - second);
+    return {centre, transported(segment.frame, glm::normalize(axis))};
+}
+
+/// The ring at half the angle, wider by 1/cos of it across the bend, so that the tube keeps its width.
+CCentreLine::Place CCentreLine::mitred(const Joint& joint, const CSegment& segment) const {
+    const glm::dvec3 sum = joint.axisBelow + segment.frame[2], across = segment.frame[2] - joint.axisBelow;
+    const double cosine = glm::length(sum) / 2, bend = glm::length(across);
+    if (cosine < 1e-6) return {segment.position, segment.frame};
+    Place place{segment.position, transported(segment.frame, sum / (2 * cosine))};
+    if (joint.turn > kLeastTurn) {
+        place.stretch = std::min(kMostStretch, 1 / cosine);
+        place.stretchAxis = across / bend;
+    }
+    return place;
+}
+
+void CCentreLine::addBendRings(std::uint32_t index, std::vector<double>& places) const {
+    const double length = m_generation.segments[index].length;
+    const Joint& low = m_joints[index - m_path->firstSegment];
+    const Joint& high = m_joints[index - m_path->firstSegment + 1];
+    if (low.reach > 0)
+        for (int i = 1; i <= low.rings; ++i) places.push_back(low.reach / length * i / low.rings);
+    if (high.kind == Kind::Bend && high.reach > 0)
+        for (int i = high.rings; i > 0; --i) places.push_back(1 - high.reach / length * i / high.rings);
+}
+
+} // namespace stromar
