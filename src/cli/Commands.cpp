@@ -1,10 +1,12 @@
 #include "Commands.h"
 #include "stromar/app/Export.h"
 #include "stromar/app/Formats.h"
+#include "stromar/mesh/MeshCheck.h"
 #include "stromar/params/TreeFile.h"
 #include "stromar/util/Text.h"
 #include <algorithm>
 #include <glm/common.hpp>
+#include <iomanip>
 #include <iostream>
 #include <nlohmann/json.hpp>
 
@@ -105,6 +107,23 @@ Json stemInfo(const CGeneration& generation, std::size_t g, std::size_t index, s
             {"clones", stem.pathCount - 1},
             {"leaves", leaves}};
 }
+
+void printFaultsHead(std::ostream& out) {
+    out << std::left << std::setw(12) << "mesh" << std::right << std::setw(10) << "surfaces" << std::setw(9)
+        << "collars" << std::setw(12) << "vertices" << std::setw(12) << "triangles";
+    for (const MeshCheck& check : meshChecks()) out << "  " << check.name;
+    out << "\n";
+}
+
+/// One line of the table; false when something is wrong.
+bool printFaults(const std::string& name, const MeshFaults& faults, std::ostream& out) {
+    out << std::left << std::setw(12) << name << std::right << std::setw(10) << faults.surfaces << std::setw(9)
+        << faults.collars << std::setw(12) << faults.vertices << std::setw(12) << faults.triangles;
+    for (const MeshCheck& check : meshChecks())
+        out << "  " << std::setw(static_cast<int>(check.name.size())) << faults.*check.count;
+    out << "\n";
+    return faults.sound();
+}
 } // namespace
 
 void printInfo(const CommonOptions& common, const ModelOptions& options, std::ostream& out, const CProgress& progress) {
@@ -142,6 +161,21 @@ void printStructure(const CommonOptions& common, std::ostream& out, const CProgr
             progress.poll();
         }
     }
+}
+
+bool checkMeshes(const CommonOptions& common, const ModelOptions& options, std::ostream& out,
+                 const CProgress& progress) {
+    const auto model = createModel(common, options.detail(), progress);
+    const auto all = meshAllStems(*model->tree, model->params, options.detail(), progress);
+    printFaultsHead(out);
+    bool sound = true;
+    for (std::size_t g = 0; g < all.size(); ++g) {
+        const MeshFaults faults = checkStems(*model->tree, static_cast<int>(g), all[g], g > 0 ? &all[g - 1] : nullptr);
+        sound &= printFaults(all[g].mesh->name, faults, out);
+    }
+    sound &= printFaults(model->leaves->name, checkLeaves(*model->leaves), out);
+    out << (sound ? "all sound\n" : "something is wrong\n");
+    return sound;
 }
 
 void exportTree(const CommonOptions& common, const ModelOptions& options, const std::string& path,

@@ -33,6 +33,8 @@ enum class ListStyle { Text, Markdown, Json };
 // Each writes its data to `out` and messages to standard error, and throws when it cannot do its work.
 void printInfo(const CommonOptions& common, const ModelOptions& model, std::ostream& out, const CProgress& progress);
 void printStructure(const CommonOptions& common, std::ostream& out, const CProgress& progress);
+/// Prints a table of the meshes' faults; false when there are any.
+bool checkMeshes(const CommonOptions& common, const ModelOptions& model, std::ostream& out, const CProgress& progress);
 void exportTree(const CommonOptions& common, const ModelOptions& model, const std::string& path,
                 const CProgress& progress);
 void printParams(ListStyle style, std::ostream& out);

@@ -57,7 +57,8 @@ void addModel(CLI::App& command, Options& options) {
         ->check(CLI::Range(0, 3));
 }
 
-void run(const CLI::App& app, Options& options) {
+/// The exit status.
+int run(const CLI::App& app, Options& options) {
     const CLI::App& command = *app.get_subcommands().front();
     const std::string& name = command.get_name();
     options.lodGiven = command.get_option_no_throw("--lod") && command.count("--lod") > 0;
@@ -67,22 +68,26 @@ void run(const CLI::App& app, Options& options) {
     g_running = &progress;
     if (name == "info") printInfo(options.common, options.model, std::cout, progress);
     if (name == "structure") printStructure(options.common, std::cout, progress);
+    bool sound = true;
+    if (name == "check") sound = checkMeshes(options.common, options.model, std::cout, progress);
     if (name == "export") exportTree(options.common, options.model, options.output, progress);
     if (name == "params") printParams(options.style(), std::cout);
     if (name == "formats") printFormats(options.style(), std::cout);
     if (!std::cout.flush()) throw CError("cannot write to standard output");
     g_running = nullptr;
+    return sound ? kDone : kFailed;
 }
 
 void setUp(CLI::App& app, Options& options) {
     app.require_subcommand(1);
     CLI::App* info = app.add_subcommand("info", "Counts, sizes and times of a tree, as JSON");
     CLI::App* structure = app.add_subcommand("structure", "Every stem, as JSON lines");
+    CLI::App* checker = app.add_subcommand("check", "Looks for faults in the meshes; fails when there are any");
     CLI::App* exporter = app.add_subcommand("export", "Writes a model; the ending of its name says the format");
     CLI::App* params = app.add_subcommand("params", "The table of parameters");
     CLI::App* formats = app.add_subcommand("formats", "What can be written, and what each format loses");
-    for (CLI::App* command : {info, structure, exporter}) addCommon(*command, options);
-    for (CLI::App* command : {info, exporter}) addModel(*command, options);
+    for (CLI::App* command : {info, structure, checker, exporter}) addCommon(*command, options);
+    for (CLI::App* command : {info, checker, exporter}) addModel(*command, options);
     exporter->add_option("-o,--output", options.output, "The model to write")->required()->type_name("OUT.ext");
     CLI::Option* markdown = params->add_flag("--markdown", options.markdown, "As a page of the manual");
     params->add_flag("--json", options.json, "As JSON")->excludes(markdown);
@@ -98,8 +103,7 @@ int main(int argc, char** argv) {
     setUp(app, options);
     try {
         app.parse(argc, argv);
-        run(app, options);
-        return kDone;
+        return run(app, options);
     } catch (const CLI::ParseError& e) {
         return app.exit(e) == 0 ? kDone : kWrongUsage;
     } catch (const CUsageError& e) {

@@ -17,8 +17,23 @@ constexpr double kForkOffAxis = 0.3; // of reach × half sine, what the curve be
 void CCentreLine::start(const CStem& stem, const CPath& path, double mostTurn) {
     m_path = &path;
     m_joints.clear();
+    m_frames.clear();
+    m_frames.push_back(frameOfFirst(stem, path));
+    for (std::uint32_t i = 1; i < path.segmentCount; ++i)
+        m_frames.push_back(transported(m_frames.back(), m_generation.segments[path.firstSegment + i].frame[2]));
     for (std::uint32_t i = 0; i < path.segmentCount; ++i) m_joints.push_back(jointAt(stem, i, mostTurn));
     m_joints.emplace_back();
+}
+
+/// Carried from the stem's base through the paths that this one split from, so that all leave a fork alike.
+Frame CCentreLine::frameOfFirst(const CStem& stem, const CPath& path) const {
+    const Frame& own = m_generation.segments[path.firstSegment].frame;
+    if (path.source < 0) return own;
+    const CPath& source = m_generation.paths[stem.firstPath + static_cast<std::uint32_t>(path.source)];
+    Frame frame = frameOfFirst(stem, source);
+    for (std::uint32_t i = 1; i < path.firstPosition - source.firstPosition; ++i)
+        frame = transported(frame, m_generation.segments[source.firstSegment + i].frame[2]);
+    return transported(frame, own[2]);
 }
 
 const CSegment* CCentreLine::segmentBelow(const CStem& stem, std::uint32_t i) const {
@@ -56,47 +71,44 @@ CCentreLine::Joint CCentreLine::jointAt(const CStem& stem, std::uint32_t i, doub
 
 CCentreLine::Place CCentreLine::at(std::uint32_t index, double t) const {
     const CSegment& segment = m_generation.segments[index];
-    if (segment.helixRadius > 0) return {segment.centre(t), transported(segment.frame, segment.tangent(t))};
-    const Joint& low = m_joints[index - m_path->firstSegment];
-    const Joint& high = m_joints[index - m_path->firstSegment + 1];
+    const std::uint32_t i = index - m_path->firstSegment;
+    if (segment.helixRadius > 0) return {segment.centre(t), transported(m_frames[i], segment.tangent(t))};
+    const Joint &low = m_joints[i], &high = m_joints[i + 1];
     const double along = t * segment.length, left = segment.length - along;
-    if (low.kind == Kind::Fork && (along < low.reach || t == 0)) return behindFork(low, segment, along);
-    if (low.kind == Kind::Bend && along < low.reach) return onBend(low, segment, segment.position, along);
-    if (high.kind == Kind::Bend && left < high.reach) {
-        const CSegment& above = m_generation.segments[index + 1];
-        return onBend({high.kind, high.turn, high.reach, high.rings, segment.frame[2]}, above, above.position, -left);
-    }
-    if (t == 0 && low.kind == Kind::Bend) return mitred(low, segment);
-    return {segment.axisPoint(t), segment.frame};
+    if (low.kind == Kind::Fork && (along < low.reach || t == 0))
+        return behindFork(low, m_frames[i], segment.position, along);
+    if (low.kind == Kind::Bend && along < low.reach) return onBend(low, m_frames[i], segment.position, along);
+    if (high.kind == Kind::Bend && left < high.reach)
+        return onBend(high, m_frames[i + 1], m_generation.segments[index + 1].position, -left);
+    if (t == 0 && low.kind == Kind::Bend) return mitred(low, m_frames[i], segment.position);
+    return {segment.axisPoint(t), m_frames[i]};
 }
 
 /// On the parabola that touches both segments `reach` metres from their corner.
-CCentreLine::Place CCentreLine::onBend(const Joint& joint, const CSegment& segment, const glm::dvec3& corner,
+CCentreLine::Place CCentreLine::onBend(const Joint& joint, const Frame& above, const glm::dvec3& corner,
                                        double along) const {
-    const double u = (along + joint.reach) / (2 * joint.reach);
-    const glm::dvec3& above = segment.frame[2];
-    const glm::dvec3 centre = corner + joint.reach * (u * u * above - (1 - u) * (1 - u) * joint.axisBelow);
-    const glm::dvec3 axis = glm::normalize((1 - u) * joint.axisBelow + u * above);
-    return {centre, transported(segment.frame, axis)};
+    const double u = (along + joint.reach) / (2 * joint.reach), v = 1 - u;
+    const glm::dvec3 centre = corner + joint.reach * (u * u * above[2] - v * v * joint.axisBelow);
+    return {centre, transported(above, glm::normalize(v * joint.axisBelow + u * above[2]))};
 }
 
 /// On the cubic that leaves the fork along the segment below and reaches this one's axis `reach` metres behind it.
-CCentreLine::Place CCentreLine::behindFork(const Joint& joint, const CSegment& segment, double along) const {
-    if (joint.reach == 0) return {segment.position, transported(segment.frame, joint.axisBelow)};
+CCentreLine::Place CCentreLine::behindFork(const Joint& joint, const Frame& above, const glm::dvec3& fork,
+                                           double along) const {
+    if (joint.reach == 0) return {fork, transported(above, joint.axisBelow)};
     const double u = along / joint.reach, v = 1 - u, third = joint.reach / 3;
-    const glm::dvec3& above = segment.frame[2];
-    const glm::dvec3 first = third * joint.axisBelow, last = joint.reach * above, second = last - third * above;
-    const glm::dvec3 centre = segment.position + 3 * v * v * u * first + 3 * v * u * u * second + u * u * u * last;
+    const glm::dvec3 first = third * joint.axisBelow, last = joint.reach * above[2], second = last - third * above[2];
+    const glm::dvec3 centre = fork + 3 * v * v * u * first + 3 * v * u * u * second + u * u * u * last;
     const glm::dvec3 axis = v * v * first + 2 * v * u * (second - first) + u * u * (last - second);
-    return {centre, transported(segment.frame, glm::normalize(axis))};
+    return {centre, transported(above, glm::normalize(axis))};
 }
 
 /// The ring at half the angle, wider by 1/cos of it across the bend, so that the tube keeps its width.
-CCentreLine::Place CCentreLine::mitred(const Joint& joint, const CSegment& segment) const {
-    const glm::dvec3 sum = joint.axisBelow + segment.frame[2], across = segment.frame[2] - joint.axisBelow;
+CCentreLine::Place CCentreLine::mitred(const Joint& joint, const Frame& above, const glm::dvec3& corner) const {
+    const glm::dvec3 sum = joint.axisBelow + above[2], across = above[2] - joint.axisBelow;
     const double cosine = glm::length(sum) / 2, bend = glm::length(across);
-    if (cosine < 1e-6) return {segment.position, segment.frame};
-    Place place{segment.position, transported(segment.frame, sum / (2 * cosine))};
+    if (cosine < 1e-6) return {corner, above};
+    Place place{corner, transported(above, sum / (2 * cosine))};
     if (joint.turn > kLeastTurn) {
         place.stretch = std::min(kMostStretch, 1 / cosine);
         place.stretchAxis = across / bend;

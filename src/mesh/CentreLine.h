@@ -43,15 +43,17 @@ private:
         glm::dvec3 axisBelow{0};
     };
 
+    Frame frameOfFirst(const CStem& stem, const CPath& path) const;
     const CSegment* segmentBelow(const CStem& stem, std::uint32_t i) const;
     Joint jointAt(const CStem& stem, std::uint32_t i, double mostTurn) const;
-    Place onBend(const Joint& joint, const CSegment& segment, const glm::dvec3& corner, double along) const;
-    Place behindFork(const Joint& joint, const CSegment& segment, double along) const;
-    Place mitred(const Joint& joint, const CSegment& segment) const;
+    Place onBend(const Joint& joint, const Frame& above, const glm::dvec3& corner, double along) const;
+    Place behindFork(const Joint& joint, const Frame& above, const glm::dvec3& fork, double along) const;
+    Place mitred(const Joint& joint, const Frame& above, const glm::dvec3& corner) const;
 
     const CGeneration& m_generation;
     const CStemSurface& m_surface;
     const CPath* m_path = nullptr;
+    std::vector<Frame> m_frames; ///< of the segments, carried along the stem without a twist
     std::vector<Joint> m_joints; ///< at the lower end of each segment, and one without a bend at the tip
 };
 

@@ -6,6 +6,7 @@ namespace stromar {
 namespace {
 constexpr int kPasses = 8;
 constexpr float kMargin = 0.02f; // cosine
+constexpr float kEffort = 0.05f; // more than needed with every pass: faces that work against each other
 
 /// The triangles of a tube; those of its rings share normals at the seam.
 class CRingNormals {
@@ -16,8 +17,9 @@ public:
         m_end = tube.firstIndex + tube.indexCount();
     }
 
-    /// Whether some had to be turned.
-    bool turnOnce() {
+    /// Whether some had to be turned: further from the face, the greater `effort` is.
+    bool turnOnce(float effort) {
+        m_effort = effort;
         bool turned = false;
         for (std::size_t t = m_tube.firstIndex; t < m_end; t += 3) turned |= turnAt(&m_mesh.indices[t]);
         return turned;
@@ -42,10 +44,10 @@ private:
         return turned;
     }
 
-    static bool turn(glm::vec3& normal, const glm::vec3& face) {
+    bool turn(glm::vec3& normal, const glm::vec3& face) const {
         const float cosine = glm::dot(normal, face);
         if (cosine >= kMargin / 2) return false;
-        normal = glm::normalize(normal + (kMargin - cosine) * face);
+        normal = glm::normalize(normal + (kMargin - cosine + m_effort) * face);
         return true;
     }
 
@@ -59,13 +61,14 @@ private:
     std::uint32_t m_rings; ///< a tip is none
     std::uint32_t m_ringsEnd;
     std::size_t m_end;
+    float m_effort = 0;
 };
 } // namespace
 
 bool turnNormalsToFront(CMesh& mesh, const Tube& tube) {
     CRingNormals normals(mesh, tube);
     int pass = 0;
-    while (pass < kPasses && normals.turnOnce()) ++pass;
+    while (pass < kPasses && normals.turnOnce(kEffort * static_cast<float>(pass))) ++pass;
     normals.closeSeam();
     return pass < kPasses;
 }

@@ -8,8 +8,10 @@ namespace stromar {
 
 namespace {
 constexpr double kTurn = 2 * std::numbers::pi;
-constexpr double kLidDepth = 0.1; // radii
-constexpr double kFillet = 0.6;   // part of the collar's height along which it follows the branch
+constexpr double kCrease = 0.3;     // least cosine between a coarse collar's lowest normals and the branch's
+constexpr std::uint32_t kRound = 8; // points from which a ring is not coarse
+constexpr double kLidDepth = 0.1;   // radii
+constexpr double kFillet = 0.6;     // part of the collar's height along which it follows the branch
 
 // How much of the sky is hidden where a surface starts, and how far that reaches, in radii.
 constexpr double kHiddenInCollar = 0.55, kHiddenInFork = 0.35, kHiddenAtGround = 0.4, kHiddenReach = 2;
@@ -106,17 +108,26 @@ void CPointGenerator::addTip(VertexSink& sink) const {
     }
 }
 
+/// The parent's normal; on coarse rings turned towards the branch's where the two meet in a crease.
+glm::dvec3 CPointGenerator::creaseNormal(const glm::dvec3& parent, const glm::dvec3& own) const {
+    const double cosine = glm::dot(parent, own);
+    if (m_points >= kRound || cosine >= kCrease) return parent;
+    const double share = (kCrease - cosine) / (1 - cosine);
+    return glm::normalize((1 - share) * parent + share * own);
+}
+
 /// From the parent's surface to the first own ring on a parabola that leaves along the branch: a fillet.
 SurfacePoint CPointGenerator::collarPointAt(std::uint32_t ring, std::uint32_t i) const {
     const SurfacePoint& low = m_plan.collarPoints[m_tube->firstCollarPoint + i];
     const RingShape& own = m_rings.front();
     const glm::dvec3 normal = normalAt(own, kTurn * i / m_points, m_circle[i]);
-    if (ring == 0) return low;
+    const glm::dvec3 lowNormal = creaseNormal(low.normal, normal);
+    if (ring == 0) return {low.position, lowNormal};
     const glm::dvec3 high = pointAt(own, i);
     const glm::dvec3 corner = high - kFillet * glm::dot(high - low.position, own.frame[2]) * own.frame[2];
     const double t = double(ring) / m_tube->collarRings;
     return {(1 - t) * (1 - t) * low.position + 2 * t * (1 - t) * corner + t * t * high,
-            glm::normalize((1 - t) * low.normal + t * normal)};
+            glm::normalize((1 - t) * lowNormal + t * normal)};
 }
 
 void CPointGenerator::addCollarRing(std::uint32_t ring, VertexSink& sink) const {

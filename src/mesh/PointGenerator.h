@@ -53,6 +53,7 @@ private:
     void setSlopes();
     double radiusAt(const RingShape& ring, double angle) const;
     void addCollarLid(VertexSink& sink) const;
+    glm::dvec3 creaseNormal(const glm::dvec3& parent, const glm::dvec3& own) const;
     SurfacePoint collarPointAt(std::uint32_t ring, std::uint32_t i) const;
     glm::dvec3 pointAt(const RingShape& ring, std::uint32_t i) const;
     double around(double i) const { return m_bark.around * i / m_points; }

@@ -71,8 +71,7 @@ bool writeTube(const Tube& tube, CPointGenerator& points, CMesh& mesh) {
     }
     points.addLid(true, sink);
     triangles.addLid(true, tube.middleOfLid(true));
-    const bool smooth = tube.points == 3 && tube.collarRings == 0;
-    return smooth || turnNormalsToFront(mesh, tube);
+    return turnNormalsToFront(mesh, tube);
 }
 
 std::size_t Tube::vertexCount() const {

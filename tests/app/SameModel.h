@@ -1,5 +1,5 @@
 #pragma once
-#include "mesh/MeshCheck.h"
+#include "mesh/MeshMeasures.h"
 #include "stromar/app/TreeCreator.h"
 #include <string>
 

@@ -1,5 +1,5 @@
 #include "io/ExportedModels.h"
-#include "mesh/MeshCheck.h"
+#include "mesh/MeshMeasures.h"
 #include "mesh/SampleTrees.h"
 #include "stromar/app/Export.h"
 #include <algorithm>

@@ -1,5 +1,7 @@
-#include "mesh/MeshCheck.h"
+#include "mesh/MeshMeasures.h"
 #include "mesh/SampleTrees.h"
+#include <algorithm>
+#include <cmath>
 #include <gtest/gtest.h>
 
 namespace stromar::test {
@@ -29,33 +31,43 @@ protected:
 };
 INSTANTIATE_TEST_SUITE_P(All, PresetMesh, testing::Range<std::size_t>(0, presets().size()), nameOf);
 
-TEST_P(PresetMesh, ArraysAndTrianglesAreSound) {
+TEST_P(PresetMesh, IsSound) {
     for (const int seed : kSeeds)
         for (const Detail& detail : detailTable()) {
             const CParams seeded = params(seed);
-            for (const auto& mesh : meshesOf(*grow(seeded), seeded, detail)) {
-                EXPECT_EQ(arrayFault(*mesh), "") << detail.name << ", seed " << seed << ", " << mesh->name;
-                EXPECT_EQ(triangleFault(*mesh), "") << detail.name << ", seed " << seed << ", " << mesh->name;
-                EXPECT_GT(mesh->triangleCount(), 0u) << detail.name << ", seed " << seed << ", " << mesh->name;
+            const auto tree = grow(seeded);
+            const auto all = meshAllStems(*tree, seeded, detail, CProgress(2));
+            const std::string label = std::string(detail.name) + ", seed " + std::to_string(seed) + ", ";
+            for (std::size_t g = 0; g < all.size(); ++g) {
+                const MeshFaults faults = checkStems(*tree, static_cast<int>(g), all[g], g > 0 ? &all[g - 1] : nullptr);
+                EXPECT_EQ(inWords(faults), "") << label << all[g].mesh->name;
+                EXPECT_GT(faults.triangles, 0u) << label << all[g].mesh->name;
             }
+            EXPECT_EQ(inWords(checkLeaves(*meshOfLeaves(*tree, all.back().plan, detail, CProgress(2)))), "") << label;
         }
 }
 
-TEST_P(PresetMesh, EveryTubeIsClosedAndFacesOutwards) {
+TEST_P(PresetMesh, AlmostEveryBranchHasACollar) {
+    for (int lod = 0; lod <= 2; ++lod) {
+        const auto tree = grow(params());
+        const auto all = meshAllStems(*tree, params(), detailOf(Model::Full, lod), CProgress(2));
+        for (std::size_t g = 1; g < all.size(); ++g) {
+            const auto chosen = std::ranges::count(all[g].plan.stemIsChosen, true);
+            const auto collars =
+                std::ranges::count_if(all[g].plan.tubes, [](const Tube& tube) { return tube.collarRings > 0; });
+            EXPECT_GE(double(collars), 0.85 * double(chosen)) << "LOD " << lod << ", " << all[g].mesh->name;
+        }
+    }
+}
+
+TEST_P(PresetMesh, EveryTubeFacesOutwards) {
     for (const Detail& detail : detailTable())
         forEachStemMesh(params(), detail, [&](const CTree&, int, const MeshPlan& plan, const CMesh& mesh) {
-            SCOPED_TRACE(std::string(detail.name) + ", " + mesh.name);
-            const auto tubes = tubeRanges(plan);
-            ASSERT_FALSE(tubes.empty());
-            ASSERT_EQ(tubes.back().firstVertex + tubes.back().vertexCount, mesh.vertexCount());
-            ASSERT_EQ(tubes.back().firstIndex + tubes.back().indexCount, mesh.indices.size());
+            ASSERT_FALSE(plan.tubes.empty());
             std::size_t inverted = 0;
-            for (const TubeRange& tube : tubes) {
-                ASSERT_EQ(closednessFault(mesh, tube), "") << "tube at vertex " << tube.firstVertex;
-                if (!(signedVolume(mesh, tube.firstIndex, tube.indexCount) > 0)) ++inverted;
-            }
-            EXPECT_EQ(inverted, 0u) << "of " << tubes.size() << " tubes face inwards";
-            EXPECT_GT(signedVolume(mesh), 0);
+            for (const Tube& tube : plan.tubes)
+                if (!(signedVolume(mesh, tube.firstIndex, tube.indexCount()) > 0)) ++inverted;
+            EXPECT_EQ(inverted, 0u) << "of " << plan.tubes.size() << ", " << detail.name << ", " << mesh.name;
         });
 }
 
@@ -88,14 +100,6 @@ TEST_P(PresetMesh, BarkGoesWholeTimesAroundAndKeepsItsScale) {
                 const double trunkShape = (trunk.length / wrapY) / (trunk.radius / wrapX);
                 ASSERT_NEAR(shape / trunkShape, 1, 0.01) << mesh.name;
             }
-        });
-}
-
-TEST_P(PresetMesh, NormalsPointToTheFront) {
-    for (const Detail& detail : detailTable())
-        forEachStemMesh(params(), detail, [&](const CTree&, int, const MeshPlan&, const CMesh& mesh) {
-            EXPECT_EQ(countTiltedNormals(mesh), 0u)
-                << "of " << mesh.triangleCount() << ", " << detail.name << ", " << mesh.name;
         });
 }
 

@@ -1,6 +1,7 @@
-#include "mesh/MeshCheck.h"
+#include "mesh/MeshMeasures.h"
 #include "mesh/SampleTrees.h"
 #include <gtest/gtest.h>
+#include <utility>
 
 namespace stromar::test {
 
@@ -23,20 +24,36 @@ void forEachStemMesh(Look&& look) {
 }
 } // namespace
 
-TEST(RandomMesh, ArraysAndTrianglesAreSound) {
-    std::size_t vertices = 0;
-    for (std::uint64_t number = 0; number < kSamples; ++number) {
-        const CParams params = randomParams(number);
-        const auto tree = grow(params);
-        for (const Detail& detail : detailTable())
-            for (const auto& mesh : meshesOf(*tree, params, detail)) {
-                EXPECT_EQ(arrayFault(*mesh), "") << "sample " << number << ", " << detail.name << ", " << mesh->name;
-                EXPECT_EQ(triangleFault(*mesh), "") << "sample " << number << ", " << detail.name << ", " << mesh->name;
-                vertices += mesh->vertexCount();
-            }
+/// The faults of all meshes of a tree, level of detail after level of detail.
+template <typename Report>
+void checkAll(const CParams& params, Report&& report) {
+    const auto tree = grow(params);
+    for (const Detail& detail : detailTable()) {
+        const auto all = meshAllStems(*tree, params, detail, CProgress(2));
+        for (std::size_t g = 0; g < all.size(); ++g)
+            report(checkStems(*tree, static_cast<int>(g), all[g], g > 0 ? &all[g - 1] : nullptr),
+                   std::string(detail.name) + ", " + all[g].mesh->name);
+        report(checkLeaves(*meshOfLeaves(*tree, all.back().plan, detail, CProgress(2))),
+               std::string(detail.name) + ", leaves");
     }
-    EXPECT_GT(vertices, 1'000'000u) << "the samples show too little";
 }
+
+/// Where a stem turns back more tightly than it is thick, it reaches through itself, and normals may be tilted there:
+/// the share says how often. All else has to be sound.
+void expectSound(std::uint64_t samples, CParams (*make)(std::uint64_t, const Caps&), double mostTilted) {
+    std::size_t triangles = 0, tilted = 0;
+    for (std::uint64_t number = 0; number < samples; ++number)
+        checkAll(make(number, kMeshCaps), [&](MeshFaults faults, const std::string& label) {
+            triangles += faults.triangles;
+            tilted += std::exchange(faults.tilted, 0);
+            EXPECT_EQ(inWords(faults), "") << "of " << faults.triangles << ", sample " << number << ", " << label;
+        });
+    EXPECT_GT(triangles, 1'000'000u) << "the samples show too little";
+    EXPECT_LE(double(tilted), mostTilted * double(triangles)) << tilted << " of " << triangles;
+}
+
+TEST(RandomMesh, GentleTreesAreSound) { expectSound(300, gentleParams, 0.001); }
+TEST(RandomMesh, WildTreesAreSound) { expectSound(120, randomParams, 0.005); }
 
 TEST(RandomMesh, NoStemHasANegativeRadius) {
     for (std::uint64_t number = 0; number < kSamples; ++number) {
@@ -44,22 +61,6 @@ TEST(RandomMesh, NoStemHasANegativeRadius) {
         for (const auto& generation : tree->generations())
             for (const CStem& stem : generation->stems) ASSERT_GE(stem.measures.radius, 0) << "sample " << number;
     }
-}
-
-TEST(RandomMesh, EveryTubeIsClosed) {
-    forEachStemMesh(
-        [](const CTree&, const CParams&, int, const MeshPlan& plan, const CMesh& mesh, const std::string& label) {
-            std::size_t open = 0, indices = 0;
-            std::string fault;
-            for (const TubeRange& tube : tubeRanges(plan)) {
-                const std::string own = closednessFault(mesh, tube);
-                if (!own.empty()) fault = own;
-                if (!own.empty()) ++open;
-                indices += tube.indexCount;
-            }
-            EXPECT_EQ(indices, mesh.indices.size()) << label;
-            EXPECT_EQ(open, 0u) << "of " << plan.tubes.size() << " tubes: " << fault << ", " << label;
-        });
 }
 
 TEST(RandomMesh, StraightTubesFaceOutwards) {
@@ -73,8 +74,8 @@ TEST(RandomMesh, StraightTubesFaceOutwards) {
         for (const Detail& detail : detailTable())
             for (const auto& [plan, mesh] : meshAllStems(*tree, params, detail, CProgress(2))) {
                 std::size_t inverted = 0;
-                for (const TubeRange& tube : tubeRanges(plan))
-                    if (!(signedVolume(*mesh, tube.firstIndex, tube.indexCount) > 0)) ++inverted;
+                for (const Tube& tube : plan.tubes)
+                    if (!(signedVolume(*mesh, tube.firstIndex, tube.indexCount()) > 0)) ++inverted;
                 EXPECT_EQ(inverted, 0u) << "of " << plan.tubes.size() << " tubes, sample " << number << ", "
                                         << detail.name << ", " << mesh->name;
                 looked += plan.tubes.size();

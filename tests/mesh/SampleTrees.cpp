@@ -76,6 +76,31 @@ CParams randomParams(std::uint64_t number, const Caps& caps) {
     return params;
 }
 
+CParams gentleParams(std::uint64_t number, const Caps& caps) {
+    std::mt19937_64 random(1000 + number);
+    CParams params;
+    for (const ParamRef& ref : allParams()) ref.set(params, drawn(ref, random));
+    cap(params, caps);
+    GlobalParams& g = params.global;
+    g.scale = std::max(g.scale, 2.0);
+    g.ratio = std::min(g.ratio, 0.04);
+    g.minRadius = std::min(g.minRadius, 0.001);
+    g.ratioPower = std::max(g.ratioPower, 0.8);
+    g.attractionUp = std::clamp(g.attractionUp, -2.0, 2.0);
+    g.trunkScale = std::min(g.trunkScale, 1.2);
+    for (LevelParams& level : params.level) {
+        level.curve = std::clamp(level.curve, -90.0, 90.0);
+        level.curveBack = std::clamp(level.curveBack, -60.0, 60.0);
+        level.curveV = std::min(level.curveV, 60.0);
+        level.splitAngle = std::min(level.splitAngle, 35.0);
+        level.splitAngleV = std::min(level.splitAngleV, 10.0);
+        level.taper = std::min(level.taper, 2.0);
+        level.curveRes = std::max(level.curveRes, 3);
+        level.length = std::max(level.length, 0.2);
+    }
+    return params;
+}
+
 CParams plainTrunk() {
     CParams params;
     params.global.levels = 1;

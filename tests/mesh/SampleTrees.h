@@ -28,6 +28,8 @@ constexpr Caps kMeshCaps{{0, 10, 5, 3}, 0.4, 7, 20, 4};
 
 /// Values from the table's useful ranges, often exactly at their ends or the default. The same number, the same values.
 CParams randomParams(std::uint64_t number, const Caps& caps = kMeshCaps);
+/// The same without what no plant does: stems thicker than their bends, chains of spheres, knots.
+CParams gentleParams(std::uint64_t number, const Caps& caps = kMeshCaps);
 
 /// A trunk alone: straight, round, of even thickness, without flare.
 CParams plainTrunk();

@@ -1,5 +1,5 @@
 // The trunk alone, straight and upright: its surface can be told from the formulas.
-#include "mesh/MeshCheck.h"
+#include "mesh/MeshMeasures.h"
 #include "mesh/SampleTrees.h"
 #include <algorithm>
 #include <cmath>
@@ -13,13 +13,16 @@ namespace stromar::test {
 namespace {
 struct Trunk {
     std::shared_ptr<const CTree> tree;
+    MeshPlan plan;
     std::shared_ptr<const CMesh> mesh;
+    MeshFaults faults() const { return checkStems(*tree, 0, {plan, mesh}, nullptr); }
     const CStem& stem() const { return tree->generation(0).stems[0]; }
 };
 
 Trunk trunkOf(const CParams& params, const Detail& detail = detailOf(Model::Full)) {
     const auto tree = grow(params);
-    return {tree, meshesOf(*tree, params, detail).front()};
+    const StemMesh trunk = meshAllStems(*tree, params, detail, CProgress(2)).front();
+    return {tree, trunk.plan, trunk.mesh};
 }
 
 /// Largest distance from the axis by height: the drawn profile.
@@ -136,7 +139,7 @@ TEST(TrunkSurface, NormalsAreThoseOfACone) {
         const double wanted[] = {p.x / r, p.y / r, rise};
         for (int i = 0; i < 3; ++i) EXPECT_NEAR(n[i], wanted[i] / std::hypot(1.0, rise), 1e-3);
     }
-    EXPECT_EQ(countTiltedNormals(*trunk.mesh), 0u);
+    EXPECT_EQ(inWords(trunk.faults()), "");
 }
 
 TEST(TrunkSurface, NormalsPointToTheFront) {
@@ -151,7 +154,7 @@ TEST(TrunkSurface, NormalsPointToTheFront) {
                     params.global.lobeDepth = 0.3;
                     params.global.lobeFade = fade;
                     const Trunk trunk = trunkOf(params);
-                    EXPECT_EQ(countTiltedNormals(*trunk.mesh), 0u)
+                    EXPECT_EQ(inWords(trunk.faults()), "")
                         << "of " << trunk.mesh->triangleCount() << ", taper " << taper << ", flare " << flare << ", "
                         << lobes << " lobes, fade " << fade;
                 }
@@ -183,7 +186,7 @@ TEST(TrunkSurface, AHelixKeepsItsWidth) {
     CParams params = plainTrunk();
     params.level[0].curveV = -30;
     const Trunk trunk = trunkOf(params);
-    EXPECT_EQ(arrayFault(*trunk.mesh), "");
+    EXPECT_EQ(inWords(trunk.faults()), "");
     EXPECT_GT(signedVolume(*trunk.mesh), 0);
     const StemMeasures& m = trunk.stem().measures;
     const double around = m.length / params.level[0].curveRes * std::tan(std::numbers::pi / 6) / (2 * std::numbers::pi);

@@ -40,10 +40,13 @@ inline double declination(const Frame& f) { return std::acos(glm::clamp(f[2].z, 
 
 /// The frame carried by the smallest turn to a new axis (a unit vector).
 inline Frame transported(const Frame& f, const glm::dvec3& axis) {
-    const glm::dvec3 normal = glm::cross(f[2], axis);
-    const double sine = glm::length(normal);
-    if (sine < 1e-12) return glm::dot(f[2], axis) > 0 ? f : rotatedX(f, 3.14159265358979323846);
-    return rotatedAbout(f, normal / sine, std::atan2(sine, glm::dot(f[2], axis)));
+    const double cosine = glm::dot(f[2], axis);
+    if (cosine < -1 + 1e-12) return rotatedX(f, 3.14159265358979323846);
+    const glm::dvec3 normal = glm::cross(f[2], axis); // its length is the sine
+    const auto carried = [&](const glm::dvec3& v) {
+        return cosine * v + glm::cross(normal, v) + glm::dot(normal, v) / (1 + cosine) * normal;
+    };
+    return {carried(f[0]), carried(f[1]), axis};
 }
 
 } // namespace stromar

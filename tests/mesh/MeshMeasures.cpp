@@ -1,0 +1,41 @@
+#include "mesh/MeshMeasures.h"
+#include <cstring>
+#include <glm/geometric.hpp>
+
+namespace stromar::test {
+
+namespace {
+glm::dvec3 corner(const CMesh& mesh, std::size_t index) { return glm::dvec3(mesh.positions[mesh.indices[index]]); }
+
+template <typename Array>
+bool sameArray(const Array& a, const Array& b) {
+    return a.size() == b.size() && (a.empty() || std::memcmp(a.data(), b.data(), a.size() * sizeof(a[0])) == 0);
+}
+} // namespace
+
+std::string inWords(const MeshFaults& faults) {
+    std::string words;
+    for (const MeshCheck& check : meshChecks())
+        if (faults.*check.count > 0)
+            words += std::to_string(faults.*check.count) + " " + std::string(check.name) + "; ";
+    return words;
+}
+
+double signedVolume(const CMesh& mesh, std::size_t firstIndex, std::size_t indexCount) {
+    if (indexCount == 0) return 0;
+    const glm::dvec3 origin = corner(mesh, firstIndex); // near, so that little is lost to cancellation
+    double volume = 0;
+    for (std::size_t t = firstIndex; t < firstIndex + indexCount; t += 3)
+        volume +=
+            glm::dot(corner(mesh, t) - origin, glm::cross(corner(mesh, t + 1) - origin, corner(mesh, t + 2) - origin)) /
+            6;
+    return volume;
+}
+
+bool sameBytes(const CMesh& a, const CMesh& b) {
+    return a.name == b.name && a.surface == b.surface && sameArray(a.positions, b.positions) &&
+           sameArray(a.normals, b.normals) && sameArray(a.texCoords, b.texCoords) &&
+           sameArray(a.openness, b.openness) && sameArray(a.indices, b.indices);
+}
+
+} // namespace stromar::test

@@ -1,0 +1,17 @@
+#pragma once
+#include "stromar/mesh/MeshCheck.h"
+#include <string>
+
+namespace stromar::test {
+
+/// The faults in words, or nothing.
+std::string inWords(const MeshFaults& faults);
+
+/// What the triangles enclose; positive when they face outwards.
+double signedVolume(const CMesh& mesh, std::size_t firstIndex, std::size_t indexCount);
+inline double signedVolume(const CMesh& mesh) { return signedVolume(mesh, 0, mesh.indices.size()); }
+
+/// Whether all bytes are equal.
+bool sameBytes(const CMesh& a, const CMesh& b);
+
+} // namespace stromar::test
