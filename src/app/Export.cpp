@@ -26,14 +26,54 @@ fs::path pictureBeside(const fs::path& model, Surface surface, const fs::path& p
            (plainName(model) + "_" + kLookNames[static_cast<std::size_t>(surface)] + picture.extension().string());
 }
 
-ExportModel describe(const TreeModel& model, const fs::path& path) {
-    ExportModel description{plainName(path), model.meshes(), {}};
+/// Meshes in the unit and with the axis up that were chosen. Writers turn z to the axis that is usual in the format.
+Meshes arranged(const Meshes& meshes, const ExportOptions& options, const Format& format) {
+    const auto up = static_cast<ExportedUp>(options.up);
+    const bool turn = up != ExportedUp::Format && (up == ExportedUp::Y) != (format.upAxis == "y");
+    if (!turn && options.scale == 1) return meshes;
+    const float side = up == ExportedUp::Y ? 1.0f : -1.0f; // y up: z becomes y; z up in a writer of y: the way back
+    const auto turned = [&](const glm::vec3& v) { return turn ? glm::vec3(v.x, side * v.z, -side * v.y) : v; };
+    Meshes all;
+    for (const auto& mesh : meshes) {
+        auto copy = std::make_shared<CMesh>(*mesh);
+        for (glm::vec3& p : copy->positions) p = static_cast<float>(options.scale) * turned(p);
+        for (glm::vec3& n : copy->normals) n = turned(n);
+        all.push_back(std::move(copy));
+    }
+    return all;
+}
+
+/// Which of the two surfaces looks how; the pictures are put where the options want them.
+std::array<SurfaceLook, 2> looksOf(const TreeModel& model, const ExportOptions& options, const Format& format,
+                                   const fs::path& treeFolder, const fs::path& path, CFileSet& files) {
+    std::array<SurfaceLook, 2> looks;
     const glm::vec3 colours[] = {{0.42f, 0.34f, 0.26f}, {0.30f, 0.45f, 0.18f}};
+    auto textures = static_cast<ExportedTextures>(options.textures);
+    if (textures == ExportedTextures::Format)
+        textures = format.pictures == Pictures::Inside ? ExportedTextures::Embed : ExportedTextures::Copy;
     for (const Surface surface : {Surface::Bark, Surface::Leaf}) {
         const auto i = static_cast<std::size_t>(surface);
-        description.looks[i] = {kLookNames[i], {}, colours[i], surface == Surface::Leaf};
+        looks[i] = {kLookNames[i], {}, {}, colours[i], surface == Surface::Leaf};
+        if (format.pictures == Pictures::None) continue;
+        looks[i].picture = textureOf(model.params, surface, treeFolder);
+        const fs::path copy = pictureBeside(path, surface, looks[i].picture);
+        if (textures == ExportedTextures::Copy) {
+            files.copy(looks[i].picture, copy);
+            looks[i].texture = copy.filename().string();
+        }
+        if (textures == ExportedTextures::Refer)
+            looks[i].texture = fs::proximate(looks[i].picture, fs::absolute(path).parent_path()).generic_string();
     }
-    return description;
+    return looks;
+}
+
+fs::path withSuffix(const fs::path& path, const std::string& suffix) {
+    return path.parent_path() / (path.stem().string() + suffix + path.extension().string());
+}
+
+void refuseUnless(const ExportOptions& options, const Format* format, const fs::path& path) {
+    if (!format) throw CError(unknownFormat(path));
+    if (const std::string conflict = conflictOf(options, *format); !conflict.empty()) throw CError(conflict);
 }
 } // namespace
 
@@ -50,20 +90,41 @@ fs::path textureOf(const CParams& params, Surface surface, const fs::path& folde
     return own.empty() ? dataFolder() / "textures" / kBuiltIn[static_cast<std::size_t>(surface)] : folder / own;
 }
 
-void exportModel(const TreeModel& model, const fs::path& treeFolder, const fs::path& path, const CProgress& progress) {
+void exportModels(const std::vector<std::shared_ptr<const TreeModel>>& lods, const ExportOptions& options,
+                  const fs::path& treeFolder, const fs::path& path, const CProgress& progress) {
     const Format* format = formatOf(path);
-    if (!format) throw CError(unknownFormat(path));
-    ExportModel description = describe(model, path);
-    if (description.meshes.empty()) throw CError("the tree is empty, there is nothing to export");
-    CFileSet files(progress, static_cast<std::uint64_t>(format->bytesPerVertex * double(description.vertexCount())));
-    for (const Surface surface : {Surface::Bark, Surface::Leaf}) {
-        const fs::path picture = textureOf(model.params, surface, treeFolder);
-        const fs::path copy = pictureBeside(path, surface, picture);
-        files.copy(picture, copy);
-        description.looks[static_cast<std::size_t>(surface)].texture = copy.filename().string();
+    refuseUnless(options, format, path);
+    std::vector<Meshes> meshes;
+    std::size_t vertices = 0;
+    for (const auto& lod : lods) {
+        meshes.push_back(lod->meshes());
+        if (meshes.back().empty()) throw CError("the tree is empty, there is nothing to export");
+        vertices += lod->vertexCount();
     }
-    format->write(description, path, files);
+    CFileSet files(progress, static_cast<std::uint64_t>(format->bytesPerVertex * double(vertices)));
+    const auto looks = looksOf(*lods.front(), options, *format, treeFolder, path, files);
+    const auto write = [&](const std::string& suffix, std::size_t first, std::size_t count) {
+        ExportModel model{plainName(path) + suffix, arranged(meshes[first], options, *format), {}, looks};
+        for (std::size_t i = first + 1; i < first + count; ++i)
+            model.coarser.push_back(arranged(meshes[i], options, *format));
+        format->write(model, withSuffix(path, suffix), files);
+    };
+    if (options.lods == static_cast<int>(ExportedLods::FileEach))
+        for (std::size_t i = 0; i < lods.size(); ++i) write("_LOD" + std::to_string(i), i, 1);
+    else
+        write("", 0, lods.size());
     files.commit();
+}
+
+void exportModel(const TreeModel& model, const fs::path& treeFolder, const fs::path& path, const CProgress& progress) {
+    const std::shared_ptr<const TreeModel> borrowed(std::shared_ptr<const TreeModel>(), &model);
+    exportModels({borrowed}, {}, treeFolder, path, progress);
+}
+
+double estimatedBytes(double fullVertices, const ExportOptions& options, const Format& format) {
+    double share = 0;
+    for (const Detail* detail : detailsOf(options)) share += detail->share;
+    return share * fullVertices * format.bytesPerVertex;
 }
 
 } // namespace stromar

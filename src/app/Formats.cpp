@@ -9,19 +9,29 @@
 namespace stromar {
 
 namespace {
+// clang-format off
 constexpr Format kFormats[] = {
-#ifdef STROMAR_WITH_OSG
-    {".osg", "OpenSceneGraph, old text form", "z", "nothing", writeOsg, 120},
-    {".osgt", "OpenSceneGraph text", "z", "nothing", writeOsg, 160},
-    {".osgb", "OpenSceneGraph binary", "z", "nothing", writeOsg, 45},
-#endif
+    {".glb", "glTF, one file", "y", "nothing", writeGlb, 68, Pictures::Inside, true, false},
+    {".gltf", "glTF, with its buffer and pictures beside it", "y", "nothing", writeGltf, 68, Pictures::Beside, true, false},
+    {".obj", "Wavefront OBJ", "y", "occlusion and tangents; two-sided leaves are up to the program", writeObj, 120,
+     Pictures::Beside, false, true},
+    {".dae", "COLLADA", "y", "occlusion and tangents; two-sided leaves are up to the program", writeDae, 110},
+    {".ply", "Stanford PLY, binary", "z", "materials and pictures; all stems and leaves are one mesh", writePly, 55,
+     Pictures::None, false, true},
+    {".stl", "STL, binary", "z", "materials, pictures, texture coordinates and smooth normals", writeStl, 35,
+     Pictures::None, false, true},
     {".3ds", "3D Studio", "z",
-     "normals (programs make their own), names beyond ten letters; large meshes are cut into parts", write3ds, 40},
-    {".lwo", "LightWave object", "y", "normals (the program makes its own), transparency of the leaf picture", writeLwo,
-     45},
-    {".obj", "Wavefront OBJ", "y", "nothing; two-sided leaves are up to the program", writeObj, 120},
-    {".pov", "POV-Ray scene", "y", "nothing; a camera, lights and ground are added", writePov, 130},
+     "normals (programs make their own), names beyond ten letters; large meshes are cut into parts", write3ds, 40,
+     Pictures::Beside, false, true},
+    {".lwo", "LightWave object", "y", "normals (the program makes its own), transparency of the leaf picture", writeLwo, 45},
+    {".pov", "POV-Ray scene", "y", "nothing a picture shows; a camera, lights and ground are added", writePov, 130},
+#ifdef STROMAR_WITH_OSG
+    {".osgb", "OpenSceneGraph binary", "z", "occlusion and tangents", writeOsg, 45, Pictures::Beside, true, true},
+    {".osgt", "OpenSceneGraph text", "z", "occlusion and tangents", writeOsg, 160, Pictures::Beside, true, true},
+    {".osg", "OpenSceneGraph, old text form", "z", "occlusion and tangents", writeOsg, 120, Pictures::Beside, true, true},
+#endif
 };
+// clang-format on
 } // namespace
 
 std::span<const Format> formatTable() { return kFormats; }

@@ -178,13 +178,19 @@ bool checkMeshes(const CommonOptions& common, const ModelOptions& options, std::
     return sound;
 }
 
-void exportTree(const CommonOptions& common, const ModelOptions& options, const std::string& path,
+void exportTree(const CommonOptions& common, const ExportOptions& options, const std::string& path,
                 const CProgress& progress) {
-    if (!formatOf(path)) throw CUsageError(unknownFormat(path));
-    const auto model = createModel(common, options.detail(), progress);
-    exportModel(*model, std::filesystem::path(common.file).parent_path(), path, progress);
-    say(common, path + ": " + std::to_string(model->vertexCount()) + " vertices, " +
-                    std::to_string(model->triangleCount()) + " triangles");
+    const Format* format = formatOf(path);
+    if (!format) throw CUsageError(unknownFormat(path));
+    if (const std::string conflict = conflictOf(options, *format); !conflict.empty()) throw CUsageError(conflict);
+    const CParams params = readParams(common);
+    CTreeCreator creator(common.varied, common.mostVertices);
+    std::vector<std::shared_ptr<const TreeModel>> lods;
+    for (const Detail* detail : detailsOf(options)) lods.push_back(creator.create(params, *detail, progress));
+    exportModels(lods, options, std::filesystem::path(common.file).parent_path(), path, progress);
+    for (const auto& lod : lods)
+        say(common, path + ": " + std::string(lod->detail->name) + ", " + std::to_string(lod->vertexCount()) +
+                        " vertices, " + std::to_string(lod->triangleCount()) + " triangles");
 }
 
 void printParams(ListStyle style, std::ostream& out) {

@@ -1,4 +1,5 @@
 #pragma once
+#include "stromar/app/ExportOptions.h"
 #include "stromar/mesh/Detail.h"
 #include "stromar/util/Progress.h"
 #include <ostream>
@@ -35,7 +36,7 @@ void printInfo(const CommonOptions& common, const ModelOptions& model, std::ostr
 void printStructure(const CommonOptions& common, std::ostream& out, const CProgress& progress);
 /// Prints a table of the meshes' faults; false when there are any.
 bool checkMeshes(const CommonOptions& common, const ModelOptions& model, std::ostream& out, const CProgress& progress);
-void exportTree(const CommonOptions& common, const ModelOptions& model, const std::string& path,
+void exportTree(const CommonOptions& common, const ExportOptions& options, const std::string& path,
                 const CProgress& progress);
 void printParams(ListStyle style, std::ostream& out);
 void printFormats(ListStyle style, std::ostream& out);

@@ -18,6 +18,7 @@ void onSignal(int) {
 struct Options {
     CommonOptions common;
     ModelOptions model;
+    ExportOptions exported;
     std::string modelName = "full", variation = "on", output, seed;
     bool seedGiven = false;
     bool markdown = false, json = false;
@@ -32,6 +33,13 @@ struct Options {
             throw CUsageError("--lod belongs to the full model; the simple model has no levels of detail");
     }
 };
+
+/// "{full,simple}"
+std::string joined(std::span<const std::string_view> words) {
+    std::string all;
+    for (const std::string_view word : words) all += (all.empty() ? "{" : ",") + std::string(word);
+    return all + "}";
+}
 
 void addCommon(CLI::App& command, Options& options) {
     command.add_option("file", options.common.file, "The .tree file")->required()->type_name("FILE.tree");
@@ -57,6 +65,26 @@ void addModel(CLI::App& command, Options& options) {
         ->check(CLI::Range(0, 3));
 }
 
+/// A flag for each row of the table of choices.
+void addExport(CLI::App& command, ExportOptions& options) {
+    for (const ExportChoice& choice : exportChoices()) {
+        const std::string flag = "--" + std::string(choice.key), help(choice.help);
+        if (choice.number)
+            command.add_option(flag, options.*choice.number, help)
+                ->check(CLI::Range(choice.range.min, choice.range.max));
+        else if (choice.words.empty())
+            command.add_option(flag, options.*choice.field, help)
+                ->check(CLI::Range(static_cast<int>(choice.range.min), static_cast<int>(choice.range.max)));
+        else {
+            std::vector<std::pair<std::string, int>> words;
+            for (const std::string_view word : choice.words) words.emplace_back(word, static_cast<int>(words.size()));
+            command.add_option(flag, options.*choice.field, help)
+                ->transform(CLI::Transformer(words))
+                ->option_text(joined(choice.words));
+        }
+    }
+}
+
 /// The exit status.
 int run(const CLI::App& app, Options& options) {
     const CLI::App& command = *app.get_subcommands().front();
@@ -70,7 +98,7 @@ int run(const CLI::App& app, Options& options) {
     if (name == "structure") printStructure(options.common, std::cout, progress);
     bool sound = true;
     if (name == "check") sound = checkMeshes(options.common, options.model, std::cout, progress);
-    if (name == "export") exportTree(options.common, options.model, options.output, progress);
+    if (name == "export") exportTree(options.common, options.exported, options.output, progress);
     if (name == "params") printParams(options.style(), std::cout);
     if (name == "formats") printFormats(options.style(), std::cout);
     if (!std::cout.flush()) throw CError("cannot write to standard output");
@@ -87,7 +115,8 @@ void setUp(CLI::App& app, Options& options) {
     CLI::App* params = app.add_subcommand("params", "The table of parameters");
     CLI::App* formats = app.add_subcommand("formats", "What can be written, and what each format loses");
     for (CLI::App* command : {info, structure, checker, exporter}) addCommon(*command, options);
-    for (CLI::App* command : {info, checker, exporter}) addModel(*command, options);
+    for (CLI::App* command : {info, checker}) addModel(*command, options);
+    addExport(*exporter, options.exported);
     exporter->add_option("-o,--output", options.output, "The model to write")->required()->type_name("OUT.ext");
     CLI::Option* markdown = params->add_flag("--markdown", options.markdown, "As a page of the manual");
     params->add_flag("--json", options.json, "As JSON")->excludes(markdown);

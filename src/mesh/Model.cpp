@@ -2,16 +2,24 @@
 
 namespace stromar {
 
+namespace {
+/// Sums over the meshes of all levels of detail.
+template <typename Count>
+std::size_t sum(const ExportModel& model, Count&& count) {
+    std::size_t all = 0;
+    for (const auto& mesh : model.meshes) all += count(*mesh);
+    for (const Meshes& lod : model.coarser)
+        for (const auto& mesh : lod) all += count(*mesh);
+    return all;
+}
+} // namespace
+
 std::size_t ExportModel::vertexCount() const {
-    std::size_t count = 0;
-    for (const auto& mesh : meshes) count += mesh->vertexCount();
-    return count;
+    return sum(*this, [](const CMesh& mesh) { return mesh.vertexCount(); });
 }
 
 std::size_t ExportModel::triangleCount() const {
-    std::size_t count = 0;
-    for (const auto& mesh : meshes) count += mesh->triangleCount();
-    return count;
+    return sum(*this, [](const CMesh& mesh) { return mesh.triangleCount(); });
 }
 
 std::vector<MeshChunk> cutIntoChunks(const CMesh& mesh, std::size_t mostVertices, std::size_t mostTriangles) {

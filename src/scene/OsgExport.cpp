@@ -1,7 +1,10 @@
 #include "stromar/scene/OsgExport.h"
 #include "stromar/scene/OsgGeometry.h"
+#include <algorithm>
+#include <cfloat>
 #include <osg/AlphaFunc>
 #include <osg/Group>
+#include <osg/LOD>
 #include <osg/Material>
 #include <osg/Texture2D>
 #include <osgDB/Registry>
@@ -36,15 +39,35 @@ osg::ref_ptr<osg::StateSet> stateOf(const SurfaceLook& look) {
     return state;
 }
 
-osg::ref_ptr<osg::Node> makeNode(const ExportModel& model) {
-    std::vector<osg::ref_ptr<osg::StateSet>> states;
-    for (const SurfaceLook& look : model.looks) states.push_back(stateOf(look));
-    osg::ref_ptr<osg::Group> root = new osg::Group;
-    root->setName(model.name);
-    for (const auto& mesh : model.meshes) {
+using States = std::vector<osg::ref_ptr<osg::StateSet>>;
+
+osg::ref_ptr<osg::Group> makeGroup(const std::string& name, const Meshes& meshes, const States& states) {
+    osg::ref_ptr<osg::Group> group = new osg::Group;
+    group->setName(name);
+    for (const auto& mesh : meshes) {
         osg::ref_ptr<osg::Geometry> geometry = makeGeometry(*mesh);
         geometry->setStateSet(states[static_cast<std::size_t>(mesh->surface)]);
-        root->addChild(geometry);
+        group->addChild(geometry);
+    }
+    return group;
+}
+
+/// Switches by the height on the screen, in pixels of an ordinary one.
+osg::ref_ptr<osg::Node> makeNode(const ExportModel& model) {
+    constexpr float kScreen = 1080;
+    States states;
+    for (const SurfaceLook& look : model.looks) states.push_back(stateOf(look));
+    if (model.coarser.empty()) return makeGroup(model.name, model.meshes, states);
+    osg::ref_ptr<osg::LOD> root = new osg::LOD;
+    root->setName(model.name);
+    root->setRangeMode(osg::LOD::PIXEL_SIZE_ON_SCREEN);
+    float high = FLT_MAX;
+    for (std::size_t lod = 0; lod <= model.coarser.size(); ++lod) {
+        const float low = kScreen * static_cast<float>(kScreenCoverage[std::min(lod, kScreenCoverage.size() - 1)]);
+        root->addChild(makeGroup(model.name + "_LOD" + std::to_string(lod),
+                                 lod == 0 ? model.meshes : model.coarser[lod - 1], states),
+                       low, high);
+        high = low;
     }
     return root;
 }

@@ -1,4 +1,5 @@
 #pragma once
+#include "stromar/app/ExportOptions.h"
 #include "stromar/app/TreeCreator.h"
 #include <filesystem>
 
@@ -11,9 +12,17 @@ std::filesystem::path dataFolder();
 /// one.
 std::filesystem::path textureOf(const CParams& params, Surface surface, const std::filesystem::path& folder);
 
-/// Writes the model in the format of the path's ending, and copies of its pictures beside it. All files appear together
-/// or none. Throws CError (unknown format, no such picture, disk full) and CCancelled.
+/// Writes one model, or its levels of detail, the finest first, in the format of the path's ending, and copies of its
+/// pictures as the options say. All files appear together or none. Throws CError (unknown format, what the format
+/// cannot do, no such picture, disk full) and CCancelled.
+void exportModels(const std::vector<std::shared_ptr<const TreeModel>>& lods, const ExportOptions& options,
+                  const std::filesystem::path& treeFolder, const std::filesystem::path& path,
+                  const CProgress& progress);
+/// The same for one model with the usual options.
 void exportModel(const TreeModel& model, const std::filesystem::path& treeFolder, const std::filesystem::path& path,
                  const CProgress& progress);
+
+/// About how many bytes the export takes without its pictures, when the full model has so many vertices.
+double estimatedBytes(double fullVertices, const ExportOptions& options, const Format& format);
 
 } // namespace stromar

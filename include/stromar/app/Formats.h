@@ -8,6 +8,8 @@
 
 namespace stromar {
 
+enum class Pictures { None, Beside, Inside }; ///< what a format does with them by itself
+
 /// One row of the table of model files that can be written. Command line, window, manual and tests are loops over it.
 struct Format {
     std::string_view ending; ///< with its dot
@@ -15,7 +17,10 @@ struct Format {
     std::string_view upAxis; ///< "z" or "y"
     std::string_view losses; ///< what a user would miss, for people
     void (*write)(const ExportModel&, const std::filesystem::path&, CFileSet&);
-    double bytesPerVertex; ///< about, to show how far writing is
+    double bytesPerVertex; ///< about: the size before writing, and how far it is
+    Pictures pictures = Pictures::Beside;
+    bool lods = false;  ///< holds levels of detail in one file
+    bool anyUp = false; ///< readers do not mind which axis is up
 };
 
 std::span<const Format> formatTable();

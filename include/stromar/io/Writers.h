@@ -20,4 +20,14 @@ void writeLwo(const ExportModel& model, const std::filesystem::path& path, CFile
 /// POV-Ray scene: the tree as an object `Tree`, a camera and lights that see all of it. Metres, y up, left-handed.
 void writePov(const ExportModel& model, const std::filesystem::path& path, CFileSet& files);
 
+/// glTF 2.0 in one file, or with its buffer beside it. Metres, y up. Normals, tangents, ambient occlusion as COLOR_0,
+/// levels of detail by MSFT_lod. Pictures are embedded where `SurfaceLook::texture` is empty.
+void writeGlb(const ExportModel& model, const std::filesystem::path& path, CFileSet& files);
+void writeGltf(const ExportModel& model, const std::filesystem::path& path, CFileSet& files);
+
+/// STL and PLY, binary, metres, z up; COLLADA, metres, y up. Through assimp, which needs a copy of the model in memory.
+void writeStl(const ExportModel& model, const std::filesystem::path& path, CFileSet& files);
+void writePly(const ExportModel& model, const std::filesystem::path& path, CFileSet& files);
+void writeDae(const ExportModel& model, const std::filesystem::path& path, CFileSet& files);
+
 } // namespace stromar

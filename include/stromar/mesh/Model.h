@@ -1,28 +1,36 @@
 #pragma once
 #include "stromar/mesh/Mesh.h"
 #include <array>
+#include <filesystem>
 #include <memory>
 #include <string>
 #include <vector>
 
 namespace stromar {
 
+using Meshes = std::vector<std::shared_ptr<const CMesh>>;
+
 /// How one of the two surfaces looks.
 struct SurfaceLook {
-    std::string name;    ///< of the material in files
-    std::string texture; ///< picture, as the model's file refers to it: relative to its folder
-    glm::vec3 colour;    ///< where no picture can be shown, 0..1
-    bool cutOut;         ///< the picture's alpha says where the surface is
+    std::string name;              ///< of the material in files
+    std::string texture;           ///< picture, as the model's file refers to it: relative to its folder; empty: inside
+    std::filesystem::path picture; ///< where it lies now
+    glm::vec3 colour;              ///< where no picture can be shown, 0..1
+    bool cutOut;                   ///< the picture's alpha says where the surface is
 };
+
+/// The least part of a screen's height that the tree fills when a level of detail is shown.
+constexpr std::array<double, 4> kScreenCoverage{0.5, 0.25, 0.1, 0.01};
 
 /// What a writer of model files gets.
 struct ExportModel {
     std::string name;
-    std::vector<std::shared_ptr<const CMesh>> meshes; ///< none is empty
-    std::array<SurfaceLook, 2> looks;                 ///< by Surface
+    Meshes meshes;                    ///< none is empty
+    std::vector<Meshes> coarser;      ///< levels of detail 1, 2, …, for formats that hold them
+    std::array<SurfaceLook, 2> looks; ///< by Surface
 
     const SurfaceLook& lookOf(const CMesh& mesh) const { return looks[static_cast<std::size_t>(mesh.surface)]; }
-    std::size_t vertexCount() const;
+    std::size_t vertexCount() const; ///< of all levels of detail
     std::size_t triangleCount() const;
 };
 

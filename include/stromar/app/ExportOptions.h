@@ -1,0 +1,41 @@
+#pragma once
+#include "stromar/app/Formats.h"
+#include "stromar/mesh/Detail.h"
+#include "stromar/params/ParamTable.h"
+#include <filesystem>
+#include <span>
+#include <string_view>
+#include <vector>
+
+namespace stromar {
+
+/// What a user can choose for one export. A plain value; what each means stands in the table.
+struct ExportOptions {
+    int model = 0, lod = 0, lods = 0, up = 0, textures = 0;
+    double scale = 1;
+
+    bool operator==(const ExportOptions&) const = default;
+};
+
+// The words of the table, by their place.
+enum class ExportedModel { Full, Simple };
+enum class ExportedLods { None, InOneFile, FileEach };
+enum class ExportedUp { Format, Y, Z };
+enum class ExportedTextures { Format, Embed, Copy, Refer };
+
+/// One row of the table of choices: the flags of the command line and the rows of the dialog are loops over it.
+struct ExportChoice {
+    std::string_view key, label, help;
+    std::span<const std::string_view> words = {}; ///< of `field`; none: a number
+    int ExportOptions::*field = nullptr;
+    double ExportOptions::*number = nullptr;
+    Range range = {0, 0}; ///< of a number
+};
+std::span<const ExportChoice> exportChoices();
+
+/// Why a format cannot do what was chosen; empty when it can.
+std::string conflictOf(const ExportOptions& options, const Format& format);
+/// The levels of detail that have to be made, the finest first.
+std::vector<const Detail*> detailsOf(const ExportOptions& options);
+
+} // namespace stromar

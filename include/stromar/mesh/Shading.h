@@ -1,0 +1,23 @@
+#pragma once
+#include "stromar/mesh/Model.h"
+#include <glm/vec4.hpp>
+
+namespace stromar {
+
+/// The ellipsoid that a tree's meshes fill, for how dark its inside is.
+struct Crown {
+    glm::vec3 centre, radii;
+};
+
+/// Of all leaves, or of all meshes where there are none.
+Crown crownOf(const Meshes& meshes);
+
+/// Ambient occlusion of a vertex, 0 dark … 255 open: what its own stem leaves open (CMesh::openness), less towards the
+/// middle of the crown. A closed form, no rays: cost of one square root.
+std::uint8_t ambientAt(const Crown& crown, const CMesh& mesh, std::size_t vertex);
+
+/// Per vertex the unit direction of rising u, square to the normal, and the sign of the direction of rising v against
+/// normal × tangent: for normal maps. Mean of the triangles (Lengyel 2001).
+std::vector<glm::vec4> tangentsOf(const CMesh& mesh);
+
+} // namespace stromar

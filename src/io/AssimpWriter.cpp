@@ -1,0 +1,127 @@
+#include "stromar/io/Writers.h"
+#include <algorithm>
+#include <assimp/Exporter.hpp>
+#include <assimp/IOStream.hpp>
+#include <assimp/IOSystem.hpp>
+#include <assimp/scene.h>
+
+namespace stromar {
+
+namespace {
+/// Lets assimp write into one of our streams.
+class CStream : public Assimp::IOStream {
+public:
+    explicit CStream(std::ostream& out) : m_out(out) {}
+    std::size_t Read(void*, std::size_t, std::size_t) override { return 0; }
+    std::size_t Write(const void* bytes, std::size_t size, std::size_t count) override {
+        m_out.write(static_cast<const char*>(bytes), static_cast<std::streamsize>(size * count));
+        return count;
+    }
+    aiReturn Seek(std::size_t, aiOrigin) override { return aiReturn_FAILURE; }
+    std::size_t Tell() const override { return static_cast<std::size_t>(m_out.tellp()); }
+    std::size_t FileSize() const override { return Tell(); }
+    void Flush() override { m_out.flush(); }
+
+private:
+    std::ostream& m_out;
+};
+
+class CFiles : public Assimp::IOSystem {
+public:
+    explicit CFiles(CFileSet& files) : m_files(files) {}
+    bool Exists(const char*) const override { return false; }
+    char getOsSeparator() const override { return '/'; }
+    Assimp::IOStream* Open(const char* path, const char*) override { return new CStream(m_files.create(path)); }
+    void Close(Assimp::IOStream* stream) override { delete stream; }
+
+private:
+    CFileSet& m_files;
+};
+
+aiVector3D inAssimp(const glm::vec3& v) { return {v.x, v.y, v.z}; }
+
+aiMesh* makeMesh(const CMesh& mesh) {
+    auto* made = new aiMesh;
+    made->mName = mesh.name;
+    made->mMaterialIndex = static_cast<unsigned>(mesh.surface);
+    made->mPrimitiveTypes = aiPrimitiveType_TRIANGLE;
+    const std::size_t count = mesh.vertexCount();
+    made->mNumVertices = static_cast<unsigned>(count);
+    made->mVertices = new aiVector3D[count];
+    made->mNormals = new aiVector3D[count];
+    made->mTextureCoords[0] = new aiVector3D[count];
+    made->mNumUVComponents[0] = 2;
+    for (std::size_t v = 0; v < count; ++v) {
+        made->mVertices[v] = inAssimp(mesh.positions[v]);
+        made->mNormals[v] = inAssimp(mesh.normals[v]);
+        made->mTextureCoords[0][v] = {mesh.texCoords[v].x, mesh.texCoords[v].y, 0};
+    }
+    made->mNumFaces = static_cast<unsigned>(mesh.triangleCount());
+    made->mFaces = new aiFace[mesh.triangleCount()];
+    for (std::size_t t = 0; t < mesh.triangleCount(); ++t) {
+        aiFace& face = made->mFaces[t];
+        face.mNumIndices = 3;
+        face.mIndices = new unsigned[3];
+        std::copy_n(&mesh.indices[3 * t], 3, face.mIndices);
+    }
+    return made;
+}
+
+aiMaterial* makeMaterial(const SurfaceLook& look) {
+    auto* material = new aiMaterial;
+    const aiString name(look.name), texture(look.texture);
+    material->AddProperty(&name, AI_MATKEY_NAME);
+    const glm::vec3 shown = look.texture.empty() ? look.colour : glm::vec3(1);
+    const aiColor3D colour(shown.x, shown.y, shown.z);
+    material->AddProperty(&colour, 1, AI_MATKEY_COLOR_DIFFUSE);
+    if (!look.texture.empty()) material->AddProperty(&texture, AI_MATKEY_TEXTURE_DIFFUSE(0));
+    if (!look.texture.empty() && look.cutOut) material->AddProperty(&texture, AI_MATKEY_TEXTURE_OPACITY(0));
+    return material;
+}
+
+/// A node per mesh under one that bears the model's name. `turn` maps our axes to the file's.
+std::unique_ptr<aiScene> makeScene(const ExportModel& model, const aiMatrix4x4& turn) {
+    auto scene = std::make_unique<aiScene>();
+    const auto meshes = static_cast<unsigned>(model.meshes.size()), looks = static_cast<unsigned>(model.looks.size());
+    scene->mNumMeshes = meshes;
+    scene->mMeshes = new aiMesh*[meshes];
+    scene->mNumMaterials = looks;
+    scene->mMaterials = new aiMaterial*[looks];
+    for (unsigned i = 0; i < looks; ++i) scene->mMaterials[i] = makeMaterial(model.looks[i]);
+    scene->mRootNode = new aiNode(model.name);
+    scene->mRootNode->mTransformation = turn;
+    scene->mRootNode->mNumChildren = meshes;
+    scene->mRootNode->mChildren = new aiNode*[meshes];
+    for (unsigned i = 0; i < meshes; ++i) {
+        scene->mMeshes[i] = makeMesh(*model.meshes[i]);
+        auto* node = scene->mRootNode->mChildren[i] = new aiNode(model.meshes[i]->name);
+        node->mParent = scene->mRootNode;
+        node->mNumMeshes = 1;
+        node->mMeshes = new unsigned[1]{i};
+    }
+    return scene;
+}
+
+void writeByAssimp(const char* format, const ExportModel& model, const aiMatrix4x4& turn,
+                   const std::filesystem::path& path, CFileSet& files) {
+    Assimp::Exporter exporter;
+    exporter.SetIOHandler(new CFiles(files));
+    if (exporter.Export(makeScene(model, turn).get(), format, path.string()) != aiReturn_SUCCESS)
+        throw CError("assimp cannot write " + path.string() + ": " + exporter.GetErrorString());
+}
+} // namespace
+
+void writeStl(const ExportModel& model, const std::filesystem::path& path, CFileSet& files) {
+    writeByAssimp("stlb", model, {}, path, files);
+}
+
+void writePly(const ExportModel& model, const std::filesystem::path& path, CFileSet& files) {
+    writeByAssimp("plyb", model, {}, path, files);
+}
+
+void writeDae(const ExportModel& model, const std::filesystem::path& path, CFileSet& files) {
+    const aiMatrix4x4 yUp(1, 0, 0, 0, 0, 0, 1, 0, 0, -1, 0, 0, 0, 0, 0, 1);
+    writeByAssimp("collada", model, yUp, path, files);
+}
+
+} // namespace stromar

@@ -1,0 +1,272 @@
+#include "stromar/io/Writers.h"
+#include "stromar/mesh/Shading.h"
+#include <algorithm>
+#include <bit>
+#include <cstring>
+#include <functional>
+#include <glm/common.hpp>
+#include <nlohmann/json.hpp>
+#include <sstream>
+#include <tiny_gltf.h>
+
+namespace stromar {
+
+static_assert(std::endian::native == std::endian::little, "glTF's buffers are little-endian");
+
+namespace {
+constexpr std::uint64_t kLargestFile = 0xffffffff; // a GLB says its length in 32 bits
+
+glm::vec3 yUp(const glm::vec3& v) { return {v.x, v.z, -v.y}; }
+
+/// One after the other: what the parts of the buffer hold is described first and streamed later, so that no copy of the
+/// model is made.
+class CGltf {
+public:
+    CGltf(const ExportModel& source, bool embed) : m_source(source), m_embed(embed) {
+        m_gltf.asset.version = "2.0";
+        m_gltf.asset.generator = "Stromar";
+        addMaterials();
+        m_gltf.scenes.emplace_back();
+        m_gltf.defaultScene = 0;
+        m_gltf.buffers.emplace_back();
+        if (source.coarser.empty())
+            addSingleModel();
+        else
+            addLods();
+    }
+
+    std::uint64_t bufferBytes() const { return m_bytes; }
+
+    /// The description; the buffer lies in the file `uri`, or in the same GLB when that is empty.
+    std::string json(const std::string& uri) const {
+        std::ostringstream text;
+        tinygltf::TinyGLTF writer;
+        writer.SetImageWriter(nullptr, nullptr); // pictures are copied or embedded as they are
+        if (!writer.WriteGltfSceneToStream(&m_gltf, text, false, false))
+            throw CError("the glTF library cannot describe the model");
+        auto document = nlohmann::ordered_json::parse(text.str());
+        document["buffers"][0] = {{"byteLength", m_bytes}};
+        if (!uri.empty()) document["buffers"][0]["uri"] = uri;
+        return document.dump(uri.empty() ? -1 : 1);
+    }
+
+    void writeBuffer(std::ostream& out) const {
+        std::uint64_t written = 0;
+        for (const auto& part : m_parts) {
+            const std::string bytes = part();
+            out.write(bytes.data(), static_cast<std::streamsize>(bytes.size()));
+            const std::size_t padding = (4 - bytes.size() % 4) % 4;
+            out.write("\0\0\0", static_cast<std::streamsize>(padding));
+            written += bytes.size() + padding;
+        }
+        if (written != m_bytes) throw CError("the model changed while it was written");
+    }
+
+private:
+    using Part = std::function<std::string()>;
+
+    void addMaterials() {
+        m_gltf.samplers.emplace_back();
+        m_gltf.samplers[0].minFilter = TINYGLTF_TEXTURE_FILTER_LINEAR_MIPMAP_LINEAR;
+        m_gltf.samplers[0].magFilter = TINYGLTF_TEXTURE_FILTER_LINEAR;
+        for (const SurfaceLook& look : m_source.looks) {
+            tinygltf::Material material;
+            material.name = look.name;
+            material.pbrMetallicRoughness.metallicFactor = 0;
+            material.pbrMetallicRoughness.roughnessFactor = look.cutOut ? 0.7 : 0.9;
+            material.doubleSided = look.cutOut;
+            if (look.cutOut) {
+                material.alphaMode = "MASK";
+                material.alphaCutoff = 0.4;
+            }
+            if (look.picture.empty())
+                material.pbrMetallicRoughness.baseColorFactor = {look.colour.x, look.colour.y, look.colour.z, 1};
+            else
+                material.pbrMetallicRoughness.baseColorTexture.index = addTexture(look);
+            m_gltf.materials.push_back(material);
+        }
+    }
+
+    int addTexture(const SurfaceLook& look) {
+        tinygltf::Image image;
+        image.name = look.name;
+        if (m_embed) {
+            const auto bytes = std::make_shared<const std::string>(readFile(look.picture));
+            image.mimeType = mimeTypeOf(*bytes, look.picture);
+            image.bufferView = addView(bytes->size(), 0, [bytes] { return *bytes; });
+        } else
+            image.uri = look.texture;
+        m_gltf.images.push_back(image);
+        tinygltf::Texture texture;
+        texture.sampler = 0;
+        texture.source = static_cast<int>(m_gltf.images.size()) - 1;
+        m_gltf.textures.push_back(texture);
+        return static_cast<int>(m_gltf.textures.size()) - 1;
+    }
+
+    static std::string mimeTypeOf(const std::string& bytes, const std::filesystem::path& picture) {
+        if (bytes.starts_with("\x89PNG")) return "image/png";
+        if (bytes.starts_with("\xff\xd8\xff")) return "image/jpeg";
+        throw CError(picture.string() + ": glTF takes PNG and JPEG pictures only");
+    }
+
+    /// One node per generation, under one that bears the model's name.
+    void addSingleModel() {
+        tinygltf::Node root;
+        root.name = m_source.name;
+        const Crown crown = crownOf(m_source.meshes);
+        for (const auto& mesh : m_source.meshes) {
+            const int index = addMesh(mesh->name, {mesh}, crown);
+            root.children.push_back(addNode(mesh->name, index));
+        }
+        m_gltf.nodes.push_back(root);
+        m_gltf.scenes[0].nodes.push_back(static_cast<int>(m_gltf.nodes.size()) - 1);
+    }
+
+    /// One mesh per level of detail, as engines want it; the node of the finest refers to the others (MSFT_lod).
+    void addLods() {
+        const Crown crown = crownOf(m_source.meshes);
+        tinygltf::Value::Array ids, coverage;
+        const std::size_t count = m_source.coarser.size() + 1;
+        for (std::size_t lod = 0; lod < count; ++lod) {
+            const std::string name = m_source.name + "_LOD" + std::to_string(lod);
+            const int mesh = addMesh(name, lod == 0 ? m_source.meshes : m_source.coarser[lod - 1], crown);
+            const int node = addNode(name, mesh);
+            if (lod > 0) ids.emplace_back(node);
+            coverage.emplace_back(kScreenCoverage[std::min(lod, kScreenCoverage.size() - 1)]);
+        }
+        tinygltf::Node& finest = m_gltf.nodes[0];
+        finest.extensions["MSFT_lod"] = tinygltf::Value(tinygltf::Value::Object{{"ids", tinygltf::Value(ids)}});
+        finest.extras = tinygltf::Value(tinygltf::Value::Object{{"MSFT_screencoverage", tinygltf::Value(coverage)}});
+        m_gltf.extensionsUsed.emplace_back("MSFT_lod");
+        m_gltf.scenes[0].nodes.push_back(0);
+    }
+
+    int addNode(const std::string& name, int mesh) {
+        tinygltf::Node node;
+        node.name = name;
+        node.mesh = mesh;
+        m_gltf.nodes.push_back(node);
+        return static_cast<int>(m_gltf.nodes.size()) - 1;
+    }
+
+    int addMesh(const std::string& name, const Meshes& parts, const Crown& crown) {
+        tinygltf::Mesh mesh;
+        mesh.name = name;
+        for (const auto& part : parts) mesh.primitives.push_back(makePrimitive(part, crown));
+        m_gltf.meshes.push_back(mesh);
+        return static_cast<int>(m_gltf.meshes.size()) - 1;
+    }
+
+    tinygltf::Primitive makePrimitive(const std::shared_ptr<const CMesh>& mesh, const Crown& crown) {
+        const std::size_t count = mesh->vertexCount();
+        tinygltf::Primitive primitive;
+        primitive.mode = TINYGLTF_MODE_TRIANGLES;
+        primitive.material = static_cast<int>(mesh->surface);
+        auto& attributes = primitive.attributes;
+        attributes["POSITION"] = addVertices<glm::vec3>(count, TINYGLTF_TYPE_VEC3,
+                                                        [mesh](std::size_t v) { return yUp(mesh->positions[v]); });
+        const Bounds bounds = mesh->bounds();
+        tinygltf::Accessor& position = m_gltf.accessors.back();
+        const glm::vec3 a = yUp(bounds.min), b = yUp(bounds.max), low = glm::min(a, b), high = glm::max(a, b);
+        position.minValues = {low.x, low.y, low.z};
+        position.maxValues = {high.x, high.y, high.z};
+        attributes["NORMAL"] =
+            addVertices<glm::vec3>(count, TINYGLTF_TYPE_VEC3, [mesh](std::size_t v) { return yUp(mesh->normals[v]); });
+        attributes["TANGENT"] = addTangents(mesh);
+        attributes["TEXCOORD_0"] = addVertices<glm::vec2>(count, TINYGLTF_TYPE_VEC2, [mesh](std::size_t v) {
+            return glm::vec2(mesh->texCoords[v].x, 1 - mesh->texCoords[v].y);
+        });
+        attributes["COLOR_0"] = addVertices<glm::u8vec4>(
+            count, TINYGLTF_TYPE_VEC4,
+            [mesh, crown](std::size_t v) { return glm::u8vec4(glm::u8vec3(ambientAt(crown, *mesh, v)), 255); },
+            TINYGLTF_COMPONENT_TYPE_UNSIGNED_BYTE);
+        m_gltf.accessors.back().normalized = true;
+        primitive.indices = addIndices(mesh);
+        return primitive;
+    }
+
+    int addTangents(const std::shared_ptr<const CMesh>& mesh) {
+        const int view = addView(mesh->vertexCount() * sizeof(glm::vec4), TINYGLTF_TARGET_ARRAY_BUFFER, [mesh] {
+            std::vector<glm::vec4> tangents = tangentsOf(*mesh);
+            for (glm::vec4& t : tangents) t = glm::vec4(yUp(glm::vec3(t)), t.w);
+            return std::string(reinterpret_cast<const char*>(tangents.data()), tangents.size() * sizeof(glm::vec4));
+        });
+        return addAccessor(view, mesh->vertexCount(), TINYGLTF_TYPE_VEC4, TINYGLTF_COMPONENT_TYPE_FLOAT);
+    }
+
+    int addIndices(const std::shared_ptr<const CMesh>& mesh) {
+        const std::size_t bytes = mesh->indices.size() * sizeof(std::uint32_t);
+        const int view = addView(bytes, TINYGLTF_TARGET_ELEMENT_ARRAY_BUFFER, [mesh, bytes] {
+            return std::string(reinterpret_cast<const char*>(mesh->indices.data()), bytes);
+        });
+        return addAccessor(view, mesh->indices.size(), TINYGLTF_TYPE_SCALAR, TINYGLTF_COMPONENT_TYPE_UNSIGNED_INT);
+    }
+
+    template <typename T, typename Get>
+    int addVertices(std::size_t count, int type, Get&& get, int component = TINYGLTF_COMPONENT_TYPE_FLOAT) {
+        const int view = addView(count * sizeof(T), TINYGLTF_TARGET_ARRAY_BUFFER, [count, get] {
+            std::string bytes(count * sizeof(T), '\0');
+            for (std::size_t v = 0; v < count; ++v) {
+                const T value = get(v);
+                std::memcpy(bytes.data() + v * sizeof(T), &value, sizeof(T));
+            }
+            return bytes;
+        });
+        return addAccessor(view, count, type, component);
+    }
+
+    int addAccessor(int view, std::size_t count, int type, int component) {
+        tinygltf::Accessor accessor;
+        accessor.bufferView = view;
+        accessor.count = count;
+        accessor.type = type;
+        accessor.componentType = component;
+        m_gltf.accessors.push_back(accessor);
+        return static_cast<int>(m_gltf.accessors.size()) - 1;
+    }
+
+    int addView(std::size_t bytes, int target, Part part) {
+        tinygltf::BufferView view;
+        view.buffer = 0;
+        view.byteOffset = m_bytes;
+        view.byteLength = bytes;
+        view.target = target;
+        m_gltf.bufferViews.push_back(view);
+        m_parts.push_back(std::move(part));
+        m_bytes += (bytes + 3) / 4 * 4;
+        return static_cast<int>(m_gltf.bufferViews.size()) - 1;
+    }
+
+    const ExportModel& m_source;
+    bool m_embed;
+    tinygltf::Model m_gltf;
+    std::vector<Part> m_parts;
+    std::uint64_t m_bytes = 0;
+};
+
+void writeWord(std::ostream& out, std::uint32_t word) { out.write(reinterpret_cast<const char*>(&word), sizeof(word)); }
+} // namespace
+
+void writeGlb(const ExportModel& model, const std::filesystem::path& path, CFileSet& files) {
+    const CGltf gltf(model, model.looks[0].texture.empty());
+    std::string json = gltf.json({});
+    json.append((4 - json.size() % 4) % 4, ' ');
+    const std::uint64_t length = 12 + 8 + json.size() + 8 + gltf.bufferBytes();
+    if (length > kLargestFile) throw CError(path.string() + ": the model is too large for a .glb, .gltf may take it");
+    std::ostream& out = files.create(path);
+    for (const std::uint32_t word : {0x46546C67u, 2u, static_cast<std::uint32_t>(length)}) writeWord(out, word);
+    for (const std::uint32_t word : {static_cast<std::uint32_t>(json.size()), 0x4E4F534Au}) writeWord(out, word);
+    out << json;
+    for (const std::uint32_t word : {static_cast<std::uint32_t>(gltf.bufferBytes()), 0x004E4942u}) writeWord(out, word);
+    gltf.writeBuffer(out);
+}
+
+void writeGltf(const ExportModel& model, const std::filesystem::path& path, CFileSet& files) {
+    const CGltf gltf(model, model.looks[0].texture.empty());
+    const std::string buffer = model.name + ".bin";
+    files.create(path) << gltf.json(buffer);
+    gltf.writeBuffer(files.create(path.parent_path() / buffer));
+}
+
+} // namespace stromar
