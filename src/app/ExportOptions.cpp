@@ -8,11 +8,18 @@ constexpr std::string_view kLods[] = {"none", "one-file", "file-each"};
 constexpr std::string_view kUps[] = {"format", "y", "z"};
 constexpr std::string_view kTextures[] = {"format", "embed", "copy", "refer"};
 
+constexpr std::string_view kModelNames[] = {"Full model", "Simple model"};
+constexpr std::string_view kLodNames[] = {"No", "In one file", "A file for each"};
+constexpr std::string_view kUpNames[] = {"As usual in the format", "Y", "Z"};
+constexpr std::string_view kTextureNames[] = {"As usual in the format", "Inside the file", "Copies beside it",
+                                              "Where they are"};
+
 constexpr ExportChoice kChoices[] = {
     {.key = "model",
      .label = "Model",
      .help = "Which model: the full one, or the simple one of the preview.",
      .words = kModels,
+     .names = kModelNames,
      .field = &ExportOptions::model},
     {.key = "lod",
      .label = "Level of detail",
@@ -20,9 +27,10 @@ constexpr ExportChoice kChoices[] = {
      .field = &ExportOptions::lod,
      .range = {0, 3}},
     {.key = "lods",
-     .label = "Levels of detail",
+     .label = "All levels of detail",
      .help = "All four levels of detail: inside one file, or a file for each, named after it.",
      .words = kLods,
+     .names = kLodNames,
      .field = &ExportOptions::lods},
     {.key = "scale",
      .label = "Scale",
@@ -33,11 +41,13 @@ constexpr ExportChoice kChoices[] = {
      .label = "Up axis",
      .help = "Which axis points up. 'format' takes what programs expect of the format.",
      .words = kUps,
+     .names = kUpNames,
      .field = &ExportOptions::up},
     {.key = "textures",
      .label = "Textures",
      .help = "Pictures inside the file, as copies beside it, or where they lie now. 'format' takes what is usual.",
      .words = kTextures,
+     .names = kTextureNames,
      .field = &ExportOptions::textures},
 };
 } // namespace

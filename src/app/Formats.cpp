@@ -15,7 +15,7 @@ constexpr Format kFormats[] = {
     {".gltf", "glTF, with its buffer and pictures beside it", "y", "nothing", writeGltf, 68, Pictures::Beside, true, false},
     {".obj", "Wavefront OBJ", "y", "occlusion and tangents; two-sided leaves are up to the program", writeObj, 120,
      Pictures::Beside, false, true},
-    {".dae", "COLLADA", "y", "occlusion and tangents; two-sided leaves are up to the program", writeDae, 110},
+    {".dae", "COLLADA", "z", "occlusion and tangents; two-sided leaves are up to the program", writeDae, 110},
     {".ply", "Stanford PLY, binary", "z", "materials and pictures; all stems and leaves are one mesh", writePly, 55,
      Pictures::None, false, true},
     {".stl", "STL, binary", "z", "materials, pictures, texture coordinates and smooth normals", writeStl, 35,

@@ -1,4 +1,5 @@
 #include "Document.h"
+#include "QtText.h"
 #include <QFileInfo>
 #include <QUndoCommand>
 
@@ -30,11 +31,6 @@ private:
     int m_gesture;
     QString m_subject;
 };
-
-namespace {
-fs::path toPath(const QString& path) { return fs::path(path.toStdU16String()); }
-QString toQString(std::string_view text) { return QString::fromUtf8(text.data(), qsizetype(text.size())); }
-} // namespace
 
 std::string rebasedPath(const std::string& path, const fs::path& from, const fs::path& to) {
     if (path.empty() || fs::path(path).is_absolute()) return path;

@@ -13,7 +13,8 @@ class CExportJob : public QObject {
 public:
     struct Task {
         CParams params;
-        std::shared_ptr<const TreeModel> model; ///< when it is already made; else it is made first
+        std::shared_ptr<const TreeModel> model; ///< the full one, when it is already made
+        ExportOptions options;
         std::filesystem::path treeFolder, path;
         double mostVertices = CTreeCreator::kMostVertices;
     };
@@ -33,6 +34,7 @@ signals:
 
 private:
     void work();
+    std::vector<std::shared_ptr<const TreeModel>> createModels() const;
 
     Task m_task;
     CProgress m_progress;

@@ -1,10 +1,13 @@
 #include "MainWindow.h"
 #include "Commands.h"
+#include "ExportDialog.h"
 #include "ExportJob.h"
 #include "ParamEditor.h"
 #include "ParamPanel.h"
+#include "QtText.h"
 #include "Viewport.h"
 #include "stromar/app/Formats.h"
+#include "stromar/app/Prediction.h"
 #include <QAction>
 #include <QApplication>
 #include <QCloseEvent>
@@ -33,12 +36,8 @@ constexpr int kPauseMs = 350;
 constexpr int kMostRecent = 10;
 constexpr int kMostSeed = 9999;
 constexpr const char* kRecentKey = "recentFiles";
-constexpr const char* kExportFolderKey = "exportFolder";
 
 QString tr2(const char* text) { return QCoreApplication::translate("Commands", text); }
-
-std::filesystem::path toPath(const QString& path) { return std::filesystem::path(path.toStdU16String()); }
-QString fromPath(const std::filesystem::path& path) { return QString::fromStdU16String(path.u16string()); }
 
 QString treeFilter() { return CMainWindow::tr("Trees (*.tree);;All files (*)"); }
 } // namespace
@@ -295,34 +294,19 @@ void CMainWindow::chooseAndSave() {
 }
 
 void CMainWindow::chooseAndExport() {
-    QStringList filters;
-    for (const Format& format : formatTable())
-        filters << QStringLiteral("%1 (*%2)").arg(toQString(format.name), toQString(format.ending));
-    const QSettings settings;
-    const QString folder = settings.value(QLatin1String(kExportFolderKey)).toString();
-    QFileDialog dialog(this, tr("Export the full model"), folder);
-    dialog.setAcceptMode(QFileDialog::AcceptSave);
-    dialog.setNameFilters(filters);
-    dialog.selectNameFilter(settings.value(QStringLiteral("exportFilter")).toString());
-    const auto useEnding = [&dialog, filters] {
-        const auto row = filters.indexOf(dialog.selectedNameFilter());
-        if (row >= 0) dialog.setDefaultSuffix(toQString(formatTable()[static_cast<std::size_t>(row)].ending).mid(1));
-    };
-    useEnding();
-    connect(&dialog, &QFileDialog::filterSelected, &dialog, useEnding);
-    dialog.selectFile(QFileInfo(m_document.displayName()).completeBaseName());
-    if (dialog.exec() != QDialog::Accepted) return;
-    QSettings().setValue(QStringLiteral("exportFilter"), dialog.selectedNameFilter());
-    exportTo(dialog.selectedFiles().front());
+    const bool full = m_shown && m_shown->model->detail == &detailOf(Model::Full);
+    const double vertices =
+        full ? double(m_shown->model->vertexCount()) : predictSize(m_document.params(), detailOf(Model::Full)).vertices;
+    CExportDialog dialog(QFileInfo(m_document.displayName()).completeBaseName(), vertices, this);
+    if (dialog.exec() == QDialog::Accepted) exportTo(dialog.path(), dialog.options());
 }
 
-void CMainWindow::exportTo(const QString& path) {
+void CMainWindow::exportTo(const QString& path, const ExportOptions& options) {
     if (m_export) return;
-    QSettings().setValue(QLatin1String(kExportFolderKey), QFileInfo(path).absolutePath());
-    const bool ready =
-        m_shown && m_shown->model->detail == &detailOf(Model::Full) && m_shown->model->params == m_document.params();
-    m_export = std::make_unique<CExportJob>(CExportJob::Task{m_document.params(), ready ? m_shown->model : nullptr,
-                                                             m_document.folder(), toPath(path), m_mostVertices});
+    const bool ready = m_shown && m_shown->model->params == m_document.params();
+    m_export =
+        std::make_unique<CExportJob>(CExportJob::Task{m_document.params(), ready ? m_shown->model : nullptr, options,
+                                                      m_document.folder(), toPath(path), m_mostVertices});
     auto* dialog = new QProgressDialog(tr("Writing %1").arg(QFileInfo(path).fileName()), tr("Cancel"), 0, 1000, this);
     dialog->setWindowModality(Qt::WindowModal);
     dialog->setMinimumDuration(300);

@@ -1,6 +1,7 @@
 #pragma once
 #include "Document.h"
 #include "TreeCreatorThread.h"
+#include "stromar/app/ExportOptions.h"
 #include <QMainWindow>
 #include <QTimer>
 #include <memory>
@@ -28,7 +29,7 @@ public:
     bool open(const QString& path);
     bool save(const QString& path);
     /// Returns at once; exportEnded tells how it went.
-    void exportTo(const QString& path);
+    void exportTo(const QString& path, const ExportOptions& options = {});
     /// Which model follows a change; the default shows the simple one first, then the full one.
     void showOnly(Model model);
 

@@ -1,4 +1,5 @@
 #include "ParamEditor.h"
+#include "QtText.h"
 #include <QCheckBox>
 #include <QComboBox>
 #include <QCoreApplication>
@@ -49,8 +50,6 @@ QString suffixOf(Unit unit) {
     return (unit == Unit::Degree ? QString() : QStringLiteral(" ")) + toQString(unitName(unit));
 }
 } // namespace
-
-QString toQString(std::string_view text) { return QString::fromUtf8(text.data(), qsizetype(text.size())); }
 
 CParamEditor::CParamEditor(const ParamRef& ref, QWidget* parent) : QWidget(parent), m_ref(ref) {
     setObjectName(toQString(ref.key()));

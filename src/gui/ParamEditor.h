@@ -53,6 +53,4 @@ private:
     int m_gesture = 0;
 };
 
-QString toQString(std::string_view text);
-
 } // namespace stromar

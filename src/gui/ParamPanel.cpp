@@ -1,5 +1,6 @@
 #include "ParamPanel.h"
 #include "ParamEditor.h"
+#include "QtText.h"
 #include <QFormLayout>
 #include <QFrame>
 #include <QLabel>

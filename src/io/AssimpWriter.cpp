@@ -4,6 +4,9 @@
 #include <assimp/IOStream.hpp>
 #include <assimp/IOSystem.hpp>
 #include <assimp/scene.h>
+#include <exception>
+#include <string>
+#include <string_view>
 
 namespace stromar {
 
@@ -11,31 +14,57 @@ namespace {
 /// Lets assimp write into one of our streams.
 class CStream : public Assimp::IOStream {
 public:
-    explicit CStream(std::ostream& out) : m_out(out) {}
+    CStream(std::ostream& out, std::exception_ptr& failure) : m_out(out), m_failure(failure) {}
     std::size_t Read(void*, std::size_t, std::size_t) override { return 0; }
     std::size_t Write(const void* bytes, std::size_t size, std::size_t count) override {
-        m_out.write(static_cast<const char*>(bytes), static_cast<std::streamsize>(size * count));
-        return count;
+        try {
+            if (!m_failure) write({static_cast<const char*>(bytes), size * count});
+        } catch (...) {
+            m_failure = std::current_exception(); // assimp would make a text of it
+        }
+        return m_failure ? 0 : count;
     }
     aiReturn Seek(std::size_t, aiOrigin) override { return aiReturn_FAILURE; }
     std::size_t Tell() const override { return static_cast<std::size_t>(m_out.tellp()); }
     std::size_t FileSize() const override { return Tell(); }
-    void Flush() override { m_out.flush(); }
+    void Flush() override {}
 
 private:
+    /// The same model has to give the same bytes at any time: the dates in a COLLADA file's head become a fixed one.
+    void write(std::string_view bytes) {
+        constexpr std::string_view kDate = "2000-01-01T00:00:00";
+        constexpr std::size_t kHead = 2048;
+        std::string head(bytes.substr(0, m_atStart ? kHead : 0));
+        for (const std::string_view tag : {"<created>", "<modified>"})
+            if (const auto at = head.find(tag); at != std::string::npos && at + tag.size() + kDate.size() < head.size())
+                head.replace(at + tag.size(), kDate.size(), kDate);
+        m_atStart = false;
+        m_out << head << bytes.substr(head.size());
+    }
+
+    bool m_atStart = true;
     std::ostream& m_out;
+    std::exception_ptr& m_failure;
 };
 
 class CFiles : public Assimp::IOSystem {
 public:
-    explicit CFiles(CFileSet& files) : m_files(files) {}
+    CFiles(CFileSet& files, std::exception_ptr& failure) : m_files(files), m_failure(failure) {}
     bool Exists(const char*) const override { return false; }
     char getOsSeparator() const override { return '/'; }
-    Assimp::IOStream* Open(const char* path, const char*) override { return new CStream(m_files.create(path)); }
+    Assimp::IOStream* Open(const char* path, const char*) override {
+        try {
+            return new CStream(m_files.create(path), m_failure);
+        } catch (...) {
+            m_failure = std::current_exception();
+            return nullptr;
+        }
+    }
     void Close(Assimp::IOStream* stream) override { delete stream; }
 
 private:
     CFileSet& m_files;
+    std::exception_ptr& m_failure;
 };
 
 aiVector3D inAssimp(const glm::vec3& v) { return {v.x, v.y, v.z}; }
@@ -104,9 +133,12 @@ std::unique_ptr<aiScene> makeScene(const ExportModel& model, const aiMatrix4x4& 
 
 void writeByAssimp(const char* format, const ExportModel& model, const aiMatrix4x4& turn,
                    const std::filesystem::path& path, CFileSet& files) {
+    std::exception_ptr failure;
     Assimp::Exporter exporter;
-    exporter.SetIOHandler(new CFiles(files));
-    if (exporter.Export(makeScene(model, turn).get(), format, path.string()) != aiReturn_SUCCESS)
+    exporter.SetIOHandler(new CFiles(files, failure));
+    const aiReturn result = exporter.Export(makeScene(model, turn).get(), format, path.string());
+    if (failure) std::rethrow_exception(failure);
+    if (result != aiReturn_SUCCESS)
         throw CError("assimp cannot write " + path.string() + ": " + exporter.GetErrorString());
 }
 } // namespace

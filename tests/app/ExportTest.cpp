@@ -50,6 +50,8 @@ class Export : public testing::TestWithParam<std::size_t> {
 protected:
     std::string ending() const { return std::string(formatTable()[GetParam()].ending); }
     fs::path target() const { return m_folder / ("tree" + ending()); }
+    const Format& format() const { return formatTable()[GetParam()]; }
+    bool copiesPictures() const { return format().pictures == Pictures::Beside; }
     void expectUntouched(const std::set<std::string>& names = {}) const { EXPECT_EQ(m_folder.names(), names); }
 
     CTemporaryFolder m_folder;
@@ -62,16 +64,19 @@ TEST_P(Export, PutsPicturesBesideTheModel) {
     const std::string content = readFile(target());
     std::string library;
     if (fs::exists(m_folder / "tree.mtl")) library = readFile(m_folder / "tree.mtl");
+    std::set<std::string> names = {"tree" + ending()};
+    if (!library.empty()) names.insert("tree.mtl");
+    if (ending() == ".gltf") names.insert("tree.bin");
     for (const Surface surface : {Surface::Bark, Surface::Leaf}) {
+        if (!copiesPictures()) break;
         const std::string picture = surface == Surface::Bark ? "tree_bark.png" : "tree_leaf.png";
         ASSERT_TRUE(fs::exists(m_folder / picture)) << picture;
         EXPECT_EQ(readFile(m_folder / picture), readFile(textureOf(smallModel()->params, surface, {})));
         EXPECT_GE(countOf(content + library, picture), 1u) << picture;
         EXPECT_EQ(countOf(content + library, "/" + picture), 0u) << picture;
         EXPECT_EQ(countOf(content + library, "\\" + picture), 0u) << picture;
+        names.insert(picture);
     }
-    std::set<std::string> names = {"tree" + ending(), "tree_bark.png", "tree_leaf.png"};
-    if (!library.empty()) names.insert("tree.mtl");
     EXPECT_EQ(m_folder.names(), names) << "other files lie about";
 }
 
@@ -103,6 +108,7 @@ TEST_P(Export, ReplacesAnOlderModel) {
 }
 
 TEST_P(Export, TakesTheTreesOwnPictures) {
+    if (!copiesPictures()) GTEST_SKIP();
     const CTemporaryFolder trees;
     fs::create_directory(trees / "pictures");
     writeFile(trees / "pictures/my bark.JPG", "not really a picture");
@@ -112,6 +118,7 @@ TEST_P(Export, TakesTheTreesOwnPictures) {
 }
 
 TEST_P(Export, AMissingPictureLeavesNothing) {
+    if (format().pictures == Pictures::None) GTEST_SKIP();
     for (const TreeModel& model : {withPictures("none.png", ""), withPictures("", "none.png")})
         EXPECT_THROW(exportModel(model, m_folder.path(), target(), CProgress(2)), CError);
     expectUntouched();
@@ -135,6 +142,7 @@ TEST_P(Export, AFolderInThePlaceStays) {
 }
 
 TEST_P(Export, AFolderInAPicturesPlaceLeavesTheModel) {
+    if (!copiesPictures()) GTEST_SKIP();
     fs::create_directory(m_folder / "tree_leaf.png");
     writeFile(target(), "older");
     EXPECT_THROW(exportModel(*smallModel(), {}, target(), CProgress(2)), CError);
@@ -169,10 +177,66 @@ TEST_P(Export, ReportsHowFarItIs) {
     const CProgress progress(2);
     exportModel(*model, {}, target(), progress);
     EXPECT_GT(progress.done(), 0.5) << "the format's bytesPerVertex is too large";
-    const double written = static_cast<double>(fs::file_size(target()));
+    double written = static_cast<double>(fs::file_size(target()));
+    if (ending() == ".gltf") written += static_cast<double>(fs::file_size(m_folder / "tree.bin"));
     const double expected = formatTable()[GetParam()].bytesPerVertex * static_cast<double>(model->vertexCount());
     EXPECT_GT(written / expected, 0.5);
     EXPECT_LT(written / expected, 2.0);
+}
+
+TEST_P(Export, GivesWhatTheOptionsSayOrRefuses) {
+    for (const ExportChoice& choice : exportChoices())
+        for (std::size_t word = 1; word < choice.words.size(); ++word) {
+            if (!choice.field || choice.key == "lods" || choice.key == "model") continue;
+            const CTemporaryFolder folder;
+            ExportOptions options;
+            options.*choice.field = static_cast<int>(word);
+            const fs::path path = folder / target().filename();
+            const auto write = [&] { exportModels({smallModel()}, options, {}, path, CProgress(2)); };
+            SCOPED_TRACE(std::string(choice.key) + " " + std::string(choice.words[word]));
+            if (conflictOf(options, format()).empty()) {
+                write();
+                EXPECT_TRUE(fs::exists(path));
+                const bool copied = choice.key == "textures" ? choice.words[word] == "copy" : copiesPictures();
+                EXPECT_EQ(folder.names().contains("tree_bark.png"), copied && format().pictures != Pictures::None);
+            } else {
+                EXPECT_THROW(write(), CError);
+                EXPECT_TRUE(folder.names().empty());
+            }
+        }
+}
+
+TEST_P(Export, WritesLevelsOfDetail) {
+    std::vector<std::shared_ptr<const TreeModel>> lods;
+    CTreeCreator creator;
+    ExportOptions options;
+    for (const auto kind : {ExportedLods::FileEach, ExportedLods::InOneFile}) {
+        options.lods = static_cast<int>(kind);
+        if (!conflictOf(options, format()).empty()) continue;
+        lods.clear();
+        for (const Detail* detail : detailsOf(options))
+            lods.push_back(creator.create(smallModel()->params, *detail, CProgress(2)));
+        ASSERT_EQ(lods.size(), 4u);
+        exportModels(lods, options, {}, target(), CProgress(2));
+    }
+    std::uintmax_t last = UINTMAX_MAX;
+    for (int lod = 0; lod < 4; ++lod) {
+        const fs::path each = m_folder / ("tree_LOD" + std::to_string(lod) + (ending() == ".gltf" ? ".bin" : ending()));
+        ASSERT_TRUE(fs::exists(each)) << each;
+        EXPECT_LT(fs::file_size(each), last) << each;
+        last = fs::file_size(each);
+    }
+    EXPECT_EQ(fs::exists(target()), format().lods);
+}
+
+TEST_P(Export, ScalesAndTurns) {
+    ExportOptions options;
+    options.scale = 100;
+    EXPECT_EQ(conflictOf(options, format()), "");
+    exportModels({smallModel()}, options, {}, target(), CProgress(2));
+    EXPECT_GT(fs::file_size(target()), 1000u);
+    options.up = static_cast<int>(format().upAxis == "y" ? ExportedUp::Z : ExportedUp::Y);
+    EXPECT_EQ(conflictOf(options, format()).empty(), format().anyUp);
 }
 
 TEST(ExportAnything, AnUnknownFormatIsAnError) {

@@ -1,4 +1,4 @@
-#include "stromar/app/Formats.h"
+#include "stromar/app/ExportOptions.h"
 #include <algorithm>
 #include <gtest/gtest.h>
 #include <set>
@@ -17,6 +17,22 @@ TEST(Formats, RowsAreComplete) {
         EXPECT_GT(format.bytesPerVertex, 0) << format.ending;
     }
     for (const std::string_view own : {".lwo", ".obj", ".pov"}) EXPECT_TRUE(endings.contains(own)) << own;
+}
+
+TEST(ExportChoices, AreCompleteRows) {
+    std::set<std::string_view> keys;
+    for (const ExportChoice& choice : exportChoices()) {
+        EXPECT_TRUE(keys.insert(choice.key).second) << choice.key;
+        EXPECT_FALSE(choice.label.empty()) << choice.key;
+        EXPECT_FALSE(choice.help.empty()) << choice.key;
+        EXPECT_NE(choice.field != nullptr, choice.number != nullptr) << choice.key;
+        EXPECT_EQ(choice.words.size(), choice.names.size()) << choice.key;
+        EXPECT_NE(choice.words.empty(), choice.range.max <= choice.range.min) << choice.key;
+    }
+}
+
+TEST(ExportChoices, EveryFormatTakesTheUsualOnes) {
+    for (const Format& format : formatTable()) EXPECT_EQ(conflictOf({}, format), "") << format.ending;
 }
 
 TEST(Formats, AreFoundByTheEnding) {

@@ -1,6 +1,7 @@
 // Models read back by OpenSceneGraph in a fresh process.
 #include "cli/Process.h"
 #include "io/ExportedModels.h"
+#include "stromar/app/Formats.h"
 #include <filesystem>
 #include <glm/common.hpp>
 #include <gtest/gtest.h>
@@ -64,7 +65,9 @@ TEST_P(OsgReads, TheWholeModel) {
     EXPECT_EQ(withoutNotice(run.err), "");
     const auto stats = nlohmann::json::parse(run.out);
     EXPECT_EQ(stats.at("triangles"), model.triangleCount());
-    expectNear(boundsIn(stats), boundsOf(model, zUp)); // its reader turns OBJ files upright
+    expectNear(boundsIn(stats), boundsOf(model, zUp)); // its readers turn OBJ and COLLADA files upright
+    const bool plain = formatOf(file.path())->pictures == Pictures::None;
+    if (plain || GetParam().ending == ".dae") return; // its COLLADA reader drops materials and texture coordinates
     EXPECT_NEAR(stats.at("bark_volume"), barkVolume(model), 0.01 * barkVolume(model))
         << "the bark does not face outwards";
     EXPECT_EQ(stats.at("materials"), (nlohmann::json{"bark", "leaf"}));

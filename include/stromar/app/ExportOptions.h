@@ -27,6 +27,7 @@ enum class ExportedTextures { Format, Embed, Copy, Refer };
 struct ExportChoice {
     std::string_view key, label, help;
     std::span<const std::string_view> words = {}; ///< of `field`; none: a number
+    std::span<const std::string_view> names = {}; ///< the same for people
     int ExportOptions::*field = nullptr;
     double ExportOptions::*number = nullptr;
     Range range = {0, 0}; ///< of a number

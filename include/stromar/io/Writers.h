@@ -25,7 +25,7 @@ void writePov(const ExportModel& model, const std::filesystem::path& path, CFile
 void writeGlb(const ExportModel& model, const std::filesystem::path& path, CFileSet& files);
 void writeGltf(const ExportModel& model, const std::filesystem::path& path, CFileSet& files);
 
-/// STL and PLY, binary, metres, z up; COLLADA, metres, y up. Through assimp, which needs a copy of the model in memory.
+/// STL and PLY, binary, and COLLADA. Metres, z up. Through assimp, which needs a copy of the model in memory.
 void writeStl(const ExportModel& model, const std::filesystem::path& path, CFileSet& files);
 void writePly(const ExportModel& model, const std::filesystem::path& path, CFileSet& files);
 void writeDae(const ExportModel& model, const std::filesystem::path& path, CFileSet& files);

@@ -1,0 +1,42 @@
+#pragma once
+#include "stromar/app/ExportOptions.h"
+#include <QDialog>
+
+class QComboBox;
+class QFormLayout;
+class QLabel;
+class QLineEdit;
+class QPushButton;
+
+namespace stromar {
+
+/// Asks for a format, a place and the rows of the table of export choices; tells what is lost and about how large the
+/// file will be. Remembers the last choices.
+class CExportDialog : public QDialog {
+    Q_OBJECT
+public:
+    /// `fullVertices` of the full model, for the size; `name` proposes the file's.
+    CExportDialog(const QString& name, double fullVertices, QWidget* parent = nullptr);
+
+    QString path() const;
+    const ExportOptions& options() const { return m_options; }
+
+    void accept() override;
+
+private:
+    void addFormats(QFormLayout& form);
+    void addChoice(const ExportChoice& choice, QFormLayout& form);
+    void addPlace(QFormLayout& form, const QString& name);
+    void browse();
+    void update();
+    const Format& format() const;
+
+    double m_fullVertices;
+    ExportOptions m_options;
+    QComboBox* m_format;
+    QLineEdit* m_path;
+    QLabel *m_losses, *m_size, *m_conflict;
+    QPushButton* m_export;
+};
+
+} // namespace stromar

@@ -1,0 +1,90 @@
+#include "ExportDialog.h"
+#include "QtText.h"
+#include "Support.h"
+#include <QComboBox>
+#include <QDoubleSpinBox>
+#include <QLabel>
+#include <QLineEdit>
+#include <QPushButton>
+#include <QSpinBox>
+#include <QTemporaryDir>
+#include <gtest/gtest.h>
+
+namespace stromar {
+namespace {
+
+/// Finds its parts by the names of the table's rows.
+struct Dialog : CExportDialog {
+    Dialog() : CExportDialog(QStringLiteral("oak"), 1e6) {}
+    QComboBox* combo(const char* name) { return findChild<QComboBox*>(QLatin1String(name)); }
+    QLineEdit* place() { return findChild<QLineEdit*>(QStringLiteral("path")); }
+    QString conflict() { return findChild<QLabel*>(QStringLiteral("conflict"))->text(); }
+    bool canExport() {
+        for (const QPushButton* button : findChildren<QPushButton*>())
+            if (button->text() == QLatin1String("Export")) return button->isEnabled();
+        return false;
+    }
+    void chooseFormat(const char* ending) {
+        combo("format")->setCurrentIndex(combo("format")->findData(QLatin1String(ending)));
+    }
+};
+
+TEST(ExportDialog, HasAnEditorForEveryChoice) {
+    Dialog dialog;
+    for (const ExportChoice& choice : exportChoices()) {
+        auto* editor = dialog.findChild<QWidget*>(toQString(choice.key));
+        ASSERT_TRUE(editor) << choice.key;
+        EXPECT_EQ(editor->toolTip(), toQString(choice.help));
+        if (choice.words.empty()) continue;
+        EXPECT_EQ(dialog.combo(std::string(choice.key).c_str())->count(), int(choice.words.size()));
+    }
+    EXPECT_EQ(dialog.combo("format")->count(), int(formatTable().size()));
+    EXPECT_TRUE(dialog.canExport()) << dialog.conflict().toStdString();
+}
+
+TEST(ExportDialog, TheFormatChangesTheEnding) {
+    Dialog dialog;
+    for (const Format& format : formatTable()) {
+        dialog.chooseFormat(std::string(format.ending).c_str());
+        EXPECT_TRUE(dialog.path().endsWith(QLatin1String("/oak") + toQString(format.ending)))
+            << dialog.path().toStdString();
+        EXPECT_TRUE(dialog.canExport()) << format.ending;
+    }
+    dialog.place()->setText(QStringLiteral("/tmp/oak.txt"));
+    EXPECT_FALSE(dialog.canExport());
+}
+
+TEST(ExportDialog, SaysWhatAFormatCannotDo) {
+    Dialog dialog;
+    dialog.chooseFormat(".stl");
+    dialog.combo("lods")->setCurrentIndex(int(ExportedLods::InOneFile));
+    EXPECT_FALSE(dialog.canExport());
+    EXPECT_TRUE(dialog.conflict().contains(QLatin1String(".stl"))) << dialog.conflict().toStdString();
+    dialog.chooseFormat(".glb");
+    EXPECT_TRUE(dialog.canExport());
+    EXPECT_EQ(dialog.options().lods, int(ExportedLods::InOneFile));
+    dialog.combo("lods")->setCurrentIndex(0);
+}
+
+TEST(ExportDialog, RemembersTheLastChoices) {
+    QTemporaryDir folder;
+    {
+        Dialog dialog;
+        dialog.chooseFormat(".ply");
+        dialog.findChild<QDoubleSpinBox*>(QStringLiteral("scale"))->setValue(100);
+        dialog.findChild<QSpinBox*>(QStringLiteral("lod"))->setValue(2);
+        dialog.place()->setText(folder.filePath(QStringLiteral("a.ply")));
+        dialog.accept();
+    }
+    Dialog again;
+    EXPECT_EQ(again.options().scale, 100);
+    EXPECT_EQ(again.options().lod, 2);
+    EXPECT_EQ(again.path(), folder.filePath(QStringLiteral("oak.ply")));
+    again.findChild<QDoubleSpinBox*>(QStringLiteral("scale"))->setValue(1);
+    again.findChild<QSpinBox*>(QStringLiteral("lod"))->setValue(0);
+    again.chooseFormat(".glb");
+    again.accept();
+}
+
+} // namespace
+} // namespace stromar

@@ -1,0 +1,161 @@
+// glTF by the Khronos validator and by the standard's own rules; large formats by Blender.
+#include "cli/Process.h"
+#include "io/ExportedModels.h"
+#include "stromar/app/Export.h"
+#include "stromar/mesh/Shading.h"
+#include "stromar/util/FileSet.h"
+#include <cmath>
+#include <filesystem>
+#include <glm/geometric.hpp>
+#include <gtest/gtest.h>
+#include <nlohmann/json.hpp>
+
+namespace stromar::test {
+
+namespace fs = std::filesystem;
+using Json = nlohmann::json;
+
+namespace {
+std::vector<std::shared_ptr<const TreeModel>> lodsOf(const CParams& params) {
+    CTreeCreator creator;
+    std::vector<std::shared_ptr<const TreeModel>> lods;
+    for (const Detail& detail : detailTable())
+        if (detail.model == Model::Full) lods.push_back(creator.create(params, detail, CProgress(2)));
+    return lods;
+}
+
+ExportOptions inOneFile() {
+    ExportOptions options;
+    options.lods = static_cast<int>(ExportedLods::InOneFile);
+    return options;
+}
+
+/// What the validator says of a file.
+Json validate(const fs::path& path) {
+    const ProcessResult run =
+        runProcess({"node", STROMAR_SOURCE "/tests/io/validate-gltf.js", path.string()}, {.folder = STROMAR_BIN "/.."});
+    EXPECT_EQ(run.status, 0) << run.err;
+    return Json::parse(run.out);
+}
+
+bool validatorIsInstalled() { return fs::exists(STROMAR_BIN "/../node_modules/gltf-validator"); }
+} // namespace
+
+class GltfFile : public testing::TestWithParam<const char*> {};
+INSTANTIATE_TEST_SUITE_P(All, GltfFile, testing::Values(".glb", ".gltf"),
+                         [](const auto& one) { return std::string(one.param + 1); });
+
+TEST_P(GltfFile, HasNoErrorsOrWarnings) {
+    if (!validatorIsInstalled()) GTEST_SKIP() << "the validator is not installed (npm)";
+    const CTemporaryFolder folder;
+    const fs::path single = folder / ("one" + std::string(GetParam())),
+                   lods = folder / ("lods" + std::string(GetParam()));
+    exportModel(sampleModel("tupelo"), {}, single, CProgress(2));
+    exportModels(lodsOf(sampleModel("aspen").params), inOneFile(), {}, lods, CProgress(2));
+    for (const fs::path& path : {single, lods}) {
+        const Json report = validate(path);
+        EXPECT_EQ(report.at("issues").at("numErrors"), 0) << report.at("issues").dump(1);
+        EXPECT_EQ(report.at("issues").at("numWarnings"), 0) << report.at("issues").dump(1);
+        EXPECT_EQ(report.at("info").at("resources").size(), 3u) << "a buffer and two pictures";
+    }
+}
+
+TEST(GltfLods, NameTheLevelsOfDetail) {
+    const CTemporaryFolder folder;
+    const auto lods = lodsOf(sampleModel("small").params);
+    exportModels(lods, inOneFile(), {}, folder / "oak.gltf", CProgress(2));
+    const Json file = Json::parse(readFile(folder / "oak.gltf"));
+    ASSERT_EQ(file.at("meshes").size(), 4u);
+    ASSERT_EQ(file.at("nodes").size(), 4u);
+    for (std::size_t lod = 0; lod < 4; ++lod) {
+        EXPECT_EQ(file["meshes"][lod].at("name"), "oak_LOD" + std::to_string(lod));
+        std::size_t corners = 0;
+        for (const Json& primitive : file["meshes"][lod].at("primitives"))
+            corners += file["accessors"][primitive.at("indices").get<std::size_t>()].at("count").get<std::size_t>();
+        EXPECT_EQ(corners, 3 * lods[lod]->triangleCount());
+    }
+    EXPECT_EQ(file["nodes"][0]["extensions"]["MSFT_lod"]["ids"], (Json{1, 2, 3}));
+    EXPECT_EQ(file["nodes"][0]["extras"]["MSFT_screencoverage"], (Json{0.5, 0.25, 0.1, 0.01}));
+    EXPECT_EQ(file["scenes"][0]["nodes"], (Json{0}));
+    EXPECT_EQ(file["extensionsUsed"], (Json{"MSFT_lod"}));
+    EXPECT_FALSE(file.contains("extensionsRequired")) << "readers that know no levels of detail show the finest";
+}
+
+TEST(GltfLods, MaterialsAreWhatEnginesExpect) {
+    const CTemporaryFolder folder;
+    exportModel(sampleModel("small"), {}, folder / "oak.gltf", CProgress(2));
+    const Json materials = Json::parse(readFile(folder / "oak.gltf")).at("materials");
+    EXPECT_EQ(materials[0]["name"], "bark");
+    EXPECT_FALSE(materials[0].contains("alphaMode"));
+    EXPECT_EQ(materials[1]["name"], "leaf");
+    EXPECT_EQ(materials[1]["alphaMode"], "MASK");
+    EXPECT_EQ(materials[1]["doubleSided"], true);
+    for (const Json& material : materials) EXPECT_EQ(material["pbrMetallicRoughness"]["metallicFactor"], 0.0);
+}
+
+TEST(Shading, TangentsAreSquareToTheNormalsAndFollowThePicture) {
+    for (const auto& mesh : sampleModel("aspen").meshes()) {
+        const auto tangents = tangentsOf(*mesh);
+        ASSERT_EQ(tangents.size(), mesh->vertexCount());
+        std::size_t along = 0;
+        for (std::size_t t = 0; t < mesh->indices.size(); t += 3) {
+            const std::uint32_t a = mesh->indices[t], b = mesh->indices[t + 1];
+            const glm::vec3 edge = mesh->positions[b] - mesh->positions[a];
+            const float du = mesh->texCoords[b].x - mesh->texCoords[a].x,
+                        dv = mesh->texCoords[b].y - mesh->texCoords[a].y;
+            if (std::abs(du) > 10 * std::abs(dv)) along += glm::dot(edge, glm::vec3(tangents[a])) * du > 0 ? 0 : 1;
+        }
+        EXPECT_LT(double(along), 0.02 * double(mesh->triangleCount())) << mesh->name;
+        for (std::size_t v = 0; v < tangents.size(); ++v) {
+            ASSERT_NEAR(glm::length(glm::vec3(tangents[v])), 1, 1e-4);
+            ASSERT_NEAR(glm::dot(glm::vec3(tangents[v]), mesh->normals[v]), 0, 1e-4);
+            ASSERT_EQ(std::abs(tangents[v].w), 1);
+        }
+    }
+}
+
+TEST(Shading, TheCrownsInsideAndForksAreDarker) {
+    const TreeModel& model = sampleModel("tupelo");
+    const Crown crown = crownOf(model.meshes());
+    double inside = 0, outside = 0;
+    std::size_t insides = 0, outsides = 0;
+    const CMesh& leaves = *model.leaves;
+    for (std::size_t v = 0; v < leaves.vertexCount(); ++v) {
+        const float place = glm::length((leaves.positions[v] - crown.centre) / crown.radii);
+        if (place < 0.4f) inside += ambientAt(crown, leaves, v), ++insides;
+        if (place > 0.8f) outside += ambientAt(crown, leaves, v), ++outsides;
+    }
+    ASSERT_GT(insides, 100u);
+    ASSERT_GT(outsides, 100u);
+    EXPECT_LT(inside / double(insides), 0.75 * outside / double(outsides));
+    const CMesh& branches = *model.stems[1];
+    EXPECT_LT(branches.openness[0], 140) << "the foot of a branch";
+    EXPECT_GT(*std::ranges::max_element(branches.openness), 250);
+}
+
+class BlenderReads : public testing::TestWithParam<const char*> {};
+INSTANTIATE_TEST_SUITE_P(Slow, BlenderReads, testing::Values(".glb", ".gltf", ".obj", ".dae"),
+                         [](const auto& one) { return std::string(one.param + 1); });
+
+TEST_P(BlenderReads, TheWholeModel) {
+    if (runProcess({"blender", "--version"}).status != 0) GTEST_SKIP() << "Blender is not installed";
+    const TreeModel& model = sampleModel("aspen");
+    const CExported file(model, GetParam());
+    const ProcessResult run = runProcess(
+        {"blender", "-b", "--factory-startup", "-P", STROMAR_SOURCE "/tests/io/blender-stats.py", "--", file.path()});
+    const auto at = run.out.find("STATS ");
+    ASSERT_NE(at, std::string::npos) << run.out << run.err;
+    const Json stats = Json::parse(run.out.substr(at + 6, run.out.find('\n', at) - at - 6));
+    EXPECT_EQ(stats.at("triangles"), model.triangleCount());
+    EXPECT_EQ(stats.at("materials"), (Json{"bark", "leaf"}));
+    EXPECT_EQ(stats.at("objects"), (Json{"branches 1", "branches 2", "leaves", "trunk"}));
+    EXPECT_EQ(stats.at("images"), (Json{{256, 256}, {512, 512}}));
+    EXPECT_EQ(stats.at("without_uv"), 0);
+    const Bounds box = boundsOf(model, zUp);
+    for (int i = 0; i < 3; ++i) {
+        EXPECT_NEAR(stats.at("min").at(std::size_t(i)), box.min[i], 1e-3);
+        EXPECT_NEAR(stats.at("max").at(std::size_t(i)), box.max[i], 1e-3);
+    }
+}
+
+} // namespace stromar::test
