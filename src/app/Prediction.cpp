@@ -1,4 +1,5 @@
 #include "stromar/app/Prediction.h"
+#include "stromar/mesh/MeshBuilder.h"
 #include <algorithm>
 #include <cmath>
 #include <cstdlib>
@@ -81,7 +82,7 @@ Prediction predictSize(const CParams& params, const Detail& detail) {
         size.leaves = stems * (g.leaves > 0 ? each + 1 : each + lastPaths);
     }
     const double drawn = std::min(double(detail.leafBudget), std::ceil(size.leaves * detail.share));
-    size.vertices += 4 * drawn;
+    size.vertices += double(verticesPerLeaf(params, detail)) * drawn;
     return size;
 }
 

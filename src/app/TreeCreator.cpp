@@ -107,7 +107,7 @@ std::shared_ptr<const TreeModel> CTreeCreator::create(const CParams& params, con
     }
     const auto slotOfLast = static_cast<std::size_t>(generations - 1);
     model->leaves = keptOr(made.back(), Obsolete::kLeaves, m_tree->sharedLeaves(), params, false, [&] {
-        return StemMesh{{}, meshOfLeaves(*m_tree, made[slotOfLast].stems.plan, detail, progress)};
+        return StemMesh{{}, meshOfLeaves(*m_tree, made[slotOfLast].stems.plan, params, detail, progress)};
     });
     model->milliseconds.mesh += watch.lap();
     model->milliseconds.total = model->milliseconds.structure + model->milliseconds.smooth + model->milliseconds.mesh;

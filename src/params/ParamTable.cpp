@@ -14,6 +14,7 @@ constexpr string_view kShapes[] = {"conical", "spherical",       "hemispherical"
                                    "flame",   "inverse-conical", "tend-flame",    "envelope"};
 constexpr string_view kLeafShapes[] = {
     "oval", "triangle", "three-lobe-oak", "three-lobe-maple", "five-lobe-maple", "three-leaflets", "square", "needles"};
+constexpr string_view kLeafForms[] = {"card", "outline"};
 constexpr string_view kSwitch[] = {"off", "on"};
 constexpr string_view kMethods[] = {"weber-penn"};
 
@@ -30,6 +31,7 @@ constexpr Obsolete kFromTwigs{Stage::Structure, 2};
 constexpr Obsolete kFromOwnLevel{Stage::Structure, Obsolete::kOwnLevel};
 constexpr Obsolete kLeavesOnly{Stage::Structure, Obsolete::kLeaves};
 constexpr Obsolete kMeshOnly{Stage::Mesh, 0};
+constexpr Obsolete kLeafMesh{Stage::Mesh, Obsolete::kLeaves};
 constexpr Obsolete kNothing{Stage::None, 0};
 
 // clang-format off
@@ -183,15 +185,28 @@ constexpr ParamInfo kParams[] = {
      .range = {0, 1}, .useful = {0, 1}, .step = 0.05, .decimals = 2, .defaults = {0.3}, .obsolete = kLeavesOnly,
      .help = "How far the leaves turn outwards and up to the light.", .aliases = kLeafBendAliases},
     {.key = "LeafShape", .label = "Shape", .group = Group::Leaves, .section = "Blade", .field = &G::leafShape,
-     .range = {0, 7}, .useful = {0, 7}, .step = 1, .defaults = {0}, .obsolete = {Stage::Mesh, Obsolete::kLeaves},
-     .help = "The kind of leaf. It is kept in the file; what one sees is the leaf texture on a rectangle.",
+     .range = {0, 7}, .useful = {0, 7}, .step = 1, .defaults = {0}, .obsolete = kLeafMesh,
+     .help = "The kind of leaf: its outline where the form is 'outline'. A card shows what its texture shows.",
      .words = kLeafShapes},
+    {.key = "LeafForm", .label = "Form", .group = Group::Leaves, .section = "Blade", .field = &G::leafForm,
+     .range = {0, 1}, .useful = {0, 1}, .step = 1, .defaults = {0}, .obsolete = kLeafMesh,
+     .help = "A card is a rectangle with the leaf texture. An outline is cut to the shape and needs no transparency.",
+     .words = kLeafForms},
     {.key = "LeafScale", .label = "Length", .group = Group::Leaves, .section = "Blade", .unit = Unit::Metre,
      .field = &G::leafScale, .range = {0.001, 50}, .useful = {0.02, 1}, .step = 0.01, .decimals = 3, .defaults = {0.2},
      .obsolete = kLeavesOnly, .help = "The length of a leaf."},
     {.key = "LeafScaleX", .label = "Width", .group = Group::Leaves, .section = "Blade", .field = &G::leafScaleX,
      .range = {0.001, 100}, .useful = {0.05, 2}, .step = 0.05, .decimals = 2, .defaults = {0.5}, .obsolete = kLeavesOnly,
      .help = "The width of a leaf as a part of its length."},
+    {.key = "LeafStalk", .label = "Stalk", .group = Group::Leaves, .section = "Blade", .field = &G::leafStalk,
+     .range = {0, 5}, .useful = {0, 1}, .step = 0.05, .decimals = 2, .defaults = {0}, .obsolete = kLeafMesh,
+     .help = "The length of the stalk between stem and blade, as a part of the leaf's length."},
+    {.key = "LeafFold", .label = "Fold", .group = Group::Leaves, .section = "Blade", .unit = Unit::Degree,
+     .field = &G::leafFold, .range = {-80, 80}, .useful = {0, 45}, .step = 1, .decimals = 1, .defaults = {0},
+     .obsolete = kLeafMesh, .help = "How far each half of a leaf is folded up along its midrib."},
+    {.key = "LeafRounding", .label = "Rounding", .group = Group::Leaves, .section = "Shading", .field = &G::leafRounding,
+     .range = {0, 1}, .useful = {0, 1}, .step = 0.05, .decimals = 2, .defaults = {0}, .obsolete = kLeafMesh,
+     .help = "Shades the leaves as if they were the surface of one round crown: softer light on dense crowns."},
 
     // Pruning
     {.key = "PruneRatio", .label = "Strength", .group = Group::Pruning, .section = "Envelope", .field = &G::pruneRatio,
@@ -257,18 +272,11 @@ constexpr bool rowsAreSane() {
 }
 static_assert(rowsAreSane(), "a row has no text, a bad range, a default out of range, or a twin");
 
-constexpr bool degreesAreLevelValues() {
-    return std::ranges::all_of(kParams, [](const ParamInfo& p) {
-        return p.unit != Unit::Degree || std::holds_alternative<double LevelParams::*>(p.field);
-    });
-}
-static_assert(degreesAreLevelValues(), "CTreeParams turns only the values of levels into radians");
-
 constexpr std::size_t bytesDescribed(bool perLevel) {
     std::size_t bytes = 0;
     for (const ParamInfo& p : kParams)
         if (p.perLevel() == perLevel) bytes += p.integer() ? sizeof(int) : sizeof(double);
-    return bytes;
+    return (bytes + sizeof(double) - 1) / sizeof(double) * sizeof(double); // with the padding behind
 }
 static_assert(bytesDescribed(false) == sizeof(GlobalParams), "a field of GlobalParams has no row");
 static_assert(bytesDescribed(true) == sizeof(LevelParams), "a field of LevelParams has no row");

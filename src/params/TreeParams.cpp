@@ -5,12 +5,13 @@
 namespace stromar {
 
 namespace {
-/// Every value in degrees belongs to a level.
-LevelParams inRadians(LevelParams level) {
+/// Of the whole tree's values or a level's.
+template <typename Params>
+Params inRadians(Params params) {
     for (const ParamInfo& p : paramTable())
-        if (const auto* field = std::get_if<double LevelParams::*>(&p.field); field && p.unit == Unit::Degree)
-            level.*(*field) *= kRadiansPerDegree;
-    return level;
+        if (const auto* field = std::get_if<double Params::*>(&p.field); field && p.unit == Unit::Degree)
+            params.*(*field) *= kRadiansPerDegree;
+    return params;
 }
 
 std::shared_ptr<const CCalculations> makeCalculations(int generation, const GlobalParams& global, double scaleTree) {
@@ -21,7 +22,7 @@ std::shared_ptr<const CCalculations> makeCalculations(int generation, const Glob
 } // namespace
 
 CTreeParams::CTreeParams(const CParams& params, int generation, double scaleTree)
-    : m_generation(generation), m_global(params.global),
+    : m_generation(generation), m_global(inRadians(params.global)),
       m_level(inRadians(params.level[static_cast<std::size_t>(std::min(generation, kParamLevels - 1))])),
       m_calc(makeCalculations(generation, m_global, scaleTree)) {}
 

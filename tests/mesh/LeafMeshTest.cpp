@@ -104,4 +104,59 @@ TEST(LeafMesh, FewLeavesAreNeverThinnedToNone) {
         EXPECT_GE(leavesOf(*tree, params, detail)->vertexCount(), 4u) << detail.name;
 }
 
+TEST(LeafMesh, EveryShapeIsSoundAndAboutAsLargeAsItsCard) {
+    CParams params = preset("quaking_aspen");
+    params.level[1].branches = 10;
+    const auto tree = grow(params);
+    const double cards = areaOf(*leavesOf(*tree, params, detailOf(Model::Full)));
+    params.global.leafForm = 1;
+    for (int shape = 0; shape <= 7; ++shape)
+        for (const double fold : {0.0, 25.0, -40.0})
+            for (const double rounding : {0.0, 0.7, 1.0}) {
+                params.global.leafShape = shape;
+                params.global.leafFold = fold;
+                params.global.leafRounding = rounding;
+                const auto mesh = leavesOf(*tree, params, detailOf(Model::Full));
+                SCOPED_TRACE("shape " + std::to_string(shape) + ", fold " + std::to_string(fold));
+                EXPECT_EQ(inWords(checkLeaves(*mesh)), "");
+                EXPECT_EQ(mesh->vertexCount(), tree->leaves().size() * verticesPerLeaf(params, detailOf(Model::Full)));
+                EXPECT_LT(areaOf(*mesh), 1.01 * cards);
+                EXPECT_GT(areaOf(*mesh), (shape == 7 ? 0.1 : 0.3) * cards);
+                for (const glm::vec2& at : mesh->texCoords) {
+                    ASSERT_GE(std::min(at.x, at.y), -1e-6f);
+                    ASSERT_LE(std::max(at.x, at.y), 1 + 1e-6f);
+                }
+            }
+}
+
+TEST(LeafMesh, AStalkHoldsTheBladeAway) {
+    CParams params = preset("quaking_aspen");
+    const auto tree = grow(params);
+    params.global.leafStalk = 0.5;
+    const auto mesh = leavesOf(*tree, params, detailOf(Model::Full));
+    const LeafArray& leaves = tree->leaves();
+    ASSERT_EQ(mesh->vertexCount(), 8 * leaves.size());
+    for (std::size_t i = 0; i < leaves.size(); ++i) {
+        const glm::dvec3 foot = 0.5 * (glm::dvec3(mesh->positions[8 * i]) + glm::dvec3(mesh->positions[8 * i + 1]));
+        ASSERT_NEAR(glm::distance(foot, leaves[i].position), 0.5 * leaves[i].length, 1e-4);
+        ASSERT_LT(glm::distance(glm::dvec3(mesh->positions[8 * i + 4]), leaves[i].position), 0.05 * leaves[i].length);
+    }
+}
+
+TEST(LeafMesh, RoundingTurnsNormalsOutwards) {
+    CParams params = preset("quaking_aspen");
+    const auto tree = grow(params);
+    const auto outwards = [&] {
+        const auto mesh = leavesOf(*tree, params, detailOf(Model::Full));
+        const Bounds box = mesh->bounds();
+        double sum = 0;
+        for (std::size_t v = 0; v < mesh->vertexCount(); ++v)
+            sum += glm::dot(glm::normalize(mesh->positions[v] - (box.min + box.max) / 2.0f), mesh->normals[v]);
+        return sum / double(mesh->vertexCount());
+    };
+    const double flat = outwards();
+    params.global.leafRounding = 1;
+    EXPECT_GT(outwards(), flat + 0.2);
+}
+
 } // namespace stromar::test

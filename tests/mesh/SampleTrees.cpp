@@ -121,7 +121,7 @@ std::vector<std::shared_ptr<const CMesh>> meshesOf(const CTree& tree, const CPar
     std::vector<std::shared_ptr<const CMesh>> meshes;
     const std::vector<StemMesh> all = meshAllStems(tree, params, detail, progress);
     for (const StemMesh& stems : all) meshes.push_back(stems.mesh);
-    meshes.push_back(meshOfLeaves(tree, all.back().plan, detail, progress));
+    meshes.push_back(meshOfLeaves(tree, all.back().plan, params, detail, progress));
     return meshes;
 }
 

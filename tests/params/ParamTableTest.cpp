@@ -32,6 +32,10 @@ const std::map<std::string, double>& specified() {
                                           {"0BaseSplits", 0},
                                           {"Leaves", 0},
                                           {"LeafShape", 0},
+                                          {"LeafForm", 0},
+                                          {"LeafStalk", 0},
+                                          {"LeafFold", 0},
+                                          {"LeafRounding", 0},
                                           {"LeafScale", 0.2},
                                           {"LeafScaleX", 0.5},
                                           {"LeafBend", 0.3},
@@ -157,7 +161,7 @@ TEST(ParamTable, IntegersAreRounded) {
         EXPECT_FALSE(ref.set(params, ref.info->range.min + 0.7)) << ref.key();
         EXPECT_EQ(ref.get(params), ref.info->range.min + 1) << ref.key();
     }
-    EXPECT_EQ(integers, 8 + 4 + 3); // whole tree, nCurveRes, nBranches
+    EXPECT_EQ(integers, 9 + 4 + 3); // whole tree, nCurveRes, nBranches
 }
 
 TEST(ParamTable, KeysAreFound) {
@@ -187,8 +191,9 @@ TEST(FirstObsolete, NothingForTheSameTree) { EXPECT_EQ(firstObsolete(CParams(), 
 
 TEST(FirstObsolete, EveryRowNamesItsStage) {
     const std::vector<std::string> nothing{"ZScale", "ZScaleV"};
-    const std::vector<std::string> mesh{"MinRadius", "Lobes",        "LobeDepth",   "LobeFade",
-                                        "LeafShape", "TextureWrapX", "TextureWrapY"};
+    const std::vector<std::string> mesh{"MinRadius",    "Lobes",        "LobeDepth",   "LobeFade",
+                                        "LeafShape",    "LeafForm",     "LeafStalk",   "LeafFold",
+                                        "LeafRounding", "TextureWrapX", "TextureWrapY"};
     const auto in = [](const std::vector<std::string>& list, const std::string& key) {
         return std::ranges::find(list, key) != list.end();
     };

@@ -10,10 +10,10 @@ constexpr int kParamLevels = 4; ///< sets of level values; generation 4 and deep
 struct GlobalParams {
     double scale, scaleV, zScale, zScaleV, baseSize, ratio, ratioPower, lobeDepth, lobeFade, flare, attractionUp;
     double trunkScale, trunkScaleV;
-    double leafScale, leafScaleX, leafBend, leafQuality;
+    double leafScale, leafScaleX, leafBend, leafQuality, leafFold, leafStalk, leafRounding;
     double pruneRatio, pruneWidth, pruneWidthPeak, prunePowerLow, prunePowerHigh;
     double textureWrapX, textureWrapY, minRadius;
-    int shape, levels, lobes, baseSplits, leaves, leafShape, cloneHalving, seed;
+    int shape, levels, lobes, baseSplits, leaves, leafShape, leafForm, cloneHalving, seed;
 
     bool operator==(const GlobalParams&) const = default;
 };
