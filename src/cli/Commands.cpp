@@ -83,6 +83,13 @@ std::size_t meshBytes(const TreeModel& model) {
     return bytes;
 }
 
+/// Area of the drawn leaves as a part of all leaves': thinning costs what growth cannot make up for.
+double leafAreaKept(const TreeModel& model) {
+    const double all = double(model.tree->leaves().size());
+    const double drawn = double(model.leaves->vertexCount() / verticesPerLeaf(model.params, *model.detail));
+    return drawn > 0 ? std::min(1.0, kMostLeafGrowth * kMostLeafGrowth * drawn / all) : all > 0 ? 0 : 1;
+}
+
 /// Leaves by the stem of the last generation that bears them.
 std::vector<std::size_t> leafCounts(const CTree& tree) {
     std::vector<std::size_t> counts(tree.generation(tree.generationCount() - 1).stems.size(), 0);
@@ -143,6 +150,7 @@ void printInfo(const CommonOptions& common, const ModelOptions& options, std::os
         {"lod", options.lod},
         {"vertices", model->vertexCount()},
         {"triangles", model->triangleCount()},
+        {"leaf_area_kept", leafAreaKept(*model)},
         {"bounds", boundsInfo(*model)},
         {"milliseconds", {{"structure", ms.structure}, {"smooth", ms.smooth}, {"mesh", ms.mesh}, {"total", ms.total}}},
         {"mesh_bytes", meshBytes(*model)}};

@@ -22,9 +22,9 @@ bool isVector(const Json& value) {
            value[2].is_number();
 }
 
-const std::vector<std::string> kInfoKeys = {"species", "seed",         "method",    "scale_tree", "generations",
-                                            "leaves",  "model",        "lod",       "vertices",   "triangles",
-                                            "bounds",  "milliseconds", "mesh_bytes"};
+const std::vector<std::string> kInfoKeys = {"species",        "seed",   "method",       "scale_tree", "generations",
+                                            "leaves",         "model",  "lod",          "vertices",   "triangles",
+                                            "leaf_area_kept", "bounds", "milliseconds", "mesh_bytes"};
 const std::vector<std::string> kGenerationKeys = {"generation", "stems",      "clones",
                                                   "segments",   "length_sum", "radius_sum"};
 const std::vector<std::string> kStemKeys = {"generation", "index",  "parent", "path", "segment",

@@ -1,7 +1,7 @@
 // Models read back by OpenSceneGraph in a fresh process.
 #include "cli/Process.h"
 #include "io/ExportedModels.h"
-#include "stromar/app/Formats.h"
+#include "stromar/app/Export.h"
 #include <filesystem>
 #include <glm/common.hpp>
 #include <gtest/gtest.h>
@@ -73,6 +73,29 @@ TEST_P(OsgReads, TheWholeModel) {
     EXPECT_EQ(stats.at("materials"), (nlohmann::json{"bark", "leaf"}));
     EXPECT_EQ(fileNames(stats.at("textures")), (std::set<std::string>{"tree_bark.png", "tree_leaf.png"}));
     expectTexCoords(stats, model);
+}
+
+TEST(OsgReadsLods, AllOfThem) {
+    CTreeCreator creator;
+    std::vector<std::shared_ptr<const TreeModel>> lods;
+    std::size_t triangles = 0;
+    ExportOptions options;
+    options.lods = static_cast<int>(ExportedLods::InOneFile);
+    for (const Detail* detail : detailsOf(options)) {
+        lods.push_back(creator.create(sampleModel("small").params, *detail, CProgress(2)));
+        triangles += lods.back()->triangleCount();
+    }
+    for (const char* ending : {".osg", ".osgt", ".osgb"}) {
+        const CTemporaryFolder folder;
+        const auto path = folder / ("tree" + std::string(ending));
+        exportModels(lods, options, {}, path, CProgress(2));
+        const ProcessResult run =
+            runProcess({STROMAR_BIN "/osg-stats", path.string()}, {.folder = folder.path().string()});
+        ASSERT_EQ(run.status, 0) << run.err;
+        const auto stats = nlohmann::json::parse(run.out);
+        EXPECT_EQ(stats.at("triangles"), triangles) << ending;
+        EXPECT_EQ(stats.at("root"), "LOD") << ending;
+    }
 }
 
 } // namespace stromar::test

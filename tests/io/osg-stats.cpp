@@ -85,6 +85,8 @@ int main(int argc, char** argv) {
     if (!node) return 1;
     CCollector collector;
     node->accept(collector);
-    std::cout << collector.result().dump(2) << "\n";
+    nlohmann::json result = collector.result();
+    result["root"] = node->className();
+    std::cout << result.dump(2) << "\n";
     return std::cout.flush() ? 0 : 1;
 }
