@@ -230,13 +230,36 @@ void printParams(ListStyle style, std::ostream& out) {
     out << rows.dump(2) << "\n";
 }
 
+namespace {
+std::string picturesOf(const Format& format) {
+    switch (format.pictures) {
+    case Pictures::None: return "none";
+    case Pictures::Beside: return "beside";
+    case Pictures::Inside: return "inside";
+    }
+    return {};
+}
+
+void printFormatsPage(std::ostream& out) {
+    out << "# Formats\n\nWritten by `stromar-cli formats --markdown`. Lengths are metres unless a scale is chosen.\n\n"
+           "| Ending | Format | Up | Pictures | Levels of detail | What is lost |\n|---|---|---|---|---|---|\n";
+    for (const Format& format : formatTable())
+        out << "| `" << format.ending << "` | " << format.name << " | " << format.upAxis
+            << (format.anyUp ? ", or the other" : "") << " | " << picturesOf(format) << " | "
+            << (format.lods ? "in one file" : "a file for each") << " | " << format.losses << " |\n";
+}
+} // namespace
+
 void printFormats(ListStyle style, std::ostream& out) {
+    if (style == ListStyle::Markdown) return printFormatsPage(out);
     Json rows = Json::array();
     for (const Format& format : formatTable()) {
         if (style == ListStyle::Json)
             rows.push_back({{"ending", format.ending},
                             {"name", format.name},
                             {"up_axis", format.upAxis},
+                            {"pictures", picturesOf(format)},
+                            {"lods_in_one_file", format.lods},
                             {"loses", format.losses}});
         else
             out << format.ending << std::string(7 - format.ending.size(), ' ') << format.name << ", " << format.upAxis

@@ -118,9 +118,10 @@ void setUp(CLI::App& app, Options& options) {
     for (CLI::App* command : {info, checker}) addModel(*command, options);
     addExport(*exporter, options.exported);
     exporter->add_option("-o,--output", options.output, "The model to write")->required()->type_name("OUT.ext");
-    CLI::Option* markdown = params->add_flag("--markdown", options.markdown, "As a page of the manual");
-    params->add_flag("--json", options.json, "As JSON")->excludes(markdown);
-    formats->add_flag("--json", options.json, "As JSON");
+    for (CLI::App* list : {params, formats}) {
+        CLI::Option* markdown = list->add_flag("--markdown", options.markdown, "As a page of the manual");
+        list->add_flag("--json", options.json, "As JSON")->excludes(markdown);
+    }
 }
 } // namespace
 

@@ -17,6 +17,18 @@ TEST(ParamsCommand, MarkdownIsThePageOfTheManual) {
         << "write it anew with: stromar-cli params --markdown";
 }
 
+/// A build without OpenSceneGraph has fewer rows.
+TEST(FormatsCommand, MarkdownIsThePageOfTheManual) {
+    const std::string page = readFile(STROMAR_SOURCE "/docs/formats.md");
+    const ProcessResult run = cli({"formats", "--markdown"});
+    EXPECT_EQ(run.status, 0);
+    std::istringstream lines(run.out);
+    std::size_t rows = 0;
+    for (std::string line; std::getline(lines, line); ++rows)
+        EXPECT_NE(page.find(line + "\n"), std::string::npos) << line << ": write the page anew";
+    EXPECT_GE(rows, formatTable().size());
+}
+
 TEST(ParamsCommand, MarkdownTablesAreWhole) {
     std::istringstream page(cli({"params", "--markdown"}).out);
     std::size_t rows = 0;
