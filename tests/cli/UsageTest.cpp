@@ -28,7 +28,6 @@ TEST(Usage, WrongWordsEndWithTwo) {
     expectStatus(2, {"info", kAspen, "second.tree"}, "second.tree");
     expectStatus(2, {"params", "--xml"});
     expectStatus(2, {"params", "--json", "--markdown"});
-    expectStatus(2, {"formats", "--markdown"});
     expectStatus(2, {"structure", kAspen, "--model", "full"}, "--model");
 }
 
