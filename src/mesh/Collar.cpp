@@ -109,11 +109,8 @@ bool CCollarMaker::collectTriangles(const CStem& stem) {
            (firstWall < tube.collarRings ? place(0) : place(firstWall - tube.collarRings + 1)) < low)
         ++firstWall;
     const CMesh& mesh = *m_mesh.mesh;
-    const std::size_t perWall = 6 * std::size_t{tube.points};
-    const std::size_t tip = tube.pointed ? perWall / 2 : 0; // the last wall of a pointed tube is a cone
-    const std::size_t all = tube.firstIndex + perWall * (tube.collarRings + tube.ringCount - 1) - tip;
-    const std::size_t end = std::min(all, tube.firstIndex + perWall * lastWall);
-    for (std::size_t i = tube.firstIndex + perWall * firstWall; i < end; i += 3) {
+    const std::size_t begin = firstIndexOf(tube, firstWall), end = firstIndexOf(tube, lastWall);
+    for (std::size_t i = begin; i < end; i += 3) {
         const std::uint32_t* v = &mesh.indices[i];
         const glm::dvec3 corner(mesh.positions[v[0]]);
         m_triangles.push_back({corner,
@@ -122,6 +119,18 @@ bool CCollarMaker::collectTriangles(const CStem& stem) {
                                {v[0], v[1], v[2]}});
     }
     return !m_triangles.empty();
+}
+
+/// Where a wall's triangles start; the last wall of a pointed tube is a cone.
+std::size_t CCollarMaker::firstIndexOf(const Tube& tube, std::uint32_t wall) const {
+    const Ring* rings = m_mesh.plan.ringsOf(tube);
+    const std::uint32_t collar = std::min(wall, tube.collarRings);
+    std::size_t index = tube.firstIndex + collar * wallIndices(tube.points, tube.points);
+    for (std::uint32_t r = 0; r < wall - collar; ++r) {
+        const bool cone = tube.pointed && r + 2 == tube.ringCount;
+        index += wallIndices(rings[r].points, cone ? 0 : rings[r + 1].points);
+    }
+    return index;
 }
 
 /// Where a line leaves the wood for the last time (Möller & Trumbore 1997).

@@ -46,6 +46,7 @@ private:
     };
 
     bool collectTriangles(const CStem& stem);
+    std::size_t firstIndexOf(const Tube& tube, std::uint32_t wall) const;
     double reachOf(const CStem& stem, const glm::dvec3& parentAxis, const glm::dvec3& axis, double radius) const;
     std::optional<Exit> findExit(const CStem& stem, std::span<const CSegment> branch) const;
     std::optional<Hit> lastExit(const glm::dvec3& origin, const glm::dvec3& direction) const;

@@ -8,14 +8,11 @@ constexpr int kPasses = 8;
 constexpr float kMargin = 0.02f; // cosine
 constexpr float kEffort = 0.05f; // more than needed with every pass: faces that work against each other
 
-/// The triangles of a tube; those of its rings share normals at the seam.
+/// The triangles of a tube; its rings' first and last vertices, at the seam of the bark, share a normal.
 class CRingNormals {
 public:
-    CRingNormals(CMesh& mesh, const Tube& tube)
-        : m_mesh(mesh), m_tube(tube), m_rings(tube.collarRings + tube.ringCount - (tube.pointed ? 1 : 0)) {
-        m_ringsEnd = tube.firstVertex + m_rings * (tube.points + 1);
-        m_end = tube.firstIndex + tube.indexCount();
-    }
+    CRingNormals(CMesh& mesh, const MeshPlan& plan, const Tube& tube)
+        : m_mesh(mesh), m_plan(plan), m_tube(tube), m_end(tube.firstIndex + tube.indexCount()) {}
 
     /// Whether some had to be turned: further from the face, the greater `effort` is.
     bool turnOnce(float effort) {
@@ -25,12 +22,16 @@ public:
         return turned;
     }
 
-    /// Gives the doubled vertices of the seam the same normals again.
     void closeSeam() {
-        for (std::uint32_t ring = 0; ring < m_rings; ++ring) {
-            const std::uint32_t first = m_tube.firstVertex + ring * (m_tube.points + 1);
-            m_mesh.normals[first + m_tube.points] = m_mesh.normals[first];
-        }
+        std::uint32_t first = m_tube.firstVertex;
+        const auto close = [&](std::uint32_t points) {
+            glm::vec3 &a = m_mesh.normals[first], &b = m_mesh.normals[first + points];
+            if (a != b) a = b = glm::normalize(a + b);
+            first += points + 1;
+        };
+        for (std::uint32_t r = 0; r < m_tube.collarRings; ++r) close(m_tube.points);
+        for (std::uint32_t r = 0; r + (m_tube.pointed ? 1 : 0) < m_tube.ringCount; ++r)
+            close(m_plan.ringsOf(m_tube)[r].points);
     }
 
 private:
@@ -40,7 +41,7 @@ private:
         const float area = glm::length(face);
         if (!(area > 0)) return false;
         bool turned = false;
-        for (int c = 0; c < 3; ++c) turned |= turn(m_mesh.normals[seamless(corners[c])], face / area);
+        for (int c = 0; c < 3; ++c) turned |= turn(m_mesh.normals[corners[c]], face / area);
         return turned;
     }
 
@@ -51,26 +52,21 @@ private:
         return true;
     }
 
-    std::uint32_t seamless(std::uint32_t vertex) const {
-        const bool seam = vertex < m_ringsEnd && (vertex - m_tube.firstVertex) % (m_tube.points + 1) == m_tube.points;
-        return seam ? vertex - m_tube.points : vertex;
-    }
-
     CMesh& m_mesh;
+    const MeshPlan& m_plan;
     const Tube& m_tube;
-    std::uint32_t m_rings; ///< a tip is none
-    std::uint32_t m_ringsEnd;
     std::size_t m_end;
     float m_effort = 0;
 };
 } // namespace
 
-bool turnNormalsToFront(CMesh& mesh, const Tube& tube) {
-    CRingNormals normals(mesh, tube);
-    int pass = 0;
-    while (pass < kPasses && normals.turnOnce(kEffort * static_cast<float>(pass))) ++pass;
-    normals.closeSeam();
-    return pass < kPasses;
+bool turnNormalsToFront(CMesh& mesh, const MeshPlan& plan, const Tube& tube) {
+    CRingNormals normals(mesh, plan, tube);
+    for (int pass = 0; pass < kPasses; ++pass) {
+        if (!normals.turnOnce(kEffort * static_cast<float>(pass))) return true;
+        normals.closeSeam();
+    }
+    return false;
 }
 
 } // namespace stromar

@@ -5,6 +5,6 @@ namespace stromar {
 
 /// Turns the normals of a tube's rings, as little as it takes, until each lies on the front of the triangles it belongs
 /// to: coarse rings on a steep crease and twisted ones need it. False when a fold leaves no such normal.
-bool turnNormalsToFront(CMesh& mesh, const Tube& tube);
+bool turnNormalsToFront(CMesh& mesh, const MeshPlan& plan, const Tube& tube);
 
 } // namespace stromar

@@ -99,7 +99,7 @@ std::shared_ptr<const CMesh> meshOfStems(const CTree& tree, int generation, cons
             CPointGenerator points(tree.generation(static_cast<std::size_t>(generation)), plan, surface);
             for (std::size_t t = begin; t < end; ++t) {
                 const Tube& tube = plan.tubes[t];
-                writeTube(tube, points, *mesh);
+                writeTube(plan, tube, points, *mesh);
             }
         },
         progress);

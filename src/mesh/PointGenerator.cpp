@@ -47,6 +47,7 @@ RingShape CPointGenerator::shapeOf(const Tube& tube, const Ring& ring) const {
     shape.lobes = tube.lobed ? m_surface.lobes() : 0;
     shape.lobeDepth = tube.lobed ? m_surface.lobeDepth(shape.along) : 0;
     shape.openness = opennessAt(tube, shape.along);
+    shape.points = ring.points;
     return shape;
 }
 
@@ -74,8 +75,9 @@ double CPointGenerator::radiusAt(const RingShape& ring, double angle) const {
 }
 
 glm::dvec3 CPointGenerator::pointAt(const RingShape& ring, std::uint32_t i) const {
-    const double radius = radiusAt(ring, kTurn * i / m_points);
-    const glm::dvec3 offset = radius * (m_circle[i].x * ring.frame[0] + m_circle[i].y * ring.frame[1]);
+    const double radius = radiusAt(ring, kTurn * i / ring.points);
+    const glm::dvec2 at = circle(ring, i);
+    const glm::dvec3 offset = radius * (at.x * ring.frame[0] + at.y * ring.frame[1]);
     if (ring.stretch == 1) return ring.centre + offset;
     return ring.centre + offset + (ring.stretch - 1) * glm::dot(offset, ring.stretchAxis) * ring.stretchAxis;
 }
@@ -92,19 +94,19 @@ glm::dvec3 CPointGenerator::normalAt(const RingShape& ring, double angle, glm::d
 
 void CPointGenerator::addRing(std::size_t r, VertexSink& sink) const {
     const RingShape& ring = m_rings[r];
-    for (std::uint32_t i = 0; i <= m_points; ++i) {
-        const std::uint32_t k = i == m_points ? 0 : i;
-        sink.add(pointAt(ring, k), normalAt(ring, kTurn * k / m_points, m_circle[k]), around(i), bark(ring.along),
-                 ring.openness);
+    for (std::uint32_t i = 0; i <= ring.points; ++i) {
+        const std::uint32_t k = i == ring.points ? 0 : i;
+        sink.add(pointAt(ring, k), normalAt(ring, kTurn * k / ring.points, circle(ring, k)), around(ring, i),
+                 bark(ring.along), ring.openness);
     }
 }
 
 void CPointGenerator::addTip(VertexSink& sink) const {
     const RingShape &tip = m_rings.back(), &below = m_rings[m_rings.size() - 2];
-    for (std::uint32_t i = 0; i < m_points; ++i) {
-        const glm::dvec3 left = pointAt(below, i), right = pointAt(below, (i + 1) % m_points);
+    for (std::uint32_t i = 0; i < below.points; ++i) {
+        const glm::dvec3 left = pointAt(below, i), right = pointAt(below, (i + 1) % below.points);
         const glm::dvec3 face = glm::cross(right - left, tip.centre - left);
-        sink.add(tip.centre, glm::normalize(face), around(i + 0.5), bark(tip.along), tip.openness);
+        sink.add(tip.centre, glm::normalize(face), around(below, i + 0.5), bark(tip.along), tip.openness);
     }
 }
 
@@ -139,7 +141,7 @@ void CPointGenerator::addCollarRing(std::uint32_t ring, VertexSink& sink) const 
         const std::uint32_t k = i == m_points ? 0 : i;
         const SurfacePoint point = collarPointAt(ring, k);
         const double below = m_bark.perMetre * glm::distance(point.position, pointAt(own, k));
-        sink.add(point.position, point.normal, around(i), bark(own.along) - below, open);
+        sink.add(point.position, point.normal, around(own, i), bark(own.along) - below, open);
     }
 }
 
@@ -152,7 +154,7 @@ void CPointGenerator::addLid(bool base, VertexSink& sink) const {
                  ring.openness);
     };
     if (m_tube->middleOfLid(base)) add(ring.centre, {0, 0});
-    for (std::uint32_t i = 0; i < m_points; ++i) add(pointAt(ring, i), m_circle[i]);
+    for (std::uint32_t i = 0; i < ring.points; ++i) add(pointAt(ring, i), circle(ring, i));
 }
 
 /// Closes a collar inside the parent: seen along the branch its points lie around the branch's middle in their order.

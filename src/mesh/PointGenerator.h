@@ -14,6 +14,7 @@ struct RingShape : CCentreLine::Place {
     double lobeDepth;
     int lobes;
     std::uint8_t openness; ///< as in CMesh
+    std::uint32_t points;
 };
 
 /// A place of a tube's surface to write a vertex to.
@@ -56,7 +57,9 @@ private:
     glm::dvec3 creaseNormal(const glm::dvec3& parent, const glm::dvec3& own) const;
     SurfacePoint collarPointAt(std::uint32_t ring, std::uint32_t i) const;
     glm::dvec3 pointAt(const RingShape& ring, std::uint32_t i) const;
-    double around(double i) const { return m_bark.around * i / m_points; }
+    double around(const RingShape& ring, double i) const { return m_bark.around * i / ring.points; }
+    /// Cosine and sine of a point's angle.
+    glm::dvec2 circle(const RingShape& ring, std::uint32_t i) const { return m_circle[i * (m_points / ring.points)]; }
     double bark(double along) const {
         return m_bark.perMetre * along * m_generation.stems[m_tube->stem].measures.length;
     }
@@ -68,10 +71,10 @@ private:
     CCentreLine m_line;
     CStemSurface::Bark m_bark{1, 1};
     const Tube* m_tube = nullptr;
-    std::uint32_t m_points = 0;
+    std::uint32_t m_points = 0; ///< of the first ring
     double m_floor = 0;
     std::vector<RingShape> m_rings;
-    std::vector<glm::dvec2> m_circle; ///< cosine and sine of each point's angle
+    std::vector<glm::dvec2> m_circle; ///< of the tube's first ring
 };
 
 } // namespace stromar

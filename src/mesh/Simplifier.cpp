@@ -55,7 +55,7 @@ private:
         Tube tube{.stem = s,
                   .path = p,
                   .firstRing = static_cast<std::uint32_t>(plan.rings.size()),
-                  .points = ringPoints(stem),
+                  .points = path.source < 0 ? ringPoints(stem) : pointsOfFork(stem, path, plan),
                   .firstCollarPoint = static_cast<std::uint32_t>(plan.collarPoints.size())};
         tube.mostTurn = tube.points > 3 ? turnOf(stem, m_detail.mostTurn) : 0;
         m_line.start(stem, path, tube.mostTurn);
@@ -92,11 +92,11 @@ private:
         const double clear = start > 0 ? start + kApart * stem.measures.radius : 0;
         const auto segmentAt = static_cast<std::uint32_t>(start / segmentLength);
         m_spacing = CStemSurface::leastDrawn(stem, m_generation.segments[stem.firstSegment]);
-        m_last = discAt(stem, path, {path.firstSegment + segmentAt, start / segmentLength - segmentAt});
+        m_last = discAt(stem, path, {path.firstSegment + segmentAt, tube.points, start / segmentLength - segmentAt});
         plan.rings.push_back(m_last.ring);
         const auto add = [&](std::uint32_t segment, double t, bool needed) {
             if ((segment - path.firstSegment + t) * segmentLength > clear)
-                addRing(stem, path, tube, discAt(stem, path, {segment, t}), needed, plan);
+                addRing(stem, path, tube, discAt(stem, path, {segment, tube.points, t}), needed, plan);
         };
         double left = 0;
         for (std::uint32_t i = segmentAt; i < path.segmentCount; ++i) {
@@ -106,7 +106,39 @@ private:
             if (i + 1 == path.segmentCount) add(segment, 1, true);
         }
         tube.ringCount = static_cast<std::uint32_t>(plan.rings.size()) - tube.firstRing;
+        halvePoints(stem, path, tube, plan);
         return glm::distance(ringCentre(plan.rings[tube.firstRing]), ringCentre(plan.rings.back())) >= m_spacing;
+    }
+
+    /// Gives rings half as many points as soon as that is enough for their radius. Lobes and spheres keep theirs.
+    void halvePoints(const CStem& stem, const CPath& path, const Tube& tube, MeshPlan& plan) const {
+        if (tube.lobed || stem.taper > 1) return;
+        std::uint32_t points = tube.points;
+        for (std::uint32_t r = 0; r < tube.ringCount; ++r) {
+            Ring& ring = plan.rings[tube.firstRing + r];
+            const bool tip = tube.pointed && r + 1 == tube.ringCount;
+            if (r > 0 && !tip && points >= 6 && points % 2 == 0 &&
+                roundPoints(discAt(stem, path, ring).radius) <= static_cast<int>(points / 2))
+                points /= 2;
+            ring.points = points;
+        }
+    }
+
+    /// As many as the ring has that a clone leaves.
+    std::uint32_t pointsOfFork(const CStem& stem, const CPath& path, const MeshPlan& plan) const {
+        const std::uint32_t sourcePath = stem.firstPath + static_cast<std::uint32_t>(path.source);
+        const CPath& source = m_generation.paths[sourcePath];
+        const std::uint32_t segment = source.firstSegment + path.firstPosition - source.firstPosition;
+        for (auto tube = plan.tubes.rbegin(); tube != plan.tubes.rend(); ++tube) {
+            if (tube->path != sourcePath) continue;
+            std::uint32_t points = tube->points;
+            for (std::uint32_t r = 0; r < tube->ringCount; ++r)
+                if (const Ring& ring = plan.ringsOf(*tube)[r];
+                    ring.segment < segment || (ring.segment == segment && ring.t == 0))
+                    points = ring.points;
+            return points;
+        }
+        return ringPoints(stem);
     }
 
     /// A ring as the flat round thing it covers.
@@ -161,7 +193,7 @@ private:
 
     double turnOf(const CStem& stem, double ofTrunk) const {
         return kRadiansPerDegree *
-               std::min(kCoarsestTurn * ofTrunk, ofTrunk / std::max(1e-6, m_surface.thickness(stem)));
+               std::min(kCoarsestTurn * ofTrunk, ofTrunk / std::max(1e-6, m_surface.thickness(stem.measures.radius)));
     }
 
     /// Tries the tube's collar and what is next to it.
@@ -172,13 +204,14 @@ private:
         trial.firstIndex = 0;
         trial.pointed = tube.pointed && tube.ringCount == 2;
         trial.ringCount = 2;
+        measure(plan, trial);
         m_trial.positions.resize(trial.vertexCount());
         m_trial.normals.resize(trial.vertexCount());
         m_trial.texCoords.resize(trial.vertexCount());
         m_trial.openness.resize(trial.vertexCount());
         m_trial.indices.resize(trial.indexCount());
         CPointGenerator points(m_generation, plan, m_surface);
-        return !writeTube(trial, points, m_trial);
+        return !writeTube(plan, trial, points, m_trial);
     }
 
     template <typename Add>
@@ -191,10 +224,15 @@ private:
     }
 
     std::uint32_t ringPoints(const CStem& stem) const {
-        const int round = static_cast<int>(std::ceil(m_detail.ringPoints * m_surface.thickness(stem) - 1e-9));
         const bool close = m_detail.model == Model::Full && m_detail.lod == 0;
         const int forLobes = close ? kPointsPerLobe * m_surface.lobes() : 0;
-        return static_cast<std::uint32_t>(std::max({3, round, forLobes}));
+        return static_cast<std::uint32_t>(std::max(roundPoints(stem.measures.radius), forLobes));
+    }
+
+    /// Even numbers from 6 on: they can be halved.
+    int roundPoints(double radius) const {
+        const int points = static_cast<int>(std::ceil(m_detail.ringPoints * m_surface.thickness(radius) - 1e-9));
+        return std::max(3, points > 5 ? (points + 1) / 2 * 2 : points);
     }
 
     bool endsInPoint(const CStem& stem, const CPath& path) const {
@@ -239,6 +277,7 @@ void layOut(MeshPlan& plan, std::size_t paths) {
     for (std::size_t t = 0; t < plan.tubes.size(); ++t) {
         Tube& tube = plan.tubes[t];
         plan.tubeOfPath[tube.path] = static_cast<std::int32_t>(t);
+        measure(plan, tube);
         tube.firstVertex = static_cast<std::uint32_t>(plan.vertexCount);
         tube.firstIndex = plan.indexCount;
         plan.vertexCount += tube.vertexCount();

@@ -15,8 +15,8 @@ public:
 
     /// The root of the radius over the trunk's, at most 1: rings and bends err by equally many metres when their points
     /// and pieces are in this proportion.
-    double thickness(const CStem& stem) const {
-        return m_trunkMeasures.radius > 0 ? std::min(1.0, std::sqrt(stem.measures.radius / m_trunkMeasures.radius)) : 1;
+    double thickness(double radius) const {
+        return m_trunkMeasures.radius > 0 ? std::min(1.0, std::sqrt(radius / m_trunkMeasures.radius)) : 1;
     }
 
     /// Radius at a place of a segment, before lobes and the least radius.

@@ -12,6 +12,9 @@ inline VertexSink sinkAt(CMesh& mesh, std::size_t vertex) {
 
 /// Writes a tube's vertices and triangles to its place in the mesh, whose arrays have the room. False when its collar
 /// is so folded that some vertex has no normal on the front of all its triangles.
-bool writeTube(const Tube& tube, CPointGenerator& points, CMesh& mesh);
+bool writeTube(const MeshPlan& plan, const Tube& tube, CPointGenerator& points, CMesh& mesh);
+
+/// Sets how many vertices and indices a tube of the plan's rings has.
+void measure(const MeshPlan& plan, Tube& tube);
 
 } // namespace stromar

@@ -56,9 +56,41 @@ TEST_P(PresetMesh, AlmostEveryBranchHasACollar) {
             const auto chosen = std::ranges::count(all[g].plan.stemIsChosen, true);
             const auto collars =
                 std::ranges::count_if(all[g].plan.tubes, [](const Tube& tube) { return tube.collarRings > 0; });
-            EXPECT_GE(double(collars), 0.85 * double(chosen)) << "LOD " << lod << ", " << all[g].mesh->name;
+            EXPECT_GE(double(collars), 0.8 * double(chosen)) << "LOD " << lod << ", " << all[g].mesh->name;
         }
     }
+}
+
+/// Walls between rings of unequal size are covered by the check; here: there are such rings, and clones start with as
+/// many points as the ring they leave.
+TEST_P(PresetMesh, RingsHaveFewerPointsWhereTheyAreThin) {
+    std::size_t halved = 0;
+    forEachStemMesh(params(), detailOf(Model::Full), [&](const CTree& tree, int g, const MeshPlan& plan, const CMesh&) {
+        for (const Tube& tube : plan.tubes) {
+            const Ring* rings = plan.ringsOf(tube);
+            ASSERT_EQ(rings[0].points, tube.points);
+            for (std::uint32_t r = 1; r < tube.ringCount; ++r) {
+                ASSERT_TRUE(rings[r].points == rings[r - 1].points || 2 * rings[r].points == rings[r - 1].points);
+                if (rings[r].points < rings[r - 1].points) ++halved;
+            }
+            const CGeneration& generation = tree.generation(static_cast<std::size_t>(g));
+            const CPath& path = generation.paths[tube.path];
+            if (path.source < 0) continue;
+            const std::uint32_t sourcePath =
+                generation.stems[tube.stem].firstPath + static_cast<std::uint32_t>(path.source);
+            const CPath& source = generation.paths[sourcePath];
+            const std::int32_t other = plan.tubeOfPath[sourcePath];
+            if (other < 0) continue;
+            const Tube& from = plan.tubes[static_cast<std::size_t>(other)];
+            for (std::uint32_t r = 0; r < from.ringCount; ++r) {
+                const Ring& ring = plan.ringsOf(from)[r];
+                const bool fork =
+                    ring.segment == source.firstSegment + path.firstPosition - source.firstPosition && ring.t == 0;
+                ASSERT_TRUE(!fork || ring.points == tube.points);
+            }
+        }
+    });
+    EXPECT_GT(halved, 0u);
 }
 
 TEST_P(PresetMesh, EveryTubeFacesOutwards) {

@@ -12,6 +12,7 @@ namespace stromar {
 /// A ring of points around a stem: t = 0..1 along a segment of the generation.
 struct Ring {
     std::uint32_t segment;
+    std::uint32_t points; ///< as many as the ring below has, or half of them
     double t;
 };
 
@@ -24,7 +25,7 @@ struct SurfacePoint {
 struct Tube {
     std::uint32_t stem, path; ///< of the generation
     std::uint32_t firstRing = 0, ringCount = 0;
-    std::uint32_t points = 0;           ///< of each ring
+    std::uint32_t points = 0;           ///< of the collar and of the first ring
     double mostTurn = 0;                ///< radians of a bend between its rings; 0: bends are mitred
     bool lobed = false;                 ///< the rings have bulges
     bool pointed = false;               ///< the last ring is a single point
@@ -32,15 +33,22 @@ struct Tube {
     std::uint32_t firstCollarPoint = 0; ///< `points` of them, in the plan
     std::uint32_t firstVertex = 0;      ///< in the mesh
     std::size_t firstIndex = 0;
+    std::uint32_t vertices = 0; ///< how many it has there
+    std::size_t indices = 0;
 
     /// The lid at the base (of a collar or a lobed ring) or at the tip (of a lobed ring) has a vertex in its middle.
     bool middleOfLid(bool base) const { return lobed || (base && collarRings > 0); }
-    std::size_t vertexCount() const;
-    std::size_t indexCount() const;
+    std::size_t vertexCount() const { return vertices; }
+    std::size_t indexCount() const { return indices; }
 };
+
+/// Corners of the triangles between two rings: two per point when both have as many, else one per point of each.
+inline std::size_t wallIndices(std::uint32_t low, std::uint32_t high) { return 3 * (std::size_t{low} + high); }
 
 /// Where the rings of one generation stand and how many points each has.
 struct MeshPlan {
+    const Ring* ringsOf(const Tube& tube) const { return &rings[tube.firstRing]; }
+
     std::vector<Ring> rings;
     std::vector<Tube> tubes;
     std::vector<SurfacePoint> collarPoints;
