@@ -42,9 +42,8 @@ double thicknessBound(const CParams& params, int generation) {
 }
 
 double ringPoints(const CParams& params, const Detail& detail, int generation) {
-    const double round = std::ceil(detail.ringPoints * std::sqrt(thicknessBound(params, generation)));
-    const bool close = generation == 0 && detail.model == Model::Full && detail.lod == 0;
-    return std::max({3.0, round, close ? 8.0 * params.global.lobes : 0});
+    const int round = roundRingPoints(detail, std::sqrt(thicknessBound(params, generation)));
+    return std::max(round, generation == 0 ? detail.lobePoints * params.global.lobes : 0);
 }
 /// Rings that CSmoother may add between the ends of a stem's segments.
 double addedRings(const CParams& params, const Detail& detail, int generation, const StemBound& bound) {

@@ -1,5 +1,7 @@
 #include "stromar/mesh/Detail.h"
+#include <algorithm>
 #include <cassert>
+#include <cmath>
 #include <limits>
 
 namespace stromar {
@@ -10,12 +12,12 @@ constexpr std::size_t kNoBudget = std::numeric_limits<std::size_t>::max();
 
 // clang-format off
 constexpr Detail kDetails[] = {
-    //                                    points turn least helix smooth collar share leaves
-    {"Simple model",      Model::Simple, 0,  6,   0,    0,  10,   1,    0,    1.0, 12000},
-    {"Full model",        Model::Full,   0, 24,   8,    0,  10, kAll,   3,    1.0, kNoBudget},
-    {"Full model, LOD 1", Model::Full,   1, 16,  16,    4,   6, kAll,   2,    0.5, kNoBudget},
-    {"Full model, LOD 2", Model::Full,   2, 10,   0,   10,   4, kAll,   1,    0.25, kNoBudget},
-    {"Full model, LOD 3", Model::Full,   3,  6,   0,   20,   3,   1,    0,    0.1, kNoBudget},
+    //                                    points lobe turn least helix smooth collar share leaves
+    {"Simple model",      Model::Simple, 0,  6,   0,   0,    0,  10,   1,    0,    1.0, 12000},
+    {"Full model",        Model::Full,   0, 24,  12,   8,    0,  10, kAll,   3,    1.0, kNoBudget},
+    {"Full model, LOD 1", Model::Full,   1, 16,   8,  16,    4,   6, kAll,   2,    0.5, kNoBudget},
+    {"Full model, LOD 2", Model::Full,   2, 10,   0,   0,   10,   4, kAll,   1,    0.25, kNoBudget},
+    {"Full model, LOD 3", Model::Full,   3,  6,   0,   0,   20,   3,   1,    0,    0.1, kNoBudget},
 };
 // clang-format on
 } // namespace
@@ -27,6 +29,11 @@ const Detail& detailOf(Model model, int lod) {
         if (detail.model == model && detail.lod == lod) return detail;
     assert(false && "no such level of detail");
     return kDetails[0];
+}
+
+int roundRingPoints(const Detail& detail, double thickness) {
+    const int points = static_cast<int>(std::ceil(detail.ringPoints * thickness - 1e-9));
+    return std::max(3, points > 5 ? (points + 1) / 2 * 2 : points);
 }
 
 } // namespace stromar

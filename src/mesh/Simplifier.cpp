@@ -13,7 +13,7 @@ namespace stromar {
 
 namespace {
 constexpr std::size_t kGrain = 64;
-constexpr int kPointsPerLobe = 8, kFewestPointsPerLobe = 4;
+constexpr int kFewestPointsPerLobe = 4;
 constexpr double kCoarsestTurn = 2.5; // times what is allowed to a trunk
 constexpr double kFreeOfDisc = 1.05;  // radii that a tilted ring stays off the plane of the next
 constexpr double kApart = 0.2;        // radii between the first own ring above a collar and the next
@@ -224,16 +224,11 @@ private:
     }
 
     std::uint32_t ringPoints(const CStem& stem) const {
-        const bool close = m_detail.model == Model::Full && m_detail.lod == 0;
-        const int forLobes = close ? kPointsPerLobe * m_surface.lobes() : 0;
+        const int forLobes = m_detail.lobePoints * m_surface.lobes();
         return static_cast<std::uint32_t>(std::max(roundPoints(stem.measures.radius), forLobes));
     }
 
-    /// Even numbers from 6 on: they can be halved.
-    int roundPoints(double radius) const {
-        const int points = static_cast<int>(std::ceil(m_detail.ringPoints * m_surface.thickness(radius) - 1e-9));
-        return std::max(3, points > 5 ? (points + 1) / 2 * 2 : points);
-    }
+    int roundPoints(double radius) const { return roundRingPoints(m_detail, m_surface.thickness(radius)); }
 
     bool endsInPoint(const CStem& stem, const CPath& path) const {
         const std::uint32_t last = path.firstSegment + path.segmentCount - 1;

@@ -98,11 +98,12 @@ void add(const std::string& name, Function&& function) {
 void addPreset(const Preset& preset) {
     const CParams params = preset.params;
     add("Structure/" + preset.name, [=](State& state) { growStructure(state, params); });
-    for (const Detail* detail : {&detailOf(Model::Simple), &detailOf(Model::Full)}) {
-        const std::string kind = detail->model == Model::Simple ? "Simple/" : "Full/";
-        add("Mesh" + kind + preset.name, [=](State& state) { buildMeshes(state, params, *detail); });
-        add("MemCopy" + kind + preset.name,
-            [=](State& state) { copyMeshes(state, *CTreeCreator().create(params, *detail, CProgress())); });
+    for (const Detail& detail : detailTable()) {
+        const std::string kind = detail.model == Model::Simple ? "Simple" : "Lod" + std::to_string(detail.lod);
+        add("Mesh" + kind + "/" + preset.name, [=, &detail](State& state) { buildMeshes(state, params, detail); });
+        if (detail.lod == 0)
+            add("MemCopy" + kind + "/" + preset.name,
+                [=, &detail](State& state) { copyMeshes(state, *CTreeCreator().create(params, detail, CProgress())); });
     }
     for (std::size_t level = 0; level < std::min<std::size_t>(4, static_cast<std::size_t>(params.global.levels) + 1);
          ++level)

@@ -147,7 +147,8 @@ TEST(ExportCommand, AnInterruptWhileGrowingLeavesNoFile) {
     CProcess process(cliCommand({"export", presetFile("weeping_willow"), "-o", (folder / "x.obj").string()}));
     std::this_thread::sleep_for(std::chrono::milliseconds(60));
     process.signal(SIGINT);
-    EXPECT_EQ(process.wait().status, 1);
+    const int status = process.wait().status;
+    EXPECT_TRUE(status == 1 || status == -SIGINT) << status; // a slow start may come before the program listens
     EXPECT_TRUE(folder.names().empty());
 }
 

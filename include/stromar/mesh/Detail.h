@@ -13,6 +13,7 @@ struct Detail {
     Model model;
     int lod;               ///< 0..3, of the full model
     int ringPoints;        ///< of a ring as thick as the trunk; thinner stems have fewer by the root, 3 at least
+    int lobePoints;        ///< for each lobe, at least; 0: lobes are drawn where the ring has four points for each
     double mostTurn;       ///< degrees between rings of a stem as thick as the trunk, thinner ones bend more; 0: mitres
     double leastTurn;      ///< degrees, likewise: rings between smaller turns are left out; 0 draws all
     int helixRings;        ///< per turn of a helix
@@ -27,5 +28,8 @@ constexpr double kMostLeafGrowth = 2; ///< thinned leaves grow at most to this t
 std::span<const Detail> detailTable();
 /// lod 0..3; the simple model has only 0.
 const Detail& detailOf(Model model, int lod = 0);
+
+/// Points of a round ring; `thickness` is the root of its radius over the trunk's. Even from 6 on: they can be halved.
+int roundRingPoints(const Detail& detail, double thickness);
 
 } // namespace stromar
