@@ -85,4 +85,19 @@ Prediction predictSize(const CParams& params, const Detail& detail) {
     return size;
 }
 
+double nearestThatFits(const CParams& params, const ParamRef& ref, double fits, const Detail& detail,
+                       double mostVertices) {
+    const double step = ref.info->integer() ? 1 : std::pow(10, -ref.info->decimals);
+    double small = fits, large = ref.get(params);
+    CParams tried = params;
+    while (std::abs(large - small) > step) {
+        double middle = (small + large) / 2;
+        if (ref.info->integer()) middle = std::trunc(middle);
+        if (middle == small) break;
+        ref.set(tried, middle);
+        (predictSize(tried, detail).vertices <= mostVertices ? small : large) = middle;
+    }
+    return ref.info->integer() ? small : std::trunc(small / step) * step;
+}
+
 } // namespace stromar

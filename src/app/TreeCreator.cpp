@@ -48,11 +48,15 @@ std::string countText(double count) {
 }
 } // namespace
 
+void TreeModel::visitMeshes(const MeshVisitor& visit) const {
+    for (std::size_t g = 0; g < stems.size(); ++g)
+        if (stems[g]->vertexCount() > 0) visit(stems[g], static_cast<int>(g));
+    if (leaves->vertexCount() > 0) visit(leaves, kLeaves);
+}
+
 std::vector<std::shared_ptr<const CMesh>> TreeModel::meshes() const {
     std::vector<std::shared_ptr<const CMesh>> all;
-    for (const auto& mesh : stems)
-        if (mesh->vertexCount() > 0) all.push_back(mesh);
-    if (leaves->vertexCount() > 0) all.push_back(leaves);
+    visitMeshes([&](const auto& mesh, int) { all.push_back(mesh); });
     return all;
 }
 

@@ -6,20 +6,25 @@ namespace stromar {
 
 class CMainWindow;
 
-enum class Menu { File, Edit, Tree, View, Help };
+enum class Menu { File, Edit, Tree, View, Window, Help };
 
 /// One row of the table of commands: menus, tool bar, shortcuts and their list in Help are loops over it.
 struct Command {
     const char* name; ///< unique; objectName of its QAction
     Menu menu;
-    const char* text;     ///< with & mnemonic; translated in the context "Commands"
-    const char* shortcut; ///< as QKeySequence reads it; "" none
-    const char* icon;     ///< in the resources; "" none
-    const char* help;     ///< one sentence for the status bar
-    void (CMainWindow::*run)();
+    const char* text;                          ///< with & mnemonic; translated in the context "Commands"
+    const char* shortcut;                      ///< as QKeySequence reads it; "" none
+    const char* icon;                          ///< in the resources; "" none
+    const char* help;                          ///< one sentence for the status bar
+    void (*run)(CMainWindow& window, bool on); ///< `on` of a switch
     bool onToolBar = false;
-    bool checkable = false;
     bool startsGroup = false; ///< a separator in front
+    enum class Kind {
+        Plain,
+        Switch,
+        KeptSwitch ///< its state is kept between runs
+    } kind = Kind::Plain;
+    const char* group = ""; ///< of switches of which one is on
 };
 
 std::span<const Command> commandTable();

@@ -1,30 +1,38 @@
 #include "MainWindow.h"
+#include "Autosave.h"
 #include "Commands.h"
-#include "ExportDialog.h"
 #include "ExportJob.h"
-#include "ParamEditor.h"
+#include "HelpWindow.h"
+#include "MessageBar.h"
 #include "ParamPanel.h"
+#include "PreferencesDialog.h"
+#include "PresetBrowser.h"
 #include "QtText.h"
-#include "Viewport.h"
-#include "stromar/app/Formats.h"
+#include "Settings.h"
+#include "Theme.h"
+#include "Thumbnails.h"
+#include "Variants.h"
 #include "stromar/app/Prediction.h"
+#include "stromar/app/Randomise.h"
 #include <QAction>
+#include <QActionGroup>
 #include <QApplication>
-#include <QCloseEvent>
 #include <QDockWidget>
-#include <QFileDialog>
-#include <QFileInfo>
 #include <QLabel>
+#include <QLineEdit>
 #include <QListWidget>
 #include <QLocale>
 #include <QMenuBar>
 #include <QMessageBox>
 #include <QProgressBar>
-#include <QProgressDialog>
 #include <QRandomGenerator>
+#include <QScrollArea>
 #include <QSettings>
 #include <QStatusBar>
 #include <QToolBar>
+#include <QUndoView>
+#include <QVBoxLayout>
+#include <limits>
 
 /// Resources of a static library are only there when asked for.
 static void initResources() { Q_INIT_RESOURCE(stromar); }
@@ -32,82 +40,141 @@ static void initResources() { Q_INIT_RESOURCE(stromar); }
 namespace stromar {
 
 namespace {
-constexpr int kPauseMs = 350;
-constexpr int kMostRecent = 10;
 constexpr int kMostSeed = 9999;
-constexpr const char* kRecentKey = "recentFiles";
+constexpr const char* kAboutSize = "size";
+constexpr const char* kAboutFile = "file";
 
 QString tr2(const char* text) { return QCoreApplication::translate("Commands", text); }
-
-QString treeFilter() { return CMainWindow::tr("Trees (*.tree);;All files (*)"); }
+QString switchKey(const QString& name) { return QStringLiteral("view/") + name; }
 } // namespace
 
-CMainWindow::CMainWindow(double mostVertices, QWidget* parent)
-    : QMainWindow(parent), m_viewport(new CViewport), m_panel(new CParamPanel), m_mostVertices(mostVertices),
+CMainWindow::CMainWindow(double mostVertices, std::shared_ptr<CDocument> document, QWidget* parent)
+    : QMainWindow(parent), m_document(document ? std::move(document) : std::make_shared<CDocument>()),
+      m_thumbnails(new CThumbnails(this)), m_viewport(new CViewport), m_panel(new CParamPanel),
+      m_presets(new CPresetBrowser(*m_thumbnails)), m_variants(new CVariants(*m_thumbnails)), m_bar(new CMessageBar),
+      m_desk(new CViewDesk(*m_viewport, *m_panel, *m_document, this)),
+      m_autosave(std::make_unique<CAutosave>(CAutosave::standardFolder())), m_mostVertices(mostVertices),
       m_thread(std::make_unique<CTreeCreatorThread>(std::make_unique<CTreeCreator>(true, mostVertices))) {
     initResources();
-    setCentralWidget(m_viewport);
+    setAcceptDrops(true);
+    makeCentre();
     makeDocks();
     makeActions();
     makeStatusBar();
     connectParts();
+    connectDocument();
     resize(1280, 800);
-    const QSettings settings;
-    restoreGeometry(settings.value(QStringLiteral("geometry")).toByteArray());
-    startNew();
+    restoreLayout();
+    restoreSwitches();
+    for (const char* key : {"navigation", "threads", "fullModelDelay", "autosave"}) onSetting(QLatin1String(key));
+    onReplaced();
 }
 
 CMainWindow::~CMainWindow() = default;
 
-void CMainWindow::makeDocks() {
-    auto* params = new QDockWidget(tr("Parameters"));
-    params->setObjectName(QStringLiteral("parameters"));
-    params->setWidget(m_panel);
-    params->setFeatures(QDockWidget::DockWidgetMovable | QDockWidget::DockWidgetFloatable);
-    m_panel->setMinimumWidth(470);
-    addDockWidget(Qt::RightDockWidgetArea, params);
+void CMainWindow::makeCentre() {
+    auto* centre = new QWidget;
+    auto* column = new QVBoxLayout(centre);
+    column->setContentsMargins(0, 0, 0, 0);
+    column->setSpacing(0);
+    column->addWidget(m_bar);
+    column->addWidget(m_viewport, 1);
+    setCentralWidget(centre);
+}
 
+QDockWidget* CMainWindow::addDock(const char* name, const QString& title, QWidget* widget, Qt::DockWidgetArea area) {
+    auto* dock = new QDockWidget(title);
+    dock->setObjectName(QLatin1String(name));
+    dock->setWidget(widget);
+    addDockWidget(area, dock);
+    return dock;
+}
+
+void CMainWindow::makeDocks() {
+    setDockNestingEnabled(true);
+    setTabPosition(Qt::LeftDockWidgetArea, QTabWidget::West);
+    addDock("parameters", tr("Parameters"), m_panel, Qt::RightDockWidgetArea);
+    QDockWidget* presets = addDock("presets", tr("Presets"), m_presets, Qt::LeftDockWidgetArea);
+    auto* scroll = new QScrollArea;
+    scroll->setWidget(m_variants);
+    scroll->setWidgetResizable(true);
+    scroll->setFrameShape(QFrame::NoFrame);
+    scroll->setHorizontalScrollBarPolicy(Qt::ScrollBarAlwaysOff);
+    QDockWidget* variants = addDock("variants", tr("Variants"), scroll, Qt::LeftDockWidgetArea);
+    auto* steps = new QUndoView(&m_document->history());
+    steps->setEmptyLabel(tr("As opened"));
+    steps->setAccessibleName(tr("History"));
+    QDockWidget* history = addDock("history", tr("History"), steps, Qt::LeftDockWidgetArea);
     m_messages = new QListWidget;
+    m_messages->setObjectName(QStringLiteral("messageList"));
     m_messages->setAlternatingRowColors(true);
     m_messages->setAccessibleName(tr("Messages of the file"));
-    m_messageDock = new QDockWidget(tr("Messages"));
-    m_messageDock->setObjectName(QStringLiteral("messages"));
-    m_messageDock->setWidget(m_messages);
-    addDockWidget(Qt::BottomDockWidgetArea, m_messageDock);
+    m_messageDock = addDock("messages", tr("Messages"), m_messages, Qt::BottomDockWidgetArea);
     m_messageDock->hide();
+    tabifyDockWidget(presets, variants);
+    tabifyDockWidget(variants, history);
+    presets->raise();
+    resizeDocks({presets}, {200}, Qt::Horizontal);
+}
+
+QAction* CMainWindow::makeAction(const Command& command) {
+    auto* action = new QAction(tr2(command.text), this);
+    action->setObjectName(QLatin1String(command.name));
+    action->setShortcut(QKeySequence(QLatin1String(command.shortcut)));
+    action->setStatusTip(tr2(command.help));
+    const QString key = action->shortcut().toString(QKeySequence::NativeText);
+    action->setToolTip(key.isEmpty() ? tr2(command.help) : QStringLiteral("%1 (%2)").arg(tr2(command.help), key));
+    action->setCheckable(command.kind != Command::Kind::Plain);
+    if (*command.icon) action->setIcon(QIcon(QStringLiteral(":/icons/%1.svg").arg(QLatin1String(command.icon))));
+    const auto run = command.run;
+    if (!action->isCheckable()) {
+        connect(action, &QAction::triggered, this, [this, run] { run(*this, true); });
+        return action;
+    }
+    const bool kept = command.kind == Command::Kind::KeptSwitch, grouped = *command.group;
+    connect(action, &QAction::toggled, this, [this, run, kept, grouped, name = action->objectName()](bool on) {
+        if (on || !grouped) run(*this, on);
+        if (kept) QSettings().setValue(switchKey(name), on);
+    });
+    return action;
 }
 
 void CMainWindow::makeActions() {
     QToolBar* bar = addToolBar(tr("Tools"));
     bar->setObjectName(QStringLiteral("tools"));
-    bar->setMovable(false);
-    bar->setToolButtonStyle(Qt::ToolButtonTextBesideIcon);
+    bar->setToolButtonStyle(Qt::ToolButtonTextUnderIcon);
+    QMap<QString, QActionGroup*> groups;
     QMenu* menu = nullptr;
     Menu last = Menu::File;
     for (const Command& command : commandTable()) {
-        if (!menu || command.menu != last) menu = menuBar()->addMenu(tr2(menuTitle(command.menu)));
-        if (menu->actions().size() > 0 && command.startsGroup) menu->addSeparator();
+        const bool newMenu = !menu || command.menu != last;
+        if (newMenu) menu = menuBar()->addMenu(tr2(menuTitle(command.menu)));
+        if (newMenu && command.menu == Menu::Window)
+            for (QDockWidget* dock : findChildren<QDockWidget*>()) menu->addAction(dock->toggleViewAction());
+        if (!menu->isEmpty() && command.startsGroup) menu->addSeparator();
         last = command.menu;
-        QAction* action = menu->addAction(tr2(command.text));
-        action->setObjectName(QString::fromLatin1(command.name));
-        action->setShortcut(QKeySequence(QString::fromLatin1(command.shortcut)));
-        action->setStatusTip(tr2(command.help));
-        action->setToolTip(tr2(command.help) +
-                           (action->shortcut().isEmpty()
-                                ? QString()
-                                : QStringLiteral(" (%1)").arg(action->shortcut().toString(QKeySequence::NativeText))));
-        action->setCheckable(command.checkable);
-        if (*command.icon) action->setIcon(QIcon(QStringLiteral(":/icons/%1.svg").arg(QLatin1String(command.icon))));
+        QAction* action = makeAction(command);
+        menu->addAction(action);
+        if (*command.group) {
+            QActionGroup*& group = groups[QLatin1String(command.group)];
+            if (!group) group = new QActionGroup(this);
+            if (group->actions().isEmpty()) action->setChecked(true);
+            group->addAction(action);
+        }
         if (command.onToolBar) {
-            if (command.startsGroup || command.menu != Menu::File) bar->addSeparator();
+            if (bar->actions().size() > 0 && (command.startsGroup || newMenu)) bar->addSeparator();
             bar->addAction(action);
         }
-        const auto run = command.run;
-        connect(action, &QAction::triggered, this, [this, run] { (this->*run)(); });
-        if (command.run == &CMainWindow::chooseAndOpen) m_recentMenu = menu->addMenu(tr("Open &Recent"));
+        if (QLatin1String(command.name) == QLatin1String("open")) m_recentMenu = menu->addMenu(tr("Open &Recent"));
     }
-    menuBar()->actions().at(static_cast<int>(Menu::View))->menu()->addAction(m_messageDock->toggleViewAction());
     fillRecentMenu();
+}
+
+void CMainWindow::restoreSwitches() {
+    for (const Command& command : commandTable())
+        if (command.kind == Command::Kind::KeptSwitch)
+            if (const QVariant kept = QSettings().value(switchKey(QLatin1String(command.name))); kept.toBool())
+                findChild<QAction*>(QLatin1String(command.name))->setChecked(true);
 }
 
 void CMainWindow::makeStatusBar() {
@@ -118,8 +185,9 @@ void CMainWindow::makeStatusBar() {
     m_counts->setObjectName(QStringLiteral("counts"));
     m_progress = new QProgressBar;
     m_progress->setRange(0, 1000);
-    m_progress->setFixedWidth(140);
+    m_progress->setFixedWidth(110);
     m_progress->setTextVisible(false);
+    m_progress->setToolTip(tr("The tree is growing; Esc gives it up"));
     QSizePolicy keepsRoom = m_progress->sizePolicy();
     keepsRoom.setRetainSizeWhenHidden(true);
     m_progress->setSizePolicy(keepsRoom);
@@ -130,53 +198,83 @@ void CMainWindow::makeStatusBar() {
 }
 
 void CMainWindow::connectParts() {
-    connect(m_panel, &CParamPanel::edited, &m_document, &CDocument::setValue);
-    connect(m_panel, &CParamPanel::textEdited, this,
-            [this](const TextInfo* text, const QString& value) { m_document.setText(*text, value); });
-    connect(m_panel, &CParamPanel::pathWanted, this, [this](const TextInfo* text) { chooseTexture(*text); });
+    connect(m_panel, &CParamPanel::pathWanted, this,
+            [this](const TextInfo* text) { chooseTexture(QByteArray(text->key.data(), qsizetype(text->key.size()))); });
     connect(m_panel, &CParamPanel::released, this, [this] { m_pause.start(); });
-    connect(&m_document, &CDocument::replaced, this, &CMainWindow::onReplaced);
-    connect(&m_document, &CDocument::changed, this, &CMainWindow::onChanged);
-    connect(&m_document, &CDocument::nameChanged, this, &CMainWindow::updateTitle);
+    connect(m_desk, &CViewDesk::released, this, [this] { m_pause.start(); });
+    connect(m_desk, &CViewDesk::notice, m_notice, &QLabel::setText);
+    connect(m_presets, &CPresetBrowser::chosen, this, &CMainWindow::openPreset);
+    connect(m_presets, &CPresetBrowser::saveWanted, this, &CMainWindow::savePreset);
     connect(m_thread.get(), &CTreeCreatorThread::created, this, &CMainWindow::onCreated);
     connect(m_thread.get(), &CTreeCreatorThread::failed, this, &CMainWindow::onFailed);
     connect(m_viewport, &CViewport::unusable, this, [this](const QString& why) { tellError(tr("No picture"), why); });
-    for (const auto& [name, signal] :
-         {std::pair{"undo", &QUndoStack::canUndoChanged}, {"redo", &QUndoStack::canRedoChanged}}) {
-        auto* action = findChild<QAction*>(QLatin1String(name));
-        action->setEnabled(false);
-        connect(&m_document.history(), signal, action, &QAction::setEnabled);
-    }
+    connect(m_viewport, &CViewport::contextLost, this, &CMainWindow::onContextLost, Qt::QueuedConnection);
+    connect(&m_watch, &CFileWatch::changed, this, &CMainWindow::onFileChanged);
+    connect(m_autosave.get(), &CAutosave::failed, this,
+            [this](const QString& why) { onFailed(tr("Autosave: %1").arg(why)); });
+    connect(&CSettings::instance(), &CSettings::changed, this, &CMainWindow::onSetting);
     m_pause.setSingleShot(true);
-    m_pause.setInterval(kPauseMs);
     connect(&m_pause, &QTimer::timeout, this, &CMainWindow::requestFull);
     m_progressTimer.setInterval(100);
     connect(&m_progressTimer, &QTimer::timeout, this, &CMainWindow::updateProgress);
 }
 
-bool CMainWindow::open(const QString& path) {
-    try {
-        m_document.open(path);
-    } catch (const CError& e) {
-        tellError(tr("Cannot open the tree"), QString::fromUtf8(e.what()));
-        return false;
+void CMainWindow::connectDocument() {
+    CDocument* document = m_document.get();
+    connect(m_panel, &CParamPanel::edited, document, &CDocument::setValue);
+    connect(m_panel, &CParamPanel::assigned, document, &CDocument::setValues);
+    connect(m_panel, &CParamPanel::textEdited, document,
+            [document](const TextInfo* text, const QString& value) { document->setText(*text, value); });
+    connect(m_variants, &CVariants::seedChosen, document,
+            [document](int seed) { document->setValue(std::get<ParamRef>(*findParam("Seed")), seed, 0); });
+    connect(m_variants, &CVariants::likedChanged, document, [document](const QString& seeds) {
+        document->setText(*std::get<const TextInfo*>(*findParam("LikedSeeds")), seeds);
+    });
+    connect(m_variants, &CVariants::randomiseWanted, this, [this](std::vector<ParamRef> refs, double amount) {
+        std::erase_if(refs, [this](const ParamRef& ref) { return m_panel->locked(ref); });
+        m_document->setValues(tr("Randomise"),
+                              randomised(m_document->params(), refs, amount, QRandomGenerator::global()->generate64()));
+    });
+    connect(document, &CDocument::replaced, this, &CMainWindow::onReplaced);
+    connect(document, &CDocument::changed, this, &CMainWindow::onChanged);
+    connect(document, &CDocument::nameChanged, this, &CMainWindow::updateTitle);
+    QUndoStack& history = document->history();
+    for (const auto& [name, can, signal] : {std::tuple{"undo", history.canUndo(), &QUndoStack::canUndoChanged},
+                                            {"redo", history.canRedo(), &QUndoStack::canRedoChanged}}) {
+        auto* action = findChild<QAction*>(QLatin1String(name));
+        action->setEnabled(can);
+        connect(&history, signal, action, &QAction::setEnabled);
     }
-    remember(m_document.path());
-    return true;
 }
 
-bool CMainWindow::save(const QString& path) {
-    try {
-        m_document.save(path);
-    } catch (const CError& e) {
-        tellError(tr("Cannot save the tree"), QString::fromUtf8(e.what()));
-        return false;
-    }
-    remember(m_document.path());
-    m_panel->showParams(m_document.params());
-    m_notice->setText(tr("Saved %1").arg(m_document.path()));
-    return true;
+// The layout
+
+void CMainWindow::restoreLayout() {
+    m_firstLayout = saveState(kLayoutVersion);
+    const QSettings settings;
+    restoreGeometry(settings.value(QStringLiteral("geometry")).toByteArray());
+    restoreState(settings.value(QStringLiteral("layout")).toByteArray(), kLayoutVersion);
 }
+
+void CMainWindow::keepLayout() const {
+    QSettings settings;
+    settings.setValue(QStringLiteral("geometry"), saveGeometry());
+    settings.setValue(QStringLiteral("layout"), saveState(kLayoutVersion));
+}
+
+void CMainWindow::resetLayout() { restoreState(m_firstLayout, kLayoutVersion); }
+
+/// A widget that changes its parent gets a context of its own; the scene goes to the graphics card again.
+void CMainWindow::onContextLost() {
+    auto* column = static_cast<QVBoxLayout*>(centralWidget()->layout());
+    column->removeWidget(m_viewport);
+    m_viewport->setParent(nullptr);
+    column->addWidget(m_viewport, 1);
+    m_viewport->QWidget::show();
+    m_notice->setText(tr("The graphics driver has started again"));
+}
+
+// From the document to the picture
 
 void CMainWindow::showOnly(Model model) {
     m_only = model;
@@ -185,34 +283,91 @@ void CMainWindow::showOnly(Model model) {
 
 void CMainWindow::onReplaced() {
     m_recentreNext = true;
+    m_desk->clearSelection();
+    m_watch.watch(m_document->path());
+    m_bar->dismiss(QLatin1String(kAboutFile));
+    updateTitle();
     updateMessages();
     onChanged();
 }
 
 void CMainWindow::onChanged() {
-    m_panel->showParams(m_document.params());
+    m_panel->showParams(m_document->params(), m_document->savedParams());
+    m_variants->showParams(m_document->params(), m_document->folder());
+    m_desk->updateOverlay();
     updateTextures();
+    updateAutosave();
     m_notice->clear();
-    m_thread->request(m_document.params(), detailOf(m_only.value_or(Model::Simple)));
-    m_progressTimer.start();
+    if (!mayGrow()) return;
+    request(m_only.value_or(Model::Simple));
     if (!m_only) m_pause.start();
+}
+
+bool CMainWindow::mayGrow() {
+    const CParams& params = m_document->params();
+    const double vertices = predictSize(params, detailOf(Model::Full)).vertices;
+    if (vertices <= m_mostVertices || params == m_allowed) {
+        if (vertices <= m_mostVertices) m_fitting = params;
+        m_bar->dismiss(QLatin1String(kAboutSize));
+        return true;
+    }
+    m_pause.stop();
+    offerSmaller(vertices);
+    return false;
+}
+
+/// When one value alone makes the tree too large, the nearest that does not is on offer.
+void CMainWindow::offerSmaller(double vertices) {
+    const CParams& params = m_document->params();
+    std::vector<CMessageBar::Choice> choices;
+    std::vector<ParamRef> changed;
+    for (const ParamRef& ref : allParams())
+        if (ref.get(params) != ref.get(m_fitting)) changed.push_back(ref);
+    if (changed.size() == 1) {
+        const ParamRef ref = changed.front();
+        const double value = nearestThatFits(params, ref, ref.get(m_fitting), detailOf(Model::Full), m_mostVertices);
+        choices.push_back({tr("%1 = %2 fits").arg(toQString(ref.key()), QLocale().toString(value, 'g', 6)),
+                           [this, ref, value] { m_document->setValue(ref, value, 0); }});
+    }
+    choices.push_back({tr("Grow it anyway"), [this] {
+                           m_allowed = m_document->params();
+                           onChanged();
+                       }});
+    choices.push_back({tr("Undo"), [this] { m_document->history().undo(); }});
+    const Prediction size = predictSize(params, detailOf(Model::Full));
+    const QLocale numbers;
+    m_bar->ask(QLatin1String(kAboutSize),
+               tr("This tree may have up to %1 stems, %2 leaves and %3 million vertices; the limit is %4 million.")
+                   .arg(numbers.toString(size.stems, 'f', 0), numbers.toString(size.leaves, 'f', 0),
+                        numbers.toString(vertices / 1e6, 'f', 0), numbers.toString(m_mostVertices / 1e6, 'f', 0)),
+               choices);
+}
+
+void CMainWindow::request(Model model, bool anew) {
+    const bool allowed = m_document->params() == m_allowed;
+    m_thread->request(m_document->params(), detailOf(model), anew,
+                      allowed ? std::numeric_limits<double>::infinity() : m_mostVertices);
+    m_progressTimer.start();
 }
 
 /// The full model follows when the hand rests.
 void CMainWindow::requestFull() {
-    if (m_panel->held() || m_only) return;
-    m_thread->request(m_document.params(), detailOf(Model::Full));
-    m_progressTimer.start();
+    if (m_panel->held() || m_desk->held() || m_only) return;
+    request(Model::Full);
 }
 
 void CMainWindow::onCreated(const std::shared_ptr<const ViewModel>& view) {
     m_shown = view;
-    m_viewport->show(view->parts);
-    const TreeModel& model = *view->model;
-    if (m_recentreNext && model.params == m_document.params()) { // not a late picture of the document before
+    m_desk->show(view);
+    if (m_recentreNext && view->model->params == m_document->params()) { // not a late picture of the document before
         m_viewport->recentre();
         m_recentreNext = false;
     }
+    updateCounts(*view->model);
+    emit modelShown();
+}
+
+void CMainWindow::updateCounts(const TreeModel& model) {
     const QLocale numbers;
     m_counts->setText(tr("%1   %2 stems   %3 leaves   %4 vertices   %5 triangles   %6 ms")
                           .arg(model.detail->model == Model::Simple ? tr("Simple model") : tr("Full model"),
@@ -221,12 +376,30 @@ void CMainWindow::onCreated(const std::shared_ptr<const ViewModel>& view) {
                                numbers.toString(qulonglong(model.vertexCount())),
                                numbers.toString(qulonglong(model.triangleCount())),
                                numbers.toString(model.milliseconds.total, 'f', 1)));
-    emit modelShown();
 }
 
 void CMainWindow::onFailed(const QString& why) {
     m_notice->setText(why);
     m_notice->setToolTip(why);
+}
+
+void CMainWindow::onSetting(const QString& key) {
+    CSettings& settings = CSettings::instance();
+    if (key == QLatin1String("navigation")) m_viewport->setNavigation(navigationNamed(settings.text("navigation")));
+    if (key == QLatin1String("threads")) m_thread->setThreads(settings.number("threads"));
+    if (key == QLatin1String("fullModelDelay")) m_pause.setInterval(settings.number("fullModelDelay"));
+    if (key == QLatin1String("autosave")) m_autosave->setInterval(settings.number("autosave"));
+    if (key == QLatin1String("theme")) applyTheme(settings.text("theme"));
+    if (key == QLatin1String("language") || key == QLatin1String("units")) emit rebuildWanted();
+}
+
+void CMainWindow::onFileChanged() {
+    const QString path = m_document->path();
+    const QString text = m_document->isModified()
+                             ? tr("Another program has changed %1. Opening it again loses your changes.")
+                             : tr("Another program has changed %1.");
+    m_bar->ask(QLatin1String(kAboutFile), text.arg(m_document->displayName()),
+               {{tr("Open it again"), [this, path] { open(path); }}, {tr("Keep mine"), [] {}}});
 }
 
 void CMainWindow::updateProgress() {
@@ -239,156 +412,84 @@ void CMainWindow::updateProgress() {
 }
 
 void CMainWindow::updateTitle() {
-    setWindowTitle(QStringLiteral("%1[*] — Stromar").arg(m_document.displayName()));
-    setWindowModified(!m_document.history().isClean());
-}
-
-void CMainWindow::updateTextures() {
-    const auto update = [this](Surface surface, QString& shown) {
-        const QString file = fromPath(textureOf(m_document.params(), surface, m_document.folder()));
-        if (file == shown) return;
-        shown = file;
-        if (const QString problem = m_viewport->setTexture(surface, file); !problem.isEmpty()) onFailed(problem);
-    };
-    update(Surface::Bark, m_shownBark);
-    update(Surface::Leaf, m_shownLeaf);
+    setWindowTitle(QStringLiteral("%1[*] — Stromar").arg(m_document->displayName()));
+    setWindowModified(m_document->isModified());
 }
 
 void CMainWindow::updateMessages() {
     m_messages->clear();
-    for (const Message& message : m_document.warnings())
+    for (const Message& message : m_document->warnings())
         m_messages->addItem(QString::fromStdString(message.toString()));
-    m_messageDock->setVisible(!m_document.warnings().empty());
+    m_messageDock->setVisible(!m_document->warnings().empty());
 }
 
 void CMainWindow::tellError(const QString& title, const QString& text) { QMessageBox::critical(this, title, text); }
 
-// The commands
+// Commands
 
-void CMainWindow::startNew() {
-    if (mayLoseChanges()) m_document.startNew();
+void CMainWindow::findParameter() {
+    m_panel->filter().setFocus();
+    m_panel->filter().selectAll();
 }
 
-void CMainWindow::chooseAndOpen() {
-    if (!mayLoseChanges()) return;
-    const QString start = m_document.path().isEmpty() ? fromPath(dataFolder() / "presets") : m_document.path();
-    const QString path = QFileDialog::getOpenFileName(this, tr("Open a tree"), start, treeFilter());
-    if (!path.isEmpty()) open(path);
+void CMainWindow::showPreferences() {
+    CPreferencesDialog dialog(this);
+    dialog.exec();
 }
-
-void CMainWindow::saveAgain() { saveOrChoose(); }
-
-bool CMainWindow::saveOrChoose() {
-    if (!m_document.path().isEmpty()) return save(m_document.path());
-    chooseAndSave();
-    return m_document.history().isClean();
-}
-
-void CMainWindow::chooseAndSave() {
-    const QString start = m_document.path().isEmpty() ? m_document.displayName() : m_document.path();
-    QFileDialog dialog(this, tr("Save the tree"), start, treeFilter());
-    dialog.setAcceptMode(QFileDialog::AcceptSave);
-    dialog.setDefaultSuffix(QStringLiteral("tree"));
-    dialog.selectFile(start);
-    if (dialog.exec() == QDialog::Accepted) save(dialog.selectedFiles().front());
-}
-
-void CMainWindow::chooseAndExport() {
-    const bool full = m_shown && m_shown->model->detail == &detailOf(Model::Full);
-    const double vertices =
-        full ? double(m_shown->model->vertexCount()) : predictSize(m_document.params(), detailOf(Model::Full)).vertices;
-    CExportDialog dialog(QFileInfo(m_document.displayName()).completeBaseName(), vertices, this);
-    if (dialog.exec() == QDialog::Accepted) exportTo(dialog.path(), dialog.options());
-}
-
-void CMainWindow::exportTo(const QString& path, const ExportOptions& options) {
-    if (m_export) return;
-    const bool ready = m_shown && m_shown->model->params == m_document.params();
-    m_export =
-        std::make_unique<CExportJob>(CExportJob::Task{m_document.params(), ready ? m_shown->model : nullptr, options,
-                                                      m_document.folder(), toPath(path), m_mostVertices});
-    auto* dialog = new QProgressDialog(tr("Writing %1").arg(QFileInfo(path).fileName()), tr("Cancel"), 0, 1000, this);
-    dialog->setWindowModality(Qt::WindowModal);
-    dialog->setMinimumDuration(300);
-    dialog->setAttribute(Qt::WA_DeleteOnClose);
-    auto* poll = new QTimer(dialog);
-    connect(poll, &QTimer::timeout, dialog, [this, dialog] {
-        if (m_export) dialog->setValue(std::min(999, static_cast<int>(m_export->progress() * 1000)));
-    });
-    poll->start(100);
-    connect(dialog, &QProgressDialog::canceled, this, [this] {
-        if (m_export) m_export->cancel();
-    });
-    connect(
-        m_export.get(), &CExportJob::finished, this,
-        [this, dialog, path](const QString& why, bool cancelled) {
-            dialog->disconnect(this);
-            dialog->close();
-            m_export.reset();
-            if (!why.isEmpty())
-                tellError(tr("Cannot export the tree"), why);
-            else
-                m_notice->setText(cancelled ? tr("Export cancelled; no file was changed")
-                                            : tr("Exported %1").arg(path));
-            emit exportEnded(why, cancelled);
-        },
-        Qt::QueuedConnection);
-    m_export->start();
-    m_progressTimer.start();
-}
-
-void CMainWindow::chooseTexture(const TextInfo& text) {
-    const QString start =
-        m_document.folder().empty() ? fromPath(dataFolder() / "textures") : fromPath(m_document.folder());
-    const QString path =
-        QFileDialog::getOpenFileName(this, toQString(text.label), start,
-                                     tr("Pictures (*.png *.jpg *.jpeg *.tga *.tif *.tiff *.bmp);;All files (*)"));
-    if (path.isEmpty()) return;
-    const bool saved = !m_document.path().isEmpty();
-    const std::string own = saved ? rebasedPath(QFileInfo(path).fileName().toStdString(),
-                                                toPath(QFileInfo(path).absolutePath()), m_document.folder())
-                                  : path.toStdString();
-    m_document.setText(text, QString::fromStdString(own));
-}
-
-void CMainWindow::chooseBark() { chooseTexture(*std::get<const TextInfo*>(*findParam("BarkTexture"))); }
-void CMainWindow::chooseLeaf() { chooseTexture(*std::get<const TextInfo*>(*findParam("LeafTexture"))); }
-void CMainWindow::closeWindow() { close(); }
-void CMainWindow::undo() { m_document.history().undo(); }
-void CMainWindow::redo() { m_document.history().redo(); }
 
 void CMainWindow::throwDice() {
     const ParamRef seed = std::get<ParamRef>(*findParam("Seed"));
-    m_document.setValue(seed, QRandomGenerator::global()->bounded(kMostSeed + 1), 0);
+    m_document->setValue(seed, QRandomGenerator::global()->bounded(kMostSeed + 1), 0);
 }
 
-void CMainWindow::generate() {
-    m_thread->request(m_document.params(), detailOf(m_only.value_or(Model::Full)), true);
-    m_progressTimer.start();
-}
+void CMainWindow::generate() { request(m_only.value_or(Model::Full), true); }
 
 void CMainWindow::showFullModel() {
     m_pause.stop();
     m_only.reset();
-    m_thread->request(m_document.params(), detailOf(Model::Full));
-    m_progressTimer.start();
+    request(Model::Full);
 }
 
-void CMainWindow::toggleWired() { m_viewport->setWireframe(findChild<QAction*>(QStringLiteral("wired"))->isChecked()); }
-void CMainWindow::recentre() { m_viewport->recentre(); }
+void CMainWindow::stop() {
+    m_pause.stop();
+    if (m_thread->progress()) m_notice->setText(tr("Stopped; F6 grows the full model"));
+    m_thread->cancel();
+    m_desk->clearSelection();
+}
+
+void CMainWindow::setWires(Wires wires, const char* other) {
+    if (wires != Wires::Off) findChild<QAction*>(QLatin1String(other))->setChecked(false);
+    m_desk->setLook([wires](ViewLook& look) { look.wires = wires; });
+}
+
+void CMainWindow::showManual() {
+    if (!CHelpWindow::available()) return tellError(tr("No manual"), tr("The pages of the manual are not installed."));
+    if (!m_help) m_help = new CHelpWindow(this);
+    m_help->open(QStringLiteral("manual"));
+    m_help->show();
+    m_help->raise();
+}
 
 void CMainWindow::showShortcuts() {
-    QString text = tr("<p><b>In the picture</b><br>Left drag: turn<br>Right drag or wheel: nearer and farther<br>"
-                      "Both buttons or middle drag: move<br>Space: see the whole tree again</p>"
-                      "<p><b>In the parameters</b><br>The wheel changes an editor only after a click into "
-                      "it.</p><p><b>Keys</b><table>");
+    const auto row = [](const QString& key, const QString& what) {
+        return QStringLiteral("<tr><td>%1&nbsp;&nbsp;</td><td>%2</td></tr>").arg(key, what);
+    };
+    QString text = QStringLiteral("<p><b>%1</b></p><table>").arg(tr("In the picture"));
+    for (const MouseGesture& gesture : navigationNamed(CSettings::instance().text("navigation")).gestures)
+        text += row(gestureText(gesture), motionText(gesture.motion));
+    text += row(tr("Wheel"), tr("Nearer and farther")) + row(tr("Click"), tr("Tell about the stem or leaf")) +
+            QStringLiteral("</table><p><b>%1</b></p><table>").arg(tr("In the parameters")) +
+            row(tr("Wheel"), tr("Scroll; changes an editor only after a click into it")) +
+            row(tr("Shift"), tr("Finer steps of a slider")) + row(tr("Ctrl"), tr("Larger steps of a slider")) +
+            row(tr("Double click on a name"), tr("Back to the default")) +
+            row(tr("Right click on a name"), tr("Copy, paste, lock")) +
+            QStringLiteral("</table><p><b>%1</b></p><table>").arg(tr("Keys"));
     for (const Command& command : commandTable())
         if (*command.shortcut)
-            text += QStringLiteral("<tr><td>%1&nbsp;&nbsp;</td><td>%2</td></tr>")
-                        .arg(QLatin1String(command.shortcut),
-                             tr2(command.text).remove(QLatin1Char('&')).remove(QChar(0x2026)));
-    QMessageBox box(QMessageBox::NoIcon, tr("Mouse and keys"), text + QStringLiteral("</table></p>"),
-                    QMessageBox::Close, this);
+            text += row(QKeySequence(QLatin1String(command.shortcut)).toString(QKeySequence::NativeText),
+                        tr2(command.text).remove(QLatin1Char('&')).remove(QChar(0x2026)));
+    QMessageBox box(QMessageBox::NoIcon, tr("Mouse and keys"), text + QStringLiteral("</table>"), QMessageBox::Close,
+                    this);
     box.exec();
 }
 
@@ -397,45 +498,6 @@ void CMainWindow::showAbout() {
                        tr("<p><b>Stromar %1</b></p><p>Grows trees by the model of Weber and Penn, "
                           "“Creation and Rendering of Realistic Trees”, SIGGRAPH ’95.</p>")
                            .arg(QApplication::applicationVersion()));
-}
-
-// Files
-
-void CMainWindow::remember(const QString& path) {
-    QSettings settings;
-    QStringList files = settings.value(QLatin1String(kRecentKey)).toStringList();
-    files.removeAll(path);
-    files.prepend(path);
-    settings.setValue(QLatin1String(kRecentKey), QStringList(files.mid(0, kMostRecent)));
-    fillRecentMenu();
-}
-
-void CMainWindow::fillRecentMenu() {
-    m_recentMenu->clear();
-    const QStringList files = QSettings().value(QLatin1String(kRecentKey)).toStringList();
-    for (const QString& file : files)
-        m_recentMenu
-            ->addAction(QFileInfo(file).fileName(), this,
-                        [this, file] {
-                            if (mayLoseChanges()) open(file);
-                        })
-            ->setStatusTip(file);
-    m_recentMenu->setEnabled(!files.isEmpty());
-}
-
-bool CMainWindow::mayLoseChanges() {
-    if (m_document.history().isClean()) return true;
-    const auto answer =
-        QMessageBox::question(this, tr("Unsaved changes"), tr("Save the changes of %1?").arg(m_document.displayName()),
-                              QMessageBox::Save | QMessageBox::Discard | QMessageBox::Cancel, QMessageBox::Save);
-    if (answer == QMessageBox::Save) return saveOrChoose();
-    return answer == QMessageBox::Discard;
-}
-
-void CMainWindow::closeEvent(QCloseEvent* event) {
-    if (!mayLoseChanges()) return event->ignore();
-    QSettings().setValue(QStringLiteral("geometry"), saveGeometry());
-    event->accept();
 }
 
 } // namespace stromar

@@ -1,8 +1,11 @@
 #pragma once
 #include "Document.h"
+#include "FileWatch.h"
 #include "TreeCreatorThread.h"
+#include "ViewDesk.h"
 #include "stromar/app/ExportOptions.h"
 #include <QMainWindow>
+#include <QPointer>
 #include <QTimer>
 #include <memory>
 
@@ -14,28 +17,48 @@ class QProgressBar;
 
 namespace stromar {
 
+struct Command;
+class CAutosave;
 class CExportJob;
+class CHelpWindow;
+class CMessageBar;
 class CParamPanel;
-class CViewport;
+class CPresetBrowser;
+class CThumbnails;
+class CVariants;
 
-/// The window: viewport, parameters, menus; brings document, worker and widgets together.
+/// The window: viewport, parameters, docks, menus; brings document, worker and widgets together.
 class CMainWindow : public QMainWindow {
     Q_OBJECT
 public:
-    explicit CMainWindow(double mostVertices = CTreeCreator::kMostVertices, QWidget* parent = nullptr);
+    /// Without a document it starts a new one. A document that is handed over comes from another window.
+    explicit CMainWindow(double mostVertices = CTreeCreator::kMostVertices,
+                         std::shared_ptr<CDocument> document = nullptr, QWidget* parent = nullptr);
     ~CMainWindow() override;
 
     /// False, with a message shown, when the file cannot be read; then nothing has changed.
     bool open(const QString& path);
     bool save(const QString& path);
+    /// Puts the tree of a preset into the document, which can be undone. False, with a message, when it cannot be read.
+    bool openPreset(const QString& path);
     /// Returns at once; exportEnded tells how it went.
     void exportTo(const QString& path, const ExportOptions& options = {});
     /// Which model follows a change; the default shows the simple one first, then the full one.
     void showOnly(Model model);
+    /// Stores where everything stands, for the next window.
+    void keepLayout() const;
+    /// Offers what a crash has left.
+    void offerRestore();
 
-    CDocument& document() { return m_document; }
+    CDocument& document() { return *m_document; }
+    const std::shared_ptr<CDocument>& sharedDocument() const { return m_document; }
     CViewport& viewport() { return *m_viewport; }
+    CViewDesk& view() { return *m_desk; }
     CParamPanel& panel() { return *m_panel; }
+    CPresetBrowser& presets() { return *m_presets; }
+    CVariants& variants() { return *m_variants; }
+    CMessageBar& bar() { return *m_bar; }
+    CAutosave& autosave() { return *m_autosave; }
     /// What the viewport shows; null before the first tree.
     const ViewModel* shown() const { return m_shown.get(); }
 
@@ -44,17 +67,19 @@ public:
     void chooseAndOpen();
     void saveAgain();
     void chooseAndSave();
+    void savePreset();
     void chooseAndExport();
-    void chooseBark();
-    void chooseLeaf();
-    void closeWindow();
-    void undo();
-    void redo();
+    void chooseTexture(const char* key);
+    void findParameter();
+    void showPreferences();
     void throwDice();
     void generate();
     void showFullModel();
-    void toggleWired();
-    void recentre();
+    void stop();
+    /// `other` is the switch that goes off.
+    void setWires(Wires wires, const char* other);
+    void resetLayout();
+    void showManual();
     void showShortcuts();
     void showAbout();
 
@@ -62,15 +87,27 @@ signals:
     /// The viewport has a new model.
     void modelShown();
     void exportEnded(const QString& why, bool cancelled);
+    /// Language or units are others now: this window should give way to a new one with the same document.
+    void rebuildWanted();
 
 protected:
     void closeEvent(QCloseEvent* event) override;
+    void dragEnterEvent(QDragEnterEvent* event) override;
+    void dropEvent(QDropEvent* event) override;
 
 private:
-    void makeActions();
+    static constexpr int kLayoutVersion = 1; ///< rises when docks come or go
+
+    void makeCentre();
     void makeDocks();
+    QDockWidget* addDock(const char* name, const QString& title, QWidget* widget, Qt::DockWidgetArea area);
+    void makeActions();
+    QAction* makeAction(const Command& command);
+    void restoreSwitches();
     void makeStatusBar();
     void connectParts();
+    void connectDocument();
+    void restoreLayout();
     void fillRecentMenu();
     void remember(const QString& path);
 
@@ -78,19 +115,34 @@ private:
     void onChanged();
     void onCreated(const std::shared_ptr<const ViewModel>& view);
     void onFailed(const QString& why);
+    void onSetting(const QString& key);
+    void onFileChanged();
+    void onContextLost();
+    void request(Model model, bool anew = false);
     void requestFull();
+    /// Whether the tree may grow; else asks what to do about its size.
+    bool mayGrow();
+    void offerSmaller(double vertices);
     void updateTitle();
     void updateTextures();
     void updateMessages();
     void updateProgress();
-    void chooseTexture(const TextInfo& text);
+    void updateAutosave();
+    void updateCounts(const TreeModel& model);
+    void setTexture(const TextInfo& text, const QString& path);
     bool mayLoseChanges();
     void tellError(const QString& title, const QString& text);
     bool saveOrChoose();
 
-    CDocument m_document;
+    std::shared_ptr<CDocument> m_document;
+    CThumbnails* m_thumbnails;
     CViewport* m_viewport;
     CParamPanel* m_panel;
+    CPresetBrowser* m_presets;
+    CVariants* m_variants;
+    CMessageBar* m_bar;
+    CViewDesk* m_desk;
+    QPointer<CHelpWindow> m_help;
     QMenu* m_recentMenu = nullptr;
     QDockWidget* m_messageDock = nullptr;
     QListWidget* m_messages = nullptr;
@@ -99,11 +151,16 @@ private:
     QProgressBar* m_progress = nullptr;
     QTimer m_pause; ///< until the full model follows
     QTimer m_progressTimer;
+    CFileWatch m_watch;
     std::shared_ptr<const ViewModel> m_shown;
     std::unique_ptr<CExportJob> m_export;
+    std::unique_ptr<CAutosave> m_autosave;
     QString m_shownBark, m_shownLeaf;
+    QByteArray m_firstLayout;
     std::optional<Model> m_only;
     double m_mostVertices;
+    CParams m_allowed; ///< may grow although they are large
+    CParams m_fitting; ///< the last values that were not too large
     bool m_recentreNext = true;
     std::unique_ptr<CTreeCreatorThread> m_thread; ///< last: it stops before anything it reports to is gone
 };

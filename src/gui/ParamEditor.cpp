@@ -1,16 +1,15 @@
 #include "ParamEditor.h"
+#include "Gesture.h"
+#include "ParamSlider.h"
 #include "QtText.h"
+#include "Settings.h"
 #include <QCheckBox>
 #include <QComboBox>
-#include <QCoreApplication>
 #include <QDoubleSpinBox>
 #include <QEvent>
 #include <QHBoxLayout>
-#include <QPointer>
-#include <QProxyStyle>
 #include <QRandomGenerator>
 #include <QSignalBlocker>
-#include <QSlider>
 #include <QSpinBox>
 #include <QToolButton>
 #include <algorithm>
@@ -20,41 +19,16 @@ namespace stromar {
 
 namespace {
 constexpr int kMostSeed = 9999; // what the dice throws: easy to tell others
-
-int nextGesture() {
-    static int last = 0;
-    return ++last;
-}
-
-/// A click beside the handle takes it there, and the drag goes on.
-class CJumpStyle : public QProxyStyle {
-public:
-    int styleHint(StyleHint hint, const QStyleOption* option, const QWidget* widget,
-                  QStyleHintReturn* data) const override {
-        if (hint == SH_Slider_AbsoluteSetButtons) return Qt::LeftButton;
-        return QProxyStyle::styleHint(hint, option, widget, data);
-    }
-};
-
-QStyle* jumpStyle() {
-    static QPointer<QStyle> style;
-    if (!style) {
-        style = new CJumpStyle;
-        style->setParent(qApp);
-    }
-    return style;
-}
+constexpr int kBurstMs = 800;   // changes that follow each other sooner are one step
 
 QString suffixOf(Unit unit) {
-    if (unit == Unit::None) return {};
-    return (unit == Unit::Degree ? QString() : QStringLiteral(" ")) + toQString(unitName(unit));
+    if (unit == Unit::Metre) return QStringLiteral(" ") + lengthUnit().name;
+    return unit == Unit::None ? QString() : trText(unitName(unit));
 }
 } // namespace
 
-CParamEditor::CParamEditor(const ParamRef& ref, QWidget* parent) : QWidget(parent), m_ref(ref) {
+CParamEditor::CParamEditor(const ParamRef& ref, Form form, QWidget* parent) : QWidget(parent), m_ref(ref) {
     setObjectName(toQString(ref.key()));
-    setToolTip(QStringLiteral("<p><b>%1</b> (%2)</p><p>%3</p>")
-                   .arg(toQString(ref.info->label), toQString(ref.key()), toQString(ref.info->help).toHtmlEscaped()));
     auto* row = new QHBoxLayout(this);
     row->setContentsMargins(0, 0, 0, 0);
     row->setSpacing(6);
@@ -64,14 +38,17 @@ CParamEditor::CParamEditor(const ParamRef& ref, QWidget* parent) : QWidget(paren
         addSwitch();
     else if (!ref.info->words.empty())
         addChoice();
-    else
-        addSliderAndBox();
+    else {
+        if (form == Form::Whole) addSlider();
+        row->addWidget(makeBox(form));
+    }
 }
 
 void CParamEditor::addChoice() {
     m_choice = new QComboBox;
-    for (const std::string_view word : m_ref.info->words) m_choice->addItem(toQString(word));
+    for (const std::string_view word : m_ref.info->words) m_choice->addItem(trText(word));
     m_choice->setSizeAdjustPolicy(QComboBox::AdjustToMinimumContentsLengthWithIcon);
+    m_choice->setAccessibleName(trText(m_ref.info->label));
     guardWheel(m_choice);
     static_cast<QHBoxLayout*>(layout())->addWidget(m_choice, 1);
     connect(m_choice, &QComboBox::currentIndexChanged, this, [this](int i) { emit edited(m_ref, i, 0); });
@@ -79,7 +56,9 @@ void CParamEditor::addChoice() {
 
 void CParamEditor::addSwitch() {
     m_switch = new QCheckBox;
+    m_switch->setAccessibleName(trText(m_ref.info->label));
     layout()->addWidget(m_switch);
+    static_cast<QHBoxLayout*>(layout())->addStretch(1);
     connect(m_switch, &QCheckBox::toggled, this, [this](bool on) { emit edited(m_ref, on ? 1 : 0, 0); });
 }
 
@@ -89,20 +68,18 @@ void CParamEditor::addSeed() {
     dice->setIcon(QIcon(QStringLiteral(":/icons/dice.svg")));
     dice->setToolTip(tr("Another tree of the same kind"));
     dice->setAccessibleName(tr("Random seed"));
-    layout()->addWidget(makeBox());
+    layout()->addWidget(makeBox(Form::Whole));
     layout()->addWidget(dice);
     static_cast<QHBoxLayout*>(layout())->addStretch(1);
     connect(dice, &QToolButton::clicked, this,
             [this] { emit edited(m_ref, QRandomGenerator::global()->bounded(kMostSeed + 1), 0); });
 }
 
-void CParamEditor::addSliderAndBox() {
-    m_slider = new QSlider(Qt::Horizontal);
+void CParamEditor::addSlider() {
     const ParamInfo& p = *m_ref.info;
-    m_slider->setStyle(jumpStyle());
-    m_slider->setRange(0, static_cast<int>(std::lround((p.useful.max - p.useful.min) / p.step)));
-    m_slider->setPageStep(std::max(1, m_slider->maximum() / 10));
-    m_slider->setAccessibleName(toQString(p.label));
+    m_slider = new CParamSlider(static_cast<int>(std::lround((p.useful.max - p.useful.min) / p.step)));
+    m_slider->setAccessibleName(trText(p.label));
+    m_slider->setMinimumWidth(56);
     guardWheel(m_slider);
     connect(m_slider, &QSlider::sliderReleased, this, [this] {
         m_gesture = 0;
@@ -110,10 +87,9 @@ void CParamEditor::addSliderAndBox() {
     });
     connect(m_slider, &QSlider::valueChanged, this, &CParamEditor::onSlider);
     static_cast<QHBoxLayout*>(layout())->addWidget(m_slider, 1);
-    layout()->addWidget(makeBox());
 }
 
-QAbstractSpinBox* CParamEditor::makeBox() {
+QAbstractSpinBox* CParamEditor::makeBox(Form form) {
     const ParamInfo& p = *m_ref.info;
     QAbstractSpinBox* box = nullptr;
     if (p.integer()) {
@@ -124,16 +100,19 @@ QAbstractSpinBox* CParamEditor::makeBox() {
         box = m_whole;
     } else {
         m_real = new QDoubleSpinBox;
+        m_perUnit = p.unit == Unit::Metre ? lengthUnit().perMetre : 1;
         m_real->setDecimals(p.decimals);
-        m_real->setRange(p.range.min, p.range.max);
+        m_real->setRange(p.range.min * m_perUnit, p.range.max * m_perUnit);
         m_real->setSingleStep(p.step);
         m_real->setSuffix(suffixOf(p.unit));
-        connect(m_real, &QDoubleSpinBox::valueChanged, this, [this](double v) { onBox(v); });
+        connect(m_real, &QDoubleSpinBox::valueChanged, this, [this](double v) { onBox(v / m_perUnit); });
         box = m_real;
     }
     box->setKeyboardTracking(false);
-    box->setFixedWidth(86);
-    box->setAccessibleName(toQString(p.label));
+    m_varies = form == Form::Variation;
+    box->setMinimumWidth(fontMetrics().horizontalAdvance(QStringLiteral("−000.00 m")) + 24);
+    box->setMaximumWidth(box->minimumWidth());
+    box->setAccessibleName(trText(p.label));
     guardWheel(box);
     return box;
 }
@@ -149,7 +128,7 @@ bool CParamEditor::eventFilter(QObject* watched, QEvent* event) {
         return true;
     }
     if (event->type() == QEvent::MouseButtonPress && watched == m_slider)
-        m_gesture = nextGesture(); // before the handle jumps
+        m_gesture = 0; // a drag is a gesture of its own
     return QWidget::eventFilter(watched, event);
 }
 
@@ -162,20 +141,31 @@ int CParamEditor::sliderPosition(double value) const {
 double CParamEditor::sliderValue(int position) const {
     const ParamInfo& p = *m_ref.info;
     const double raw = p.useful.min + (p.useful.max - p.useful.min) * position / m_slider->maximum();
+    // Numbers one can remember; between two steps only what the box can show.
+    const bool between = position % CParamSlider::kFinePerStep != 0;
     const double digits = std::pow(10.0, p.decimals);
-    const double onStep = std::round(std::round(raw / p.step) * p.step * digits) / digits; // numbers one can remember
-    return std::clamp(onStep, p.useful.min, p.useful.max);
+    const double onStep = between ? raw : std::round(raw / p.step) * p.step;
+    return std::clamp(std::round(onStep * digits) / digits, p.useful.min, p.useful.max);
+}
+
+/// The running drag, or the running burst of keys or wheel.
+int CParamEditor::gestureNow() {
+    const bool held = m_slider && m_slider->isSliderDown();
+    const bool burst = m_sinceChange.isValid() && m_sinceChange.elapsed() < kBurstMs;
+    if (m_gesture == 0 || (!held && !burst)) m_gesture = nextGesture();
+    m_sinceChange.start();
+    return m_gesture;
 }
 
 void CParamEditor::onSlider(int position) {
     const double value = sliderValue(position);
     showValue(value);
-    emit edited(m_ref, value, m_gesture);
+    emit edited(m_ref, value, gestureNow());
 }
 
 void CParamEditor::onBox(double value) {
     showValue(value);
-    emit edited(m_ref, value, 0);
+    emit edited(m_ref, value, gestureNow());
 }
 
 void CParamEditor::showValue(double value) {
@@ -193,7 +183,9 @@ void CParamEditor::showValue(double value) {
     }
     if (m_real) {
         const QSignalBlocker quiet(m_real);
-        m_real->setValue(value);
+        // Negative variations are not random: they grade or wind.
+        if (m_varies) m_real->setPrefix(value < 0 ? QString() : QStringLiteral("± "));
+        m_real->setValue(value * m_perUnit);
     }
     if (m_whole) {
         const QSignalBlocker quiet(m_whole);

@@ -1,22 +1,29 @@
 #pragma once
 #include "stromar/params/ParamTable.h"
+#include <QElapsedTimer>
 #include <QWidget>
 
 class QAbstractSpinBox;
 class QCheckBox;
 class QComboBox;
 class QDoubleSpinBox;
-class QSlider;
 class QSpinBox;
 
 namespace stromar {
+
+class CParamSlider;
 
 /// The editor of one value, made from its row of the parameter table: slider and spin box, a choice, or a switch.
 /// The wheel changes it only while it has the focus.
 class CParamEditor : public QWidget {
     Q_OBJECT
 public:
-    explicit CParamEditor(const ParamRef& ref, QWidget* parent = nullptr);
+    enum class Form {
+        Whole,    ///< with a slider
+        Variation ///< a spin box alone, to stand beside the value it varies
+    };
+
+    explicit CParamEditor(const ParamRef& ref, Form form = Form::Whole, QWidget* parent = nullptr);
 
     const ParamRef& ref() const { return m_ref; }
     /// Shows a value without telling.
@@ -25,7 +32,8 @@ public:
     bool held() const;
 
 signals:
-    /// The user set a value. All changes of one drag have the same positive gesture; 0 stands alone.
+    /// The user set a value. All changes of one drag, or of one burst of keys or wheel, have the same positive gesture;
+    /// 0 stands alone.
     void edited(const stromar::ParamRef& ref, double value, int gesture);
     void released();
 
@@ -36,21 +44,25 @@ private:
     void addChoice();
     void addSwitch();
     void addSeed();
-    void addSliderAndBox();
-    QAbstractSpinBox* makeBox();
+    void addSlider();
+    QAbstractSpinBox* makeBox(Form form);
     void guardWheel(QWidget* editor);
     int sliderPosition(double value) const;
     double sliderValue(int position) const;
     void onBox(double value);
     void onSlider(int position);
+    int gestureNow();
 
     ParamRef m_ref;
     QComboBox* m_choice = nullptr;
     QCheckBox* m_switch = nullptr;
-    QSlider* m_slider = nullptr;
+    CParamSlider* m_slider = nullptr;
     QDoubleSpinBox* m_real = nullptr;
     QSpinBox* m_whole = nullptr;
+    double m_perUnit = 1; ///< shown numbers per metre
+    bool m_varies = false;
     int m_gesture = 0;
+    QElapsedTimer m_sinceChange;
 };
 
 } // namespace stromar

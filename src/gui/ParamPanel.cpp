@@ -1,11 +1,15 @@
 #include "ParamPanel.h"
 #include "ParamEditor.h"
+#include "ParamRow.h"
 #include "QtText.h"
-#include <QFormLayout>
+#include <QAbstractButton>
+#include <QApplication>
 #include <QFrame>
+#include <QHBoxLayout>
 #include <QLabel>
 #include <QLineEdit>
 #include <QScrollArea>
+#include <QSettings>
 #include <QStyleOptionFocusRect>
 #include <QStyleOptionTab>
 #include <QStylePainter>
@@ -42,85 +46,196 @@ protected:
         }
     }
 };
+
+class CSideTabs : public QTabWidget {
+public:
+    CSideTabs() {
+        setTabBar(new CSideTabBar);
+        setTabPosition(QTabWidget::West);
+    }
+};
+
+/// A heading that folds what stands below it.
+class CFoldButton : public QAbstractButton {
+public:
+    explicit CFoldButton(const QString& text) {
+        setText(text);
+        setAccessibleName(text);
+        setCheckable(true);
+        setFocusPolicy(Qt::TabFocus);
+        QFont bold = font();
+        bold.setBold(true);
+        setFont(bold);
+    }
+    QSize sizeHint() const override {
+        return {fontMetrics().horizontalAdvance(text()) + 40, fontMetrics().height() + 12};
+    }
+
+protected:
+    void paintEvent(QPaintEvent*) override {
+        QStylePainter painter(this);
+        QStyleOption arrow;
+        arrow.initFrom(this);
+        arrow.rect = QRect(4, height() / 2 - 3, 10, 10);
+        painter.drawPrimitive(isChecked() ? QStyle::PE_IndicatorArrowDown : QStyle::PE_IndicatorArrowRight, arrow);
+        const QRect place = rect().adjusted(20, 6, 0, 0);
+        painter.drawText(place, Qt::AlignVCenter | Qt::AlignLeft, text());
+        const int end = 26 + fontMetrics().horizontalAdvance(text());
+        painter.setPen(palette().color(QPalette::Mid));
+        painter.drawLine(end, place.center().y() + 1, width(), place.center().y() + 1);
+        if (!hasFocus()) return;
+        QStyleOptionFocusRect focus;
+        focus.initFrom(this);
+        focus.rect = rect().adjusted(0, 5, -1, 0);
+        painter.drawPrimitive(QStyle::PE_FrameFocusRect, focus);
+    }
+};
+
+constexpr int kTouchMs = 80;
+constexpr const char* kLockedKey = "panel/locked";
+QString foldedKey(const QString& name) { return QStringLiteral("panel/folded/") + name; }
 } // namespace
 
-CParamPanel::CParamPanel(QWidget* parent) : QTabWidget(parent) {
-    setTabBar(new CSideTabBar);
-    setTabPosition(QTabWidget::West);
-    QFormLayout* tree = addTab(tr("Tree"));
-    addTexts(tree, Group::Tree);
-    addGlobals(tree, Group::Tree);
-    QFormLayout* trunk = addTab(tr("Trunk"));
-    addGlobals(trunk, Group::Trunk);
-    addLevel(trunk, 0);
-    for (int level = 1; level < kParamLevels; ++level) addLevel(addTab(tr("Branches %1").arg(level)), level);
-    for (const Group group : {Group::Leaves, Group::Pruning, Group::Textures}) {
-        QFormLayout* form = addTab(toQString(groupName(group)));
-        addTexts(form, group);
-        addGlobals(form, group);
+CParamPanel::CParamPanel(QWidget* parent) : QWidget(parent), m_filter(new QLineEdit), m_tabs(new CSideTabs) {
+    m_filter->setPlaceholderText(tr("Find a parameter"));
+    m_filter->setAccessibleName(m_filter->placeholderText());
+    m_filter->setClearButtonEnabled(true);
+    auto* column = new QVBoxLayout(this);
+    column->setContentsMargins(0, 4, 0, 0);
+    column->addWidget(m_filter);
+    column->addWidget(m_tabs, 1);
+    const QStringList locked = QSettings().value(QLatin1String(kLockedKey)).toStringList();
+    m_locked = QSet<QString>(locked.begin(), locked.end());
+
+    const auto refsOf = [](auto&& wanted) {
+        std::vector<ParamRef> refs;
+        std::ranges::copy_if(allParams(), std::back_inserter(refs), wanted);
+        return refs;
+    };
+    const auto globals = [&](Group group) {
+        return refsOf([group](const ParamRef& r) { return !r.info->perLevel() && r.group() == group; });
+    };
+    const auto ofLevel = [&](int level) {
+        return refsOf([level](const ParamRef& r) { return r.info->perLevel() && r.level == level; });
+    };
+    addTab(Group::Tree);
+    addSections(globals(Group::Tree));
+    addTexts(Group::Tree);
+    finishTab();
+    addTab(Group::Trunk);
+    std::vector<ParamRef> trunk = globals(Group::Trunk);
+    std::ranges::copy(ofLevel(0), std::back_inserter(trunk));
+    addSections(trunk);
+    finishTab();
+    for (int level = 1; level < kParamLevels; ++level) {
+        addTab(Group::Branches, level);
+        addSections(ofLevel(level));
+        finishTab();
     }
-    showParams(CParams());
+    for (const Group group : {Group::Leaves, Group::Pruning, Group::Textures}) {
+        addTab(group);
+        addTexts(group);
+        addSections(globals(group));
+        finishTab();
+    }
+    connect(m_filter, &QLineEdit::textChanged, this, &CParamPanel::updateVisibility);
+    connect(qApp, &QApplication::focusChanged, &m_touch, qOverload<>(&QTimer::start));
+    connect(&m_touch, &QTimer::timeout, this, &CParamPanel::updateTouched);
+    m_touch.setSingleShot(true);
+    m_touch.setInterval(kTouchMs);
+    updateVisibility();
+    const CParams defaults;
+    showParams(defaults, defaults);
 }
 
-QFormLayout* CParamPanel::addTab(const QString& title) {
+void CParamPanel::addTab(Group group, int level) {
     auto* page = new QWidget;
-    auto* form = new QFormLayout(page);
-    form->setFieldGrowthPolicy(QFormLayout::ExpandingFieldsGrow);
-    form->setVerticalSpacing(4);
+    m_page = new QVBoxLayout(page);
+    m_page->setContentsMargins(6, 4, 8, 8);
+    m_page->setSpacing(3);
     auto* scroll = new QScrollArea;
     scroll->setWidget(page);
     scroll->setWidgetResizable(true);
     scroll->setFrameShape(QFrame::NoFrame);
-    QTabWidget::addTab(scroll, title);
-    m_section = {};
-    return form;
+    scroll->setHorizontalScrollBarPolicy(Qt::ScrollBarAlwaysOff);
+    const QString name = trText(groupName(group));
+    m_tabs->addTab(scroll, group == Group::Branches ? QStringLiteral("%1 %2").arg(name).arg(level) : name);
+    m_groups.emplace_back(group, level);
 }
 
-void CParamPanel::addGlobals(QFormLayout* form, Group group) {
+/// One column for all labels of a tab.
+void CParamPanel::finishTab() {
+    m_page->addStretch(1);
+    int widest = 0;
+    const auto ofPage = m_page->parentWidget()->findChildren<CParamRow*>();
+    for (const CParamRow* row : ofPage) widest = std::max(widest, row->labelWidth());
+    for (CParamRow* row : ofPage) row->setLabelWidth(widest);
+    auto* scroll = qobject_cast<QScrollArea*>(m_tabs->widget(m_tabs->count() - 1));
+    scroll->setMinimumWidth(m_page->parentWidget()->minimumSizeHint().width() + 20);
+}
+
+void CParamPanel::addSections(const std::vector<ParamRef>& refs) {
     // Rows of one section stay together, whatever order the table has.
-    std::vector<ParamRef> refs;
-    for (const ParamRef& ref : allParams())
-        if (!ref.info->perLevel() && ref.group() == group && !ref.info->unused()) refs.push_back(ref);
     std::vector<std::string_view> sections;
     for (const ParamRef& ref : refs)
-        if (std::ranges::find(sections, ref.info->section) == sections.end()) sections.push_back(ref.info->section);
-    for (const std::string_view section : sections)
+        if (!ref.info->unused() && std::ranges::find(sections, ref.info->section) == sections.end())
+            sections.push_back(ref.info->section);
+    const auto isVariation = [](const ParamRef& ref) {
+        return std::ranges::any_of(paramTable(), [&](const ParamInfo& p) { return variationOf(p) == ref.info; });
+    };
+    for (const std::string_view section : sections) {
+        addSection(section);
         for (const ParamRef& ref : refs)
-            if (ref.info->section == section) addEditor(form, ref);
+            if (ref.info->section == section && !ref.info->unused() && !isVariation(ref)) addRow(ref);
+    }
 }
 
-void CParamPanel::addLevel(QFormLayout* form, int level) {
-    for (const ParamRef& ref : allParams())
-        if (ref.info->perLevel() && ref.level == level) addEditor(form, ref);
+void CParamPanel::addSection(std::string_view title) {
+    auto* heading = new CFoldButton(trText(title));
+    const int tab = m_tabs->count() - 1;
+    const QString name = QStringLiteral("%1/%2").arg(tab).arg(toQString(title));
+    heading->setObjectName(name);
+    heading->setChecked(!QSettings().value(foldedKey(name)).toBool());
+    connect(heading, &QAbstractButton::toggled, this, [this, name](bool open) {
+        QSettings().setValue(foldedKey(name), !open);
+        updateVisibility();
+    });
+    m_page->addWidget(heading);
+    m_sections.push_back({heading, tab, {}});
 }
 
-void CParamPanel::addEditor(QFormLayout* form, const ParamRef& ref) {
-    addHeading(form, ref.info->section);
-    auto* editor = new CParamEditor(ref);
-    auto* label = new QLabel(toQString(ref.info->label));
-    label->setToolTip(editor->toolTip());
-    form->addRow(label, editor);
-    m_editors.push_back(editor);
-    connect(editor, &CParamEditor::edited, this, &CParamPanel::edited);
-    connect(editor, &CParamEditor::released, this, &CParamPanel::released);
+void CParamPanel::addRow(const ParamRef& ref) {
+    auto* row = new CParamRow(ref);
+    row->setLocked(m_locked.contains(toQString(ref.key())));
+    row->installEventFilter(this);
+    m_page->addWidget(row);
+    m_sections.back().rows.push_back(row);
+    m_rows.push_back(row);
+    connect(row, &CParamRow::edited, this, &CParamPanel::edited);
+    connect(row, &CParamRow::assigned, this, &CParamPanel::assigned);
+    connect(row, &CParamRow::released, this, &CParamPanel::released);
+    connect(row, &CParamRow::lockToggled, this, [this, ref](bool locked) { setLocked(ref, locked); });
 }
 
-void CParamPanel::addHeading(QFormLayout* form, std::string_view section) {
-    if (section == m_section) return;
-    m_section = section;
-    auto* heading = new QLabel(QStringLiteral("<b>%1</b>").arg(toQString(section)));
-    heading->setContentsMargins(0, form->rowCount() > 0 ? 10 : 0, 0, 2);
-    form->addRow(heading);
-}
-
-void CParamPanel::addTexts(QFormLayout* form, Group group) {
+void CParamPanel::addTexts(Group group) {
     for (const TextInfo& text : textTable()) {
-        if (text.group != group || text.field == &TextParams::method) continue; // there is only one method
+        if (text.group != group || !text.shown) continue;
+        if (m_sections.empty() || m_sections.back().tab != m_tabs->count() - 1 ||
+            m_sections.back().heading->text() != trText(text.section))
+            addSection(text.section);
         auto* line = new QLineEdit;
         line->setObjectName(toQString(text.key));
-        line->setToolTip(toQString(text.help));
-        line->setAccessibleName(toQString(text.label));
-        form->addRow(toQString(text.label), text.path ? makePathEditor(text, line) : line);
+        line->setAccessibleName(trText(text.label));
+        auto* row = new QWidget;
+        row->setToolTip(trText(text.help));
+        auto* layout = new QHBoxLayout(row);
+        layout->setContentsMargins(20, 0, 0, 0);
+        auto* label = new QLabel(trText(text.label));
+        label->setMinimumWidth(100);
+        layout->addWidget(label);
+        layout->addWidget(text.path ? makePathEditor(text, line) : line, 1);
+        m_page->addWidget(row);
+        m_sections.back().rows.push_back(row);
         m_lines.emplace_back(&text, line);
         connect(line, &QLineEdit::editingFinished, this, [this, &text, line] {
             if (line->isModified()) emit textEdited(&text, line->text());
@@ -144,8 +259,8 @@ QWidget* CParamPanel::makePathEditor(const TextInfo& text, QLineEdit* line) {
     return row;
 }
 
-void CParamPanel::showParams(const CParams& params) {
-    for (CParamEditor* editor : m_editors) editor->showValue(editor->ref().get(params));
+void CParamPanel::showParams(const CParams& params, const CParams& saved) {
+    for (CParamRow* row : m_rows) row->show(params, saved);
     for (const auto& [text, line] : m_lines)
         if (const QString value = toQString(params.text.*text->field); line->text() != value) {
             line->setText(value);
@@ -153,13 +268,84 @@ void CParamPanel::showParams(const CParams& params) {
         }
 }
 
+CParamRow* CParamPanel::row(const ParamRef& ref) const {
+    const auto found = std::ranges::find_if(m_rows, [&](const CParamRow* row) {
+        return std::ranges::any_of(row->editors(), [&](const CParamEditor* e) { return e->ref() == ref; });
+    });
+    return found == m_rows.end() ? nullptr : *found;
+}
+
 CParamEditor* CParamPanel::editor(const ParamRef& ref) const {
-    const auto found = std::ranges::find_if(m_editors, [&](const CParamEditor* e) { return e->ref() == ref; });
-    return found == m_editors.end() ? nullptr : *found;
+    const CParamRow* owner = row(ref);
+    if (!owner) return nullptr;
+    return *std::ranges::find_if(owner->editors(), [&](const CParamEditor* e) { return e->ref() == ref; });
 }
 
 bool CParamPanel::held() const {
-    return std::ranges::any_of(m_editors, [](const CParamEditor* e) { return e->held(); });
+    return std::ranges::any_of(
+        m_rows, [](const CParamRow* row) { return std::ranges::any_of(row->editors(), &CParamEditor::held); });
+}
+
+bool CParamPanel::locked(const ParamRef& ref) const {
+    const CParamRow* owner = row(ref);
+    return owner && owner->locked();
+}
+
+void CParamPanel::setLocked(const ParamRef& ref, bool locked) {
+    const QString key = toQString(ref.key());
+    if (locked)
+        m_locked.insert(key);
+    else
+        m_locked.remove(key);
+    row(ref)->setLocked(locked);
+    QSettings().setValue(QLatin1String(kLockedKey), QStringList(m_locked.values()));
+}
+
+/// The filter reaches across all tabs: tabs without a hit disappear, folded sections open.
+void CParamPanel::updateVisibility() {
+    const QStringList words = m_filter->text().split(QLatin1Char(' '), Qt::SkipEmptyParts);
+    std::vector<bool> hasHit(std::size_t(m_tabs->count()), words.empty());
+    for (const Section& section : m_sections) {
+        bool any = false;
+        for (QWidget* widget : section.rows) {
+            const auto* row = qobject_cast<CParamRow*>(widget);
+            const bool hit = words.empty() || (row && row->matches(words, m_tabs->tabText(section.tab)));
+            widget->setVisible(hit && (section.heading->isChecked() || !words.empty()));
+            any = any || hit;
+        }
+        section.heading->setVisible(any);
+        if (any) hasHit[std::size_t(section.tab)] = true;
+    }
+    for (int tab = 0; tab < m_tabs->count(); ++tab) m_tabs->setTabVisible(tab, hasHit[std::size_t(tab)]);
+}
+
+int CParamPanel::tabOf(Group group, int level) const {
+    const auto found = std::ranges::find(m_groups, std::pair(group, group == Group::Branches ? level : 1));
+    return static_cast<int>(found - m_groups.begin());
+}
+
+void CParamPanel::showGeneration(int generation) {
+    const int level = std::min(generation, kParamLevels - 1);
+    m_tabs->setCurrentIndex(level == 0 ? tabOf(Group::Trunk) : tabOf(Group::Branches, level));
+}
+
+void CParamPanel::showLeaves() { m_tabs->setCurrentIndex(tabOf(Group::Leaves)); }
+
+bool CParamPanel::eventFilter(QObject* watched, QEvent* event) {
+    if (event->type() == QEvent::Enter || event->type() == QEvent::Leave) {
+        auto* row = static_cast<CParamRow*>(watched);
+        m_hovered = event->type() == QEvent::Enter ? row : m_hovered == row ? nullptr : m_hovered;
+        m_touch.start();
+    }
+    return QWidget::eventFilter(watched, event);
+}
+
+void CParamPanel::updateTouched() {
+    const QWidget* focus = QApplication::focusWidget();
+    const auto holdsFocus = [focus](const CParamRow* row) { return focus && row->isAncestorOf(focus); };
+    const auto focused = std::ranges::find_if(m_rows, holdsFocus);
+    const CParamRow* row = m_hovered ? m_hovered : focused == m_rows.end() ? nullptr : *focused;
+    emit touched(row ? std::optional(row->ref()) : std::nullopt);
 }
 
 } // namespace stromar

@@ -1,46 +1,85 @@
 #pragma once
 #include "stromar/params/ParamTable.h"
-#include <QTabWidget>
+#include <QSet>
+#include <QTimer>
+#include <QWidget>
+#include <optional>
 #include <vector>
 
-class QFormLayout;
+class QAbstractButton;
 class QLineEdit;
+class QTabWidget;
+class QVBoxLayout;
 
 namespace stromar {
 
 class CParamEditor;
+class CParamRow;
 
 /// All values of a tree in tabs, made from the parameter table. Knows nothing of trees or files.
-class CParamPanel : public QTabWidget {
+class CParamPanel : public QWidget {
     Q_OBJECT
 public:
     explicit CParamPanel(QWidget* parent = nullptr);
 
-    /// Shows the values without telling.
-    void showParams(const CParams& params);
+    /// Shows the values without telling; marks those that differ from `saved`.
+    void showParams(const CParams& params, const CParams& saved);
     CParamEditor* editor(const ParamRef& ref) const;
+    CParamRow* row(const ParamRef& ref) const;
+    QTabWidget& tabs() { return *m_tabs; }
+    QLineEdit& filter() { return *m_filter; }
     /// Whether a slider is held.
     bool held() const;
+    /// Whether randomising leaves the value alone.
+    bool locked(const ParamRef& ref) const;
+    /// The tab of a group; `level` counts for Branches.
+    int tabOf(Group group, int level = 1) const;
+    /// Opens the tab of a generation of stems, or of the leaves.
+    void showGeneration(int generation);
+    void showLeaves();
 
 signals:
     void edited(const stromar::ParamRef& ref, double value, int gesture);
+    void assigned(const QString& text, const std::vector<std::pair<stromar::ParamRef, double>>& values);
     void released();
     void textEdited(const stromar::TextInfo* text, const QString& value);
     /// The user wants to choose a file for this path.
     void pathWanted(const stromar::TextInfo* text);
+    /// The value under the mouse, else the one with the focus.
+    void touched(const std::optional<stromar::ParamRef>& ref);
+
+protected:
+    bool eventFilter(QObject* watched, QEvent* event) override;
 
 private:
-    QFormLayout* addTab(const QString& title);
-    void addGlobals(QFormLayout* form, Group group);
-    void addLevel(QFormLayout* form, int level);
-    void addTexts(QFormLayout* form, Group group);
-    void addEditor(QFormLayout* form, const ParamRef& ref);
-    void addHeading(QFormLayout* form, std::string_view section);
-    QWidget* makePathEditor(const TextInfo& text, QLineEdit* line);
+    /// Rows under one heading that folds them away.
+    struct Section {
+        QAbstractButton* heading;
+        int tab;
+        std::vector<QWidget*> rows;
+    };
 
-    std::vector<CParamEditor*> m_editors;
+    void addTab(Group group, int level = 1);
+    void addSections(const std::vector<ParamRef>& refs);
+    void addSection(std::string_view title);
+    void addRow(const ParamRef& ref);
+    void addTexts(Group group);
+    void finishTab();
+    QWidget* makePathEditor(const TextInfo& text, QLineEdit* line);
+    void updateVisibility();
+    void setLocked(const ParamRef& ref, bool locked);
+    void updateTouched();
+
+    QLineEdit* m_filter;
+    QTabWidget* m_tabs;
+    QVBoxLayout* m_page = nullptr;               ///< of the tab that is being filled
+    std::vector<std::pair<Group, int>> m_groups; ///< by tab, with the level
+    std::vector<Section> m_sections;
+    std::vector<CParamRow*> m_rows;
     std::vector<std::pair<const TextInfo*, QLineEdit*>> m_lines;
-    std::string_view m_section;
+    QSet<QString> m_locked; ///< keys
+    CParamRow* m_hovered = nullptr;
+    QTimer m_touch; ///< the mouse crosses the gaps between rows
 };
 
 } // namespace stromar

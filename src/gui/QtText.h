@@ -1,4 +1,5 @@
 #pragma once
+#include <QCoreApplication>
 #include <QString>
 #include <filesystem>
 #include <string_view>
@@ -8,6 +9,10 @@ namespace stromar {
 // Between Qt's texts and the layers below. UTF-8 there.
 
 inline QString toQString(std::string_view text) { return QString::fromUtf8(text.data(), qsizetype(text.size())); }
+/// A text marked with N_ below, in the user's language.
+inline QString trText(std::string_view marked) {
+    return QCoreApplication::translate("stromar", QByteArray(marked.data(), qsizetype(marked.size())).constData());
+}
 inline std::filesystem::path toPath(const QString& path) { return std::filesystem::path(path.toStdU16String()); }
 inline QString fromPath(const std::filesystem::path& path) { return QString::fromStdU16String(path.u16string()); }
 

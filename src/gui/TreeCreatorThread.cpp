@@ -26,13 +26,24 @@ CTreeCreatorThread::~CTreeCreatorThread() {
     wait();
 }
 
-void CTreeCreatorThread::request(const CParams& params, const Detail& detail, bool anew) {
+void CTreeCreatorThread::request(const CParams& params, const Detail& detail, bool anew, double mostVertices) {
     {
         const std::lock_guard lock(m_mutex);
-        m_wanted = Request{params, &detail, anew || (m_wanted && m_wanted->anew)};
+        m_wanted = Request{params, &detail, mostVertices, anew || (m_wanted && m_wanted->anew)};
         if (m_running && !mayFinish()) m_running->cancel();
     }
     m_wake.notify_one();
+}
+
+void CTreeCreatorThread::cancel() {
+    const std::lock_guard lock(m_mutex);
+    m_wanted.reset();
+    if (m_running) m_running->cancel();
+}
+
+void CTreeCreatorThread::setThreads(int threads) {
+    const std::lock_guard lock(m_mutex);
+    m_threads = threads;
 }
 
 bool CTreeCreatorThread::mayFinish() const { return m_runningSimple && Clock::now() - m_lastResult > kPictureAge; }
@@ -49,7 +60,7 @@ std::optional<CTreeCreatorThread::Request> CTreeCreatorThread::nextRequest() {
     if (m_quit) return {};
     std::optional<Request> request = std::move(m_wanted);
     m_wanted.reset();
-    m_running = CProgress();
+    m_running = CProgress(m_threads);
     m_runningSimple = request->detail->model == Model::Simple;
     return request;
 }
@@ -78,15 +89,17 @@ void CTreeCreatorThread::run() {
 
 std::shared_ptr<const ViewModel> CTreeCreatorThread::create(const Request& request, const CProgress& progress) {
     if (request.anew) m_creator->forget();
+    m_creator->setMostVertices(request.mostVertices);
     auto view = std::make_shared<ViewModel>();
     view->model = m_creator->create(request.params, *request.detail, progress);
     std::vector<std::pair<std::shared_ptr<const CMesh>, ViewPart>> parts;
-    for (const auto& mesh : view->model->meshes()) {
+    view->model->visitMeshes([&](const std::shared_ptr<const CMesh>& mesh, int generation) {
         progress.poll();
         const auto known = std::ranges::find(m_parts, mesh, [](const auto& part) { return part.first; });
-        parts.emplace_back(mesh, known != m_parts.end() ? known->second : ViewPart{makeGeometry(*mesh), mesh->surface});
+        parts.emplace_back(mesh, known != m_parts.end() ? known->second
+                                                        : ViewPart{makeGeometry(*mesh), mesh->surface, generation});
         view->parts.push_back(parts.back().second);
-    }
+    });
     m_parts = std::move(parts);
     return view;
 }

@@ -24,8 +24,13 @@ public:
     /// Cancels what runs and waits for it to stop.
     ~CTreeCreatorThread() override;
 
-    /// Any thread; returns at once. `anew` forgets what was made before.
-    void request(const CParams& params, const Detail& detail, bool anew = false);
+    /// Any thread; returns at once. `anew` forgets what was made before. Fails when the tree may have more vertices.
+    void request(const CParams& params, const Detail& detail, bool anew = false,
+                 double mostVertices = CTreeCreator::kMostVertices);
+    /// Gives up what runs and what waits.
+    void cancel();
+    /// Processors for the next trees; 0 takes all.
+    void setThreads(int threads);
     /// Share of the running work that is done, 0..1; nothing when idle.
     std::optional<double> progress() const;
 
@@ -40,6 +45,7 @@ private:
     struct Request {
         CParams params;
         const Detail* detail;
+        double mostVertices;
         bool anew;
     };
     using Clock = std::chrono::steady_clock;
@@ -55,6 +61,7 @@ private:
     std::condition_variable m_wake;
     std::optional<Request> m_wanted;
     std::optional<CProgress> m_running;
+    int m_threads = 0;
     bool m_runningSimple = false;
     Clock::time_point m_lastResult;
     bool m_quit = false;

@@ -1,45 +1,57 @@
 #pragma once
+#include "Camera.h"
+#include "Navigation.h"
+#include "SceneRenderer.h"
+#include "ViewOverlay.h"
 #include "stromar/scene/ViewScene.h"
 #include <QOpenGLWidget>
-#include <memory>
-#include <osgGA/OrbitManipulator>
-#include <osgViewer/GraphicsWindow>
-#include <osgViewer/Viewer>
 
 namespace stromar {
 
-class CRedrawViewer;
-
-/// Shows the tree. Left drag turns, right drag and wheel zoom, both buttons or the middle one pan, space recentres.
-/// Draws only when something changed.
+/// Shows the tree. The mouse moves the view as the table of mouse maps says; a click picks. Draws only when something
+/// changed.
 class CViewport : public QOpenGLWidget {
     Q_OBJECT
 public:
     explicit CViewport(QWidget* parent = nullptr);
     ~CViewport() override;
 
-    /// OpenGL with its fixed functions, which OpenSceneGraph uses. For QSurfaceFormat::setDefaultFormat, before the
-    /// QApplication, with 0 samples; the viewport itself takes more when a graphics card draws.
-    static QSurfaceFormat surfaceFormat(int samples);
-
     /// Replaces the tree; the view stays.
     void show(const std::vector<ViewPart>& parts);
     using QOpenGLWidget::show;
     /// Empty on success, else what is wrong with the picture.
     QString setTexture(Surface surface, const QString& file);
-    void setWireframe(bool on);
-    /// Moves the camera so that the whole tree is seen from the front.
+    void setLook(const ViewLook& look);
+    const ViewLook& look() const { return m_scene.look(); }
+    void tint(int generation);
+    int tinted() const { return m_scene.tinted(); }
+    void setNavigation(const Navigation& navigation) { m_navigation = &navigation; }
+    /// Free turning instead of turning with z upright.
+    void setTrackball(bool on);
+    void setOrthographic(bool on);
+
+    const CCamera& camera() const { return m_camera; }
+    const CViewScene& scene() const { return m_scene; }
+    CViewOverlay& overlay() { return *m_overlay; }
+    /// The whole tree from the front.
     void recentre();
+    /// The whole tree, from where it is seen.
+    void frame();
+    /// Degrees: 0 the front, 90 the right; 90 from above.
+    void lookFrom(double yaw, double pitch);
+    /// The tree with its backdrop, without the overlay. Null when there is no OpenGL.
+    QImage picture(const QSize& pixels, const ViewLook& look, const CCamera& camera);
     int framesDrawn() const { return m_frames; }
-    /// Distance from the camera to what it turns about, metres.
-    double distance() const { return m_orbit->getDistance(); }
-    /// Where the camera looks from, for tests.
-    osg::Vec3d eye() const;
 
 signals:
     void drawn();
     /// OpenGL is missing or too old; the text is for the user.
     void unusable(const QString& why);
+    void contextLost();
+    void picked(const std::optional<stromar::ViewHit>& hit);
+    /// A handle was dragged; all changes of one drag have the same gesture.
+    void guideDragged(std::size_t handle, const osg::Vec2d& to, int gesture);
+    void guideReleased();
 
 protected:
     void initializeGL() override;
@@ -50,19 +62,26 @@ protected:
     void mouseMoveEvent(QMouseEvent* event) override;
     void mouseDoubleClickEvent(QMouseEvent* event) override;
     void wheelEvent(QWheelEvent* event) override;
-    void keyPressEvent(QKeyEvent* event) override;
+    void leaveEvent(QEvent* event) override;
 
 private:
     void release();
-    void applySize();
-    osgGA::EventQueue* events() { return m_window ? m_window->getEventQueue() : nullptr; }
+    void moveView(ViewMotion motion, const QPointF& from, const QPointF& to);
+    void pick(const QPointF& at);
+    void changed();
 
     CViewScene m_scene;
-    osg::ref_ptr<CRedrawViewer> m_viewer;
-    osg::ref_ptr<osgViewer::GraphicsWindowEmbedded> m_window;
-    osg::ref_ptr<osgGA::OrbitManipulator> m_orbit;
+    CCamera m_camera;
+    CSceneRenderer m_renderer;
+    CViewOverlay* m_overlay;
+    const Navigation* m_navigation;
     QMetaObject::Connection m_contextDies;
-    QSize m_pixels;
+    QPointF m_pressed, m_last;
+    std::optional<std::size_t> m_handle; ///< that is being dragged
+    int m_gesture = 0;
+    bool m_click = false; ///< the mouse has not moved since a button went down
+    bool m_trackball = false;
+    bool m_lost = false;
     int m_frames = 0;
 };
 

@@ -1,8 +1,14 @@
+#include "HelpPictures.h"
+#include "Languages.h"
 #include "MainWindow.h"
-#include "Viewport.h"
+#include "QtText.h"
+#include "SceneRenderer.h"
+#include "Settings.h"
+#include "Theme.h"
 #include <QAction>
 #include <QApplication>
 #include <QCommandLineParser>
+#include <QDir>
 #include <QFileInfo>
 #include <QTimer>
 #include <cstdio>
@@ -12,7 +18,7 @@ using namespace stromar;
 
 /// What the command line asks for.
 struct Options {
-    QString file, screenshot;
+    QString file, screenshot, helpPictures;
     QSize size;
     Model model = Model::Full;
     bool wired = false;
@@ -41,13 +47,17 @@ QString read(const QApplication& app, Options& options) {
     const QCommandLineOption most(QStringLiteral("max-vertices"), QStringLiteral("Refuses trees that may be larger."),
                                   QStringLiteral("N"));
     const QCommandLineOption wired(QStringLiteral("wired"), QStringLiteral("Shows the wire frame."));
-    parser.addOptions({screenshot, size, model, wired, most});
+    const QCommandLineOption pictures(
+        QStringLiteral("help-pictures"),
+        QStringLiteral("Writes the pictures of the parameters for the manual and leaves."), QStringLiteral("FOLDER"));
+    parser.addOptions({screenshot, size, model, wired, most, pictures});
     parser.process(app);
     const QStringList files = parser.positionalArguments();
     if (files.size() > 1) return QStringLiteral("only one file can be opened");
     options.file = files.value(0);
     options.screenshot = parser.value(screenshot);
     options.wired = parser.isSet(wired);
+    options.helpPictures = parser.value(pictures);
     if (parser.isSet(size)) {
         const QStringList sides = parser.value(size).split(QLatin1Char('x'));
         options.size = QSize(sides.value(0).toInt(), sides.value(1).toInt());
@@ -79,6 +89,42 @@ void takeScreenshot(CMainWindow& window, const Options& options) {
         });
     });
 }
+/// One PNG for each parameter that does something, by its key; of levels only 0 and 1, where the others are shown too.
+bool writeHelpPictures(const QString& folder) {
+    applyTheme(QStringLiteral("light"));
+    bool fine = QDir().mkpath(folder);
+    for (const ParamRef& ref : allParams())
+        if (ref.level <= std::max(1, ref.info->firstLevel)) {
+            const QImage image = helpPicture(ref, QApplication::palette(), 1);
+            if (image.isNull()) continue;
+            fine = fine && image.save(QDir(folder).filePath(toQString(ref.key()) + QStringLiteral(".png")));
+        }
+    if (!fine) std::fprintf(stderr, "stromar: cannot write into %s\n", qPrintable(folder));
+    return fine;
+}
+
+/// Texts and units are laid down when a window is made: a new one takes over the document.
+class CWindowKeeper : public QObject {
+public:
+    explicit CWindowKeeper(double mostVertices) : m_mostVertices(mostVertices) { make(nullptr); }
+    CMainWindow& window() { return *m_window; }
+
+private:
+    void make(std::shared_ptr<CDocument> document) {
+        speak(chosenLanguage(CSettings::instance().text("language")));
+        m_window = std::make_unique<CMainWindow>(m_mostVertices, std::move(document));
+        connect(m_window.get(), &CMainWindow::rebuildWanted, this, &CWindowKeeper::rebuild, Qt::QueuedConnection);
+    }
+    void rebuild() {
+        const std::unique_ptr<CMainWindow> old = std::move(m_window);
+        old->keepLayout();
+        make(old->sharedDocument());
+        m_window->show();
+    }
+
+    double m_mostVertices;
+    std::unique_ptr<CMainWindow> m_window;
+};
 } // namespace
 
 int main(int argc, char** argv) {
@@ -86,12 +132,16 @@ int main(int argc, char** argv) {
     QCoreApplication::setApplicationName(QStringLiteral("Stromar"));
     QCoreApplication::setApplicationVersion(QStringLiteral(STROMAR_VERSION));
     QCoreApplication::setAttribute(Qt::AA_ShareOpenGLContexts);
-    QSurfaceFormat::setDefaultFormat(CViewport::surfaceFormat(0));
+    QGuiApplication::setDesktopFileName(QStringLiteral("org.stromar.Stromar"));
+    QSurfaceFormat::setDefaultFormat(CSceneRenderer::surfaceFormat(0));
     QApplication app(argc, argv);
     Options options;
     if (const QString why = read(app, options); !why.isEmpty()) return wrongUsage(why);
     try {
-        CMainWindow window(options.mostVertices);
+        if (!options.helpPictures.isEmpty()) return writeHelpPictures(options.helpPictures) ? 0 : 1;
+        applyTheme(CSettings::instance().text("theme"));
+        CWindowKeeper keeper(options.mostVertices);
+        CMainWindow& window = keeper.window();
         if (options.size.isValid()) window.resize(options.size);
         if (!options.screenshot.isEmpty() && !options.file.isEmpty() && !QFileInfo::exists(options.file)) {
             std::fprintf(stderr, "stromar: cannot read %s\n", qPrintable(options.file));
@@ -101,7 +151,10 @@ int main(int argc, char** argv) {
         if (!options.screenshot.isEmpty()) window.showOnly(options.model);
         if (!options.file.isEmpty() && !window.open(options.file) && !options.screenshot.isEmpty()) return 1;
         if (options.wired) window.findChild<QAction*>(QStringLiteral("wired"))->trigger();
-        if (!options.screenshot.isEmpty()) takeScreenshot(window, options);
+        if (options.screenshot.isEmpty())
+            QTimer::singleShot(0, &window, &CMainWindow::offerRestore);
+        else
+            takeScreenshot(window, options);
         return QApplication::exec();
     } catch (const std::exception& e) {
         std::fprintf(stderr, "stromar: %s\n", e.what());

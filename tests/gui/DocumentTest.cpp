@@ -23,7 +23,7 @@ TEST(Document, ADragIsOneStepAndGesturesAreApart) {
     EXPECT_EQ(valueOf(document, "Scale"), 13);
     document.history().undo();
     EXPECT_EQ(document.params(), CParams());
-    EXPECT_TRUE(document.history().isClean());
+    EXPECT_FALSE(document.isModified());
     document.history().redo();
     EXPECT_EQ(valueOf(document, "Scale"), 13);
 }
@@ -32,7 +32,7 @@ TEST(Document, ADragBackToItsStartLeavesNoStep) {
     CDocument document;
     for (const double v : {11.0, 12.0, 10.0}) document.setValue(paramRef("Scale"), v, 1);
     EXPECT_EQ(document.history().count(), 0);
-    EXPECT_TRUE(document.history().isClean());
+    EXPECT_FALSE(document.isModified());
 }
 
 TEST(Document, EditsOfEveryValueAreTakenBack) {
@@ -67,14 +67,14 @@ TEST(Document, SavingMakesItCleanAndReadsBack) {
     CDocument document;
     document.open(presetPath("quaking_aspen"));
     document.setValue(paramRef("1DownAngle"), 33, 0);
-    EXPECT_FALSE(document.history().isClean());
+    EXPECT_TRUE(document.isModified());
     const QString path = folder.filePath(QStringLiteral("a.tree"));
     document.save(path);
-    EXPECT_TRUE(document.history().isClean());
+    EXPECT_FALSE(document.isModified());
     EXPECT_EQ(document.path(), path);
     EXPECT_EQ(CTreeFile::read(path.toStdString()).params(), document.params());
     document.history().undo();
-    EXPECT_FALSE(document.history().isClean());
+    EXPECT_TRUE(document.isModified());
 }
 
 TEST(Document, TexturePathsFollowTheFile) {
@@ -95,7 +95,7 @@ TEST(Document, AFailedSaveKeepsFileAndChanges) {
     EXPECT_THROW(document.save(folder.filePath(QStringLiteral("no/such/a.tree"))), CError);
     EXPECT_THROW(document.save(folder.path()), CError);
     EXPECT_TRUE(document.path().isEmpty());
-    EXPECT_FALSE(document.history().isClean());
+    EXPECT_TRUE(document.isModified());
 }
 
 } // namespace

@@ -1,14 +1,23 @@
+#include "HelpPictures.h"
 #include "ParamEditor.h"
 #include "ParamPanel.h"
+#include "ParamRow.h"
 #include "Support.h"
 #include <QApplication>
 #include <QCheckBox>
+#include <QClipboard>
 #include <QComboBox>
+#include <QContextMenuEvent>
 #include <QDoubleSpinBox>
+#include <QLabel>
+#include <QLineEdit>
+#include <QMenu>
+#include <QMouseEvent>
 #include <QSignalSpy>
 #include <QSlider>
 #include <QSpinBox>
 #include <QTabBar>
+#include <QTimer>
 #include <QWheelEvent>
 #include <gtest/gtest.h>
 
@@ -44,14 +53,14 @@ TEST(Panel, EveryRowHasAnEditorThatShowsAndSets) {
         const CParamEditor* editor = panel.editor(ref);
         ASSERT_EQ(editor != nullptr, !ref.info->unused()) << ref.key();
         if (!editor) continue;
-        EXPECT_FALSE(editor->toolTip().isEmpty());
+        EXPECT_FALSE(panel.row(ref)->toolTip().isEmpty());
         for (const double value : {ref.info->range.max, ref.info->range.min}) {
             enter(*editor, value);
             EXPECT_NEAR(ref.get(params), value, std::pow(10, -ref.info->decimals) / 2 + 1e-12) << ref.key();
         }
     }
     const CParams defaults;
-    panel.showParams(defaults);
+    panel.showParams(defaults, defaults);
     for (const ParamRef& ref : allParams()) {
         const CParamEditor* editor = panel.editor(ref);
         if (!editor) continue;
@@ -60,9 +69,9 @@ TEST(Panel, EveryRowHasAnEditorThatShowsAndSets) {
 }
 
 TEST(Panel, TabsAreThoseOfTheTree) {
-    const CParamPanel panel;
+    CParamPanel panel;
     QStringList tabs;
-    for (int i = 0; i < panel.count(); ++i) tabs << panel.tabText(i);
+    for (int i = 0; i < panel.tabs().count(); ++i) tabs << panel.tabs().tabText(i);
     EXPECT_EQ(tabs.join(QLatin1Char('|')).toStdString(),
               "Tree|Trunk|Branches 1|Branches 2|Branches 3|Leaves|Pruning|Textures");
 }
@@ -72,7 +81,7 @@ TEST(Panel, ShowingValuesTellsNothing) {
     QSignalSpy edited(&panel, &CParamPanel::edited);
     CParams params;
     for (const ParamRef& ref : allParams()) ref.set(params, ref.info->range.max);
-    panel.showParams(params);
+    panel.showParams(params, params);
     EXPECT_EQ(edited.count(), 0);
 }
 
@@ -81,7 +90,7 @@ TEST(Panel, ValuesBeyondTheSliderStay) {
     CParams params;
     params.global.scale = 400; // the slider ends at 40
     QSignalSpy edited(&panel, &CParamPanel::edited);
-    panel.showParams(params);
+    panel.showParams(params, params);
     const CParamEditor* editor = panel.editor(paramRef("Scale"));
     EXPECT_EQ(shownValue(*editor), 400);
     EXPECT_EQ(editor->findChild<QSlider*>()->value(), editor->findChild<QSlider*>()->maximum());
@@ -98,7 +107,7 @@ bool takesWheel(QWidget* over) {
 
 TEST(Panel, TheWheelChangesOnlyAnEditorWithTheFocus) {
     CParamPanel panel;
-    panel.setCurrentIndex(2);
+    panel.tabs().setCurrentIndex(2);
     panel.show();
     ASSERT_TRUE(QTest::qWaitForWindowExposed(&panel));
     QApplication::setActiveWindow(&panel); // a bare X server has no window manager to do it
@@ -106,7 +115,7 @@ TEST(Panel, TheWheelChangesOnlyAnEditorWithTheFocus) {
     auto* box = editor->findChild<QSpinBox*>();
     auto* slider = editor->findChild<QSlider*>();
     auto* choice = panel.editor(paramRef("Shape"))->findChild<QComboBox*>();
-    panel.tabBar()->setFocus();
+    panel.tabs().tabBar()->setFocus();
     const int before = box->value();
     for (QWidget* over : {static_cast<QWidget*>(box), static_cast<QWidget*>(slider), static_cast<QWidget*>(choice)})
         EXPECT_FALSE(takesWheel(over));
@@ -116,6 +125,209 @@ TEST(Panel, TheWheelChangesOnlyAnEditorWithTheFocus) {
     ASSERT_TRUE(box->hasFocus());
     EXPECT_TRUE(takesWheel(box));
     EXPECT_EQ(box->value(), before - 1);
+}
+
+TEST(Panel, AVariationStandsBesideItsValue) {
+    CParamPanel panel;
+    int pairs = 0;
+    for (const ParamRef& ref : allParams()) {
+        const ParamInfo* variation = variationOf(*ref.info);
+        if (!variation || ref.info->unused()) continue;
+        EXPECT_EQ(panel.row(ref), panel.row({variation, ref.level})) << ref.key();
+        EXPECT_FALSE(panel.editor({variation, ref.level})->findChild<QSlider*>());
+        ++pairs;
+    }
+    EXPECT_EQ(pairs, 2 + 4 * 3 + 3 * 3); // height, radius; length, curve, split; place, down, rotation
+}
+
+TEST(Panel, TheFilterReachesAllTabs) {
+    CParamPanel panel;
+    panel.show();
+    ASSERT_TRUE(QTest::qWaitForWindowExposed(&panel));
+    panel.filter().setText(QStringLiteral("angle"));
+    QStringList tabs;
+    for (int i = 0; i < panel.tabs().count(); ++i)
+        if (panel.tabs().isTabVisible(i)) tabs << panel.tabs().tabText(i);
+    EXPECT_EQ(tabs.join(QLatin1Char('|')).toStdString(), "Trunk|Branches 1|Branches 2|Branches 3");
+    EXPECT_FALSE(panel.row(paramRef("1DownAngle"))->isHidden());
+    EXPECT_FALSE(panel.row(paramRef("0SplitAngle"))->isHidden());
+    EXPECT_TRUE(panel.row(paramRef("1Length"))->isHidden());
+    panel.filter().setText(QStringLiteral("leaves fold"));
+    EXPECT_FALSE(panel.row(paramRef("LeafFold"))->isHidden()) << "the tab's name counts";
+    panel.filter().clear();
+    EXPECT_FALSE(panel.row(paramRef("1Length"))->isHidden());
+    EXPECT_TRUE(panel.tabs().isTabVisible(0));
+}
+
+TEST(Panel, FoldedSectionsStayFolded) {
+    const auto heading = [](CParamPanel& panel) {
+        for (auto* button : panel.findChildren<QAbstractButton*>())
+            if (button->text() == QLatin1String("Lobes") && button->isCheckable()) return button;
+        return static_cast<QAbstractButton*>(nullptr);
+    };
+    {
+        CParamPanel panel;
+        ASSERT_TRUE(heading(panel));
+        EXPECT_FALSE(panel.row(paramRef("Lobes"))->isHidden());
+        heading(panel)->click();
+        EXPECT_TRUE(panel.row(paramRef("Lobes"))->isHidden());
+        panel.filter().setText(QStringLiteral("lobe"));
+        EXPECT_FALSE(panel.row(paramRef("Lobes"))->isHidden()) << "what is looked for is shown";
+    }
+    CParamPanel again;
+    EXPECT_TRUE(again.row(paramRef("Lobes"))->isHidden());
+    heading(again)->click();
+}
+
+TEST(Panel, ADoubleClickOnALabelResetsTheRow) {
+    CParamPanel panel;
+    CParams params;
+    params.level[1].downAngle = 77;
+    params.level[1].downAngleV = 11;
+    panel.showParams(params, CParams());
+    CParamRow* row = panel.row(paramRef("1DownAngle"));
+    EXPECT_TRUE(row->marked()) << "differs from the saved values";
+    EXPECT_FALSE(panel.row(paramRef("1Rotate"))->marked());
+    std::vector<std::pair<ParamRef, double>> assigned;
+    QObject::connect(&panel, &CParamPanel::assigned, [&](const QString&, const auto& values) { assigned = values; });
+    QTest::mouseDClick(row->findChild<QLabel*>(), Qt::LeftButton);
+    ASSERT_EQ(assigned.size(), 2u) << "value and variation in one step";
+    EXPECT_EQ(assigned[0].second, 30);
+    EXPECT_EQ(assigned[1].second, 0);
+}
+
+TEST(Panel, WhatDoesNothingIsGreyedWithTheReason) {
+    CParamPanel panel;
+    CParams params;
+    panel.showParams(params, params);
+    for (const char* idle : {"LobeDepth", "0SplitAngle", "PruneWidth", "LeafScale", "1SplitAngle"})
+        EXPECT_FALSE(panel.editor(paramRef(idle))->isEnabled()) << idle;
+    params.global.lobes = 5;
+    params.global.pruneRatio = 1;
+    params.global.leaves = 10;
+    params.level[1].segSplits = 0.5;
+    panel.showParams(params, params);
+    for (const char* acts : {"LobeDepth", "PruneWidth", "LeafScale", "1SplitAngle"})
+        EXPECT_TRUE(panel.editor(paramRef(acts))->isEnabled()) << acts;
+    params.global.levels = 2;
+    panel.showParams(params, params);
+    EXPECT_FALSE(panel.editor(paramRef("2Curve"))->isEnabled()) << "there are no stems of level 2";
+    EXPECT_TRUE(panel.editor(paramRef("2DownAngle"))->isEnabled()) << "it places the leaves";
+    EXPECT_FALSE(panel.editor(paramRef("3DownAngle"))->isEnabled());
+}
+
+TEST(Panel, LocksAreKept) {
+    const ParamRef ref = paramRef("1Curve");
+    {
+        CParamPanel panel;
+        EXPECT_FALSE(panel.locked(ref));
+        emit panel.row(ref)->lockToggled(true);
+        EXPECT_TRUE(panel.locked(ref));
+        EXPECT_TRUE(panel.locked(paramRef("1CurveV"))) << "with its variation";
+    }
+    CParamPanel again;
+    EXPECT_TRUE(again.locked(ref));
+    emit again.row(ref)->lockToggled(false);
+    EXPECT_FALSE(again.locked(ref));
+}
+
+TEST(Panel, ShiftDragsFinelyCtrlCoarsely) {
+    CParamPanel panel;
+    panel.resize(700, 700);
+    panel.tabs().setCurrentIndex(2);
+    panel.show();
+    ASSERT_TRUE(QTest::qWaitForWindowExposed(&panel));
+    CParams params;
+    QObject::connect(&panel, &CParamPanel::edited, [&](const ParamRef& ref, double value, int) {
+        ref.set(params, value);
+        panel.showParams(params, params);
+    });
+    const ParamRef ref = paramRef("1DownAngle");
+    auto* slider = panel.editor(ref)->findChild<QSlider*>();
+    const auto dragBy = [&](int pixels, Qt::KeyboardModifiers keys) {
+        const QPoint start = slider->rect().center();
+        QTest::mousePress(slider, Qt::LeftButton, keys, start);
+        const double before = ref.get(params);
+        const QPointF to = start + QPoint(pixels, 0);
+        QMouseEvent move(QEvent::MouseMove, to, slider->mapToGlobal(to), Qt::NoButton, Qt::LeftButton, keys);
+        QCoreApplication::sendEvent(slider, &move);
+        QTest::mouseRelease(slider, Qt::LeftButton, keys, to.toPoint());
+        return ref.get(params) - before;
+    };
+    dragBy(1, {});
+    const double plain = dragBy(20, {}), fine = dragBy(20, Qt::ShiftModifier);
+    EXPECT_GT(plain, 10);
+    EXPECT_GT(fine, 0);
+    EXPECT_LT(fine, plain / 5);
+    dragBy(20, Qt::ControlModifier);
+    EXPECT_EQ(std::fmod(ref.get(params), 10), 0) << "ten steps of one degree";
+    slider->setFocus();
+    const double before = ref.get(params);
+    QTest::keyClick(slider, Qt::Key_Right);
+    EXPECT_EQ(ref.get(params), before + 1);
+    QTest::keyClick(slider, Qt::Key_Right, Qt::ShiftModifier);
+    EXPECT_NEAR(ref.get(params), before + 1.1, 1e-9);
+}
+
+TEST(Panel, ABurstOfKeysIsOneGesture) {
+    CParamPanel panel;
+    std::vector<int> gestures;
+    QObject::connect(&panel, &CParamPanel::edited,
+                     [&](const ParamRef&, double, int gesture) { gestures.push_back(gesture); });
+    auto* slider = panel.editor(paramRef("1DownAngle"))->findChild<QSlider*>();
+    for (int i = 0; i < 3; ++i) QTest::keyClick(slider, Qt::Key_Right);
+    QTest::qWait(900);
+    QTest::keyClick(slider, Qt::Key_Right);
+    ASSERT_EQ(gestures.size(), 4u);
+    EXPECT_EQ(gestures[0], gestures[2]);
+    EXPECT_NE(gestures[2], gestures[3]);
+}
+
+/// Chooses an entry of the menu that is about to pop up.
+void chooseFromMenu(QWidget& over, const QString& text) {
+    QTimer::singleShot(50, &over, [text] {
+        auto* menu = qobject_cast<QMenu*>(QApplication::activePopupWidget());
+        ASSERT_TRUE(menu);
+        for (QAction* action : menu->actions())
+            if (action->text().remove(QLatin1Char('&')) == text) action->trigger();
+        menu->close();
+    });
+    QContextMenuEvent event(QContextMenuEvent::Mouse, {5, 5}, over.mapToGlobal(QPoint(5, 5)));
+    QCoreApplication::sendEvent(&over, &event);
+    QTest::qWait(80);
+}
+
+TEST(Panel, CopiesAndPastesBetweenLevels) {
+    CParamPanel panel;
+    panel.show();
+    ASSERT_TRUE(QTest::qWaitForWindowExposed(&panel));
+    CParams params;
+    params.level[1].curve = 33;
+    params.level[1].curveV = 44;
+    panel.showParams(params, params);
+    QObject::connect(&panel, &CParamPanel::assigned, [&](const QString&, const auto& values) {
+        for (const auto& [ref, value] : values) ref.set(params, value);
+    });
+    chooseFromMenu(*panel.row(paramRef("1Curve")), QStringLiteral("Copy"));
+    EXPECT_EQ(QApplication::clipboard()->text().toStdString(), "1Curve = 33\n1CurveV = 44\n");
+    chooseFromMenu(*panel.row(paramRef("2Curve")), QStringLiteral("Paste"));
+    EXPECT_EQ(params.level[2].curve, 33);
+    EXPECT_EQ(params.level[2].curveV, 44);
+}
+
+TEST(HelpPictures, EveryValueThatActsHasOneAndItsTreesDiffer) {
+    for (const ParamRef& ref : allParams()) {
+        if (ref.level > 1) continue; // shown at level 1
+        const QImage image = helpPicture(ref, QApplication::palette(), 1);
+        EXPECT_EQ(image.isNull(), ref.info->unused() || ref.group() == Group::Textures) << ref.key();
+        if (image.isNull()) continue;
+        const QImage left = image.copy(0, 0, image.width() / 3, 120);
+        const QImage right = image.copy(image.width() - image.width() / 3, 0, image.width() / 3, 120);
+        const bool onlyShading = ref.info->field == ParamInfo::Field(&GlobalParams::leafRounding);
+        if (ref.info->words.empty() && !onlyShading) {
+            EXPECT_TRUE(left != right) << ref.key();
+        }
+    }
 }
 
 } // namespace

@@ -73,8 +73,8 @@ TEST(Thread, StepsThatComeFasterThanTreesStillShowSome) {
 }
 
 TEST(Thread, AnErrorReachesTheUserAndTheNextTreeGrows) {
-    Fixture f(500000);
-    f.thread.request(willow(), detailOf(Model::Full));
+    Fixture f;
+    f.thread.request(willow(), detailOf(Model::Full), false, 500000);
     ASSERT_TRUE(waitFor([&] { return !f.failure.isEmpty(); }));
     EXPECT_TRUE(f.failure.contains(QLatin1String("500000 vertices"))) << f.failure.toStdString();
     f.thread.request(aspen(), detailOf(Model::Simple));

@@ -1,11 +1,14 @@
 #include "Commands.h"
 #include "MainWindow.h"
+#include "MessageBar.h"
 #include "ParamEditor.h"
 #include "ParamPanel.h"
 #include "QtText.h"
 #include "Support.h"
 #include "Viewport.h"
+#include "WindowFixture.h"
 #include "stromar/app/Formats.h"
+#include "stromar/app/Prediction.h"
 #include <QAbstractButton>
 #include <QAction>
 #include <QApplication>
@@ -16,6 +19,7 @@
 #include <QMenu>
 #include <QMessageBox>
 #include <QProcess>
+#include <QPushButton>
 #include <QSignalSpy>
 #include <QSlider>
 #include <QSpinBox>
@@ -26,50 +30,10 @@
 namespace stromar {
 namespace {
 
-class WindowTest : public ::testing::Test {
-protected:
-    void SetUp() override {
-        window.show();
-        ASSERT_TRUE(QTest::qWaitForWindowExposed(&window));
-        QApplication::setActiveWindow(&window); // a bare X server has no window manager to do it
-        ASSERT_TRUE(window.open(presetPath("quaking_aspen")));
-        ASSERT_TRUE(showsNow(Model::Full));
-    }
-    /// Waits until the viewport shows the document's tree by this model.
-    bool showsNow(Model model) {
-        return waitFor([&] {
-            const ViewModel* shown = window.shown();
-            return shown && shown->model->detail->model == model && shown->model->params == window.document().params();
-        });
-    }
-    QAction* action(const char* name) { return window.findChild<QAction*>(QLatin1String(name)); }
-    QSlider* slider(const char* key) { return window.panel().editor(paramRef(key))->findChild<QSlider*>(); }
-    double value(const char* key) { return paramRef(key).get(window.document().params()); }
-    QString notice() { return window.findChild<QLabel*>(QStringLiteral("notice"))->text(); }
-    QImage picture() { return window.viewport().grabFramebuffer(); }
-
-    /// Presses a button of the next message box.
-    void answerNext(QMessageBox::StandardButton button) {
-        asked = false;
-        auto* poll = new QTimer(&window);
-        QObject::connect(poll, &QTimer::timeout, poll, [this, poll, button] {
-            auto* box = qobject_cast<QMessageBox*>(QApplication::activeModalWidget());
-            if (!box) return;
-            asked = true;
-            question = box->text();
-            poll->deleteLater();
-            box->button(button)->click();
-        });
-        poll->start(20);
-    }
-
-    CMainWindow window;
-    bool asked = false;
-    QString question;
-};
+class WindowTest : public WindowFixture {};
 
 TEST_F(WindowTest, ADragShowsTheSimpleModelThenTheFullOneAndIsOneStep) {
-    window.panel().setCurrentIndex(2);
+    window.panel().tabs().setCurrentIndex(2);
     QSlider* down = slider("1DownAngle");
     QTest::qWait(50);
     std::vector<Model> models;
@@ -98,15 +62,14 @@ TEST_F(WindowTest, ADragShowsTheSimpleModelThenTheFullOneAndIsOneStep) {
     EXPECT_TRUE(showsNow(Model::Full));
     action("redo")->trigger();
     EXPECT_GT(value("1DownAngle"), before + 5);
-    window.document().history().setClean();
 }
 
 TEST_F(WindowTest, TheMouseTurnsZoomsPansAndSpaceRecentres) {
     CViewport& view = window.viewport();
     QTest::qWait(50);
     view.recentre();
-    const osg::Vec3d home = view.eye();
-    const double distance = view.distance();
+    const osg::Vec3d home = view.camera().eye();
+    const double distance = view.camera().distance();
     const QPoint middle = view.rect().center();
     const auto drag = [&](Qt::MouseButton button, QPoint by) {
         QTest::mousePress(&view, button, {}, middle);
@@ -121,28 +84,28 @@ TEST_F(WindowTest, TheMouseTurnsZoomsPansAndSpaceRecentres) {
     };
     const QImage before = picture();
     drag(Qt::LeftButton, {120, 0});
-    EXPECT_GT((view.eye() - home).length(), 1) << "left drag turns";
-    EXPECT_NEAR(view.distance(), distance, 1e-6);
+    EXPECT_GT((view.camera().eye() - home).length(), 1) << "left drag turns";
+    EXPECT_NEAR(view.camera().distance(), distance, 1e-6);
     EXPECT_NE(picture(), before);
     drag(Qt::RightButton, {0, 60});
-    EXPECT_GT(std::abs(view.distance() - distance), 0.1) << "right drag zooms";
+    EXPECT_GT(std::abs(view.camera().distance() - distance), 0.1) << "right drag zooms";
     QTest::keyClick(&view, Qt::Key_Space);
     QTest::qWait(50);
-    EXPECT_LT((view.eye() - home).length(), 1e-6) << "space recentres";
+    EXPECT_LT((view.camera().eye() - home).length(), 1e-6) << "space recentres";
     drag(Qt::MiddleButton, {80, 0});
-    EXPECT_GT((view.eye() - home).length(), 0.1) << "middle drag pans";
-    EXPECT_NEAR(view.distance(), distance, 1e-6);
+    EXPECT_GT((view.camera().eye() - home).length(), 0.1) << "middle drag pans";
+    EXPECT_NEAR(view.camera().distance(), distance, 1e-6);
     view.recentre();
     QTest::qWait(30);
     QWheelEvent wheel(middle, view.mapToGlobal(QPointF(middle)), {}, {0, 120}, Qt::NoButton, Qt::NoModifier,
                       Qt::NoScrollPhase, false);
     QCoreApplication::sendEvent(&view, &wheel);
     QTest::qWait(50);
-    EXPECT_LT(view.distance(), distance) << "wheel forward comes nearer";
+    EXPECT_LT(view.camera().distance(), distance) << "wheel forward comes nearer";
     window.panel().setFocus();
     QTest::keyClick(&window, Qt::Key_Space);
     QTest::qWait(50);
-    EXPECT_LT((view.eye() - home).length(), 1e-6);
+    EXPECT_LT((view.camera().eye() - home).length(), 1e-6);
 }
 
 TEST_F(WindowTest, DrawsOnlyWhenSomethingChanges) {
@@ -244,7 +207,7 @@ TEST_F(WindowTest, WarningsStayReadable) {
     file.write("Format = 1\nScal = 3\nLevels = 99\n");
     file.close();
     ASSERT_TRUE(window.open(path));
-    const auto* list = window.findChild<QListWidget*>();
+    const auto* list = window.findChild<QListWidget*>(QStringLiteral("messageList"));
     ASSERT_EQ(list->count(), 2);
     EXPECT_TRUE(list->isVisible());
     EXPECT_TRUE(list->item(0)->text().contains(QLatin1String("did you mean 'Scale'")));
@@ -257,7 +220,7 @@ TEST_F(WindowTest, ExportsEveryFormat) {
         const QString path = folder.filePath(QStringLiteral("tree") + toQString(format.ending));
         QSignalSpy ended(&window, &CMainWindow::exportEnded);
         window.exportTo(path);
-        ASSERT_TRUE(waitFor([&] { return ended.count() == 1; })) << format.ending;
+        ASSERT_TRUE(waitFor([&] { return ended.count() == 1; }, 120000)) << format.ending;
         EXPECT_TRUE(ended[0][0].toString().isEmpty()) << ended[0][0].toString().toStdString();
         EXPECT_GT(QFileInfo(path).size(), 5000) << format.ending;
         EXPECT_TRUE(notice().contains(path));
@@ -289,12 +252,26 @@ TEST_F(WindowTest, CommandsHaveTextsIconsAndShortcutsOfTheirOwn) {
     }
 }
 
-TEST_F(WindowTest, ATreeThatWouldBeTooLargeIsRefusedInWords) {
-    window.document().edit(QStringLiteral("many"),
-                           [](CParams& p) { p.level[1].branches = p.level[2].branches = 5000; });
-    ASSERT_TRUE(waitFor([&] { return notice().contains(QLatin1String("million")); }));
-    EXPECT_TRUE(notice().contains(QLatin1String("20 million vertices"))) << notice().toStdString();
+TEST_F(WindowTest, ATreeThatWouldBeTooLargeAsksFirstAndOffersWhatFits) {
+    window.document().setValue(paramRef("2Branches"), 5000, 0);
+    CMessageBar& bar = window.bar();
+    ASSERT_TRUE(bar.isVisible());
+    EXPECT_TRUE(bar.text().contains(QLatin1String("limit is 20 million"))) << bar.text().toStdString();
+    const auto buttons = bar.findChildren<QPushButton*>();
+    ASSERT_EQ(buttons.size(), 3);
+    EXPECT_TRUE(buttons.front()->text().startsWith(QLatin1String("2Branches = ")));
+    buttons.front()->click();
+    EXPECT_FALSE(bar.isVisible());
+    const double fits = value("2Branches");
+    EXPECT_GT(fits, 100);
+    EXPECT_LE(predictSize(window.document().params(), detailOf(Model::Full)).vertices, 20e6);
+    CParams more = window.document().params();
+    ++more.level[2].branches;
+    EXPECT_GT(predictSize(more, detailOf(Model::Full)).vertices, 20e6) << "the nearest that fits";
     action("undo")->trigger();
+    EXPECT_TRUE(bar.isVisible()) << "back at the large one";
+    action("undo")->trigger();
+    EXPECT_FALSE(bar.isVisible());
     EXPECT_TRUE(showsNow(Model::Full));
 }
 

@@ -1,4 +1,4 @@
-#include "Viewport.h"
+#include "SceneRenderer.h"
 #include <QApplication>
 #include <QTemporaryDir>
 #include <gtest/gtest.h>
@@ -6,12 +6,14 @@
 int main(int argc, char** argv) {
     ::testing::InitGoogleTest(&argc, argv);
     if (::testing::GTEST_FLAG(list_tests)) return RUN_ALL_TESTS(); // no display is needed to tell the names
-    QTemporaryDir settings;                                        // a user's own stay as they are
-    qputenv("XDG_CONFIG_HOME", settings.path().toLocal8Bit());
+    QTemporaryDir folder;                                          // a user's own settings stay as they are
+    if (qEnvironmentVariableIsEmpty("STROMAR_TEST_HOME")) qputenv("STROMAR_TEST_HOME", folder.path().toLocal8Bit());
+    for (const char* kind : {"XDG_CONFIG_HOME", "XDG_CACHE_HOME", "XDG_DATA_HOME"})
+        qputenv(kind, qgetenv("STROMAR_TEST_HOME"));
     QCoreApplication::setOrganizationName(QStringLiteral("Stromar"));
     QCoreApplication::setApplicationName(QStringLiteral("Test"));
     QCoreApplication::setAttribute(Qt::AA_ShareOpenGLContexts);
-    QSurfaceFormat::setDefaultFormat(stromar::CViewport::surfaceFormat(0));
+    QSurfaceFormat::setDefaultFormat(stromar::CSceneRenderer::surfaceFormat(0));
     QApplication app(argc, argv);
     return RUN_ALL_TESTS();
 }

@@ -266,5 +266,33 @@ TEST(FirstObsolete, Texts) {
     }
 }
 
+TEST(ParamTable, WhatIsSaidToDoNothingDoesNothing) {
+    CParams bare;
+    bare.global.levels = 1;
+    EXPECT_NE(whyIdle(param("1Branches"), bare), "");
+    EXPECT_NE(whyIdle(param("LeafScale"), bare), "");
+    EXPECT_NE(whyIdle(param("Shape"), bare), "");
+    EXPECT_EQ(whyIdle(param("0Curve"), bare), "");
+    EXPECT_NE(whyIdle(param("0SplitAngle"), bare), "");
+    bare.global.baseSplits = 2;
+    EXPECT_EQ(whyIdle(param("0SplitAngle"), bare), "") << "splits at the base use it";
+    CParams without;
+    without.level[1].branches = 0;
+    EXPECT_EQ(whyIdle(param("1Branches"), without), "") << "it is what brings them back";
+    EXPECT_NE(whyIdle(param("1Curve"), without), "");
+    EXPECT_NE(whyIdle(param("2Branches"), without), "");
+    CParams envelope;
+    envelope.global.shape = 8;
+    EXPECT_EQ(whyIdle(param("PrunePowerLow"), envelope), "") << "the crown's outline";
+    EXPECT_NE(whyIdle(param("PruneWidth"), envelope), "");
+}
+
+TEST(ParamTable, VariationsAreFoundByTheirKeys) {
+    EXPECT_EQ(variationOf(*param("1DownAngle").info), param("1DownAngleV").info);
+    EXPECT_EQ(variationOf(*param("Scale").info), param("ScaleV").info);
+    EXPECT_EQ(variationOf(*param("Seed").info), nullptr);
+    EXPECT_EQ(variationOf(*param("1DownAngleV").info), nullptr);
+}
+
 } // namespace
 } // namespace stromar

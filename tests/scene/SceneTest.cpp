@@ -27,6 +27,7 @@ const Array& as(const osg::Array* array) {
 std::size_t drawablesUnder(const osg::Group& group) {
     std::size_t count = 0;
     for (unsigned i = 0; i < group.getNumChildren(); ++i) {
+        if (group.getChild(i)->getNodeMask() == 0) continue; // switched off
         if (const osg::Group* inner = group.getChild(i)->asGroup())
             count += drawablesUnder(*inner);
         else
@@ -85,6 +86,34 @@ TEST(ViewScene, ShowsWhatItIsGiven) {
     scene.show({});
     EXPECT_EQ(drawablesUnder(*scene.root()), stage);
     EXPECT_FALSE(scene.bounds().valid());
+}
+
+TEST(ViewScene, ARayMeetsTheTree) {
+    CViewScene scene;
+    std::vector<ViewPart> parts;
+    int generation = 0;
+    for (const auto& mesh : aspenMeshes())
+        parts.push_back(
+            {makeGeometry(*mesh), mesh->surface, mesh->surface == Surface::Leaf ? ViewPart::kLeaves : generation++});
+    scene.show(parts);
+    const auto trunk = scene.pick({0, -50, 1}, {0, 1, 0});
+    ASSERT_TRUE(trunk);
+    EXPECT_EQ(trunk->generation, 0);
+    EXPECT_LT(trunk->point.y(), 0) << "the near side";
+    EXPECT_NEAR(trunk->point.z(), 1, 1e-3);
+    EXPECT_FALSE(scene.pick({0, -50, 1}, {0, -1, 0})) << "away from it";
+    const osg::BoundingBox box = scene.bounds();
+    bool leaf = false;
+    for (float x = box.xMin(); x < box.xMax(); x += 0.1f) {
+        const auto hit = scene.pick({x, -50, double(box.zMax()) * 0.7}, {0, 1, 0});
+        leaf = leaf || (hit && hit->generation == ViewPart::kLeaves);
+    }
+    EXPECT_TRUE(leaf);
+    scene.setLook({.leaves = false});
+    for (float x = box.xMin(); x < box.xMax(); x += 0.1f) {
+        const auto hit = scene.pick({x, -50, double(box.zMax()) * 0.7}, {0, 1, 0});
+        EXPECT_FALSE(hit && hit->generation == ViewPart::kLeaves) << "hidden ones cannot be met";
+    }
 }
 
 TEST(ViewScene, TheStageDoesNotChangeWhatIsFramed) {

@@ -1,6 +1,6 @@
 #pragma once
 #include "stromar/mesh/Detail.h"
-#include "stromar/params/Params.h"
+#include "stromar/params/ParamTable.h"
 
 namespace stromar {
 
@@ -11,5 +11,10 @@ struct Prediction {
 
 /// Upper bounds of what a tree of these parameters may have, over all seeds. Takes microseconds: nothing is grown.
 Prediction predictSize(const CParams& params, const Detail& detail);
+
+/// The value of `ref` nearest to its own at which the tree is predicted to have at most so many vertices, found between
+/// `fits` and its own. Whole for integers. `fits` itself when not even that is small enough.
+double nearestThatFits(const CParams& params, const ParamRef& ref, double fits, const Detail& detail,
+                       double mostVertices);
 
 } // namespace stromar

@@ -2,6 +2,7 @@
 #include "stromar/mesh/MeshBuilder.h"
 #include "stromar/tree/TreeBuilder.h"
 #include <array>
+#include <functional>
 #include <memory>
 #include <vector>
 
@@ -18,7 +19,11 @@ struct TreeModel {
         double structure = 0, smooth = 0, mesh = 0, total = 0;
     } milliseconds;
 
-    /// The meshes that have vertices: stems by generation, then leaves.
+    static constexpr int kLeaves = -1;
+    using MeshVisitor = std::function<void(const std::shared_ptr<const CMesh>& mesh, int generation)>;
+
+    /// Visits the meshes that have vertices: stems by generation, then the leaves (kLeaves).
+    void visitMeshes(const MeshVisitor& visit) const;
     std::vector<std::shared_ptr<const CMesh>> meshes() const;
     std::size_t vertexCount() const;
     std::size_t triangleCount() const;
@@ -34,6 +39,7 @@ public:
 
     /// Throws CCancelled, and CError when the tree would be too large. What was made before stays valid.
     std::shared_ptr<const TreeModel> create(const CParams& params, const Detail& detail, const CProgress& progress);
+    void setMostVertices(double most) { m_mostVertices = most; }
     /// The next create() starts from nothing.
     void forget();
 

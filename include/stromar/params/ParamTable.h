@@ -30,6 +30,13 @@ struct Range {
     constexpr bool contains(double v) const { return v >= min && v <= max; }
 };
 
+/// What the pictures beside a help text show: trees that differ in the one value.
+struct Shown {
+    std::string_view settings{};    ///< `Key=value …` that the pictures have besides; `n` stands for the level
+    std::array<double, 3> values{}; ///< all 0: spread over the useful range
+    bool fromAbove = false;
+};
+
 /// One row of the parameter table: everything the program knows about one number. Files, command line, window, manual,
 /// undo, rebuilding and tests are loops over these rows.
 struct ParamInfo {
@@ -52,6 +59,9 @@ struct ParamInfo {
     std::span<const std::string_view> aliases{}; ///< other keys accepted in files
     int firstLevel = 0;                          ///< 1: not for the trunk
     bool placesLeaves = false;                   ///< the level after the last stems' one gives it to the leaves
+    /// Why it does nothing in this tree, beside what its level and group say; empty when it acts. Null: it always acts.
+    std::string_view (*idle)(const CParams&, int level) = nullptr;
+    Shown shown{}; ///< in its picture
 
     constexpr bool perLevel() const { return field.index() >= 2; }
     constexpr bool integer() const { return field.index() % 2 == 1; }
@@ -72,9 +82,11 @@ struct TextInfo {
     std::string_view key, label;
     std::string TextParams::*field;
     Group group;
+    std::string_view section;
     Stage stage;
     std::string_view help;
     bool path = false;
+    bool shown = true; ///< as a line of the panel
 };
 
 std::span<const ParamInfo> paramTable();
@@ -94,6 +106,11 @@ struct ParamRef {
 
 /// Every number of a tree, group by group: the order of new files and of the manual.
 std::span<const ParamRef> allParams();
+
+/// The row of the variation (`…V`) of a value; null when it has none.
+const ParamInfo* variationOf(const ParamInfo& info);
+/// Why a value does nothing in this tree, in words (marked for translation); empty when it acts.
+std::string_view whyIdle(const ParamRef& ref, const CParams& params);
 
 /// What has to be done again to turn the tree of `before` into that of `after`.
 Obsolete firstObsolete(const CParams& before, const CParams& after);

@@ -31,7 +31,7 @@ struct LevelParams {
 
 /// What a file says in words. Texture paths are relative to the file; empty = the built-in picture.
 struct TextParams {
-    std::string species, author, description, method, barkTexture, leafTexture;
+    std::string species, author, description, method, likedSeeds, barkTexture, leafTexture;
 
     bool operator==(const TextParams&) const = default;
 };

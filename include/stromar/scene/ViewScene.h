@@ -1,6 +1,7 @@
 #pragma once
 #include "stromar/mesh/Mesh.h"
 #include <array>
+#include <optional>
 #include <osg/Geometry>
 #include <osg/Group>
 #include <osg/Texture2D>
@@ -11,13 +12,37 @@ namespace stromar {
 
 /// A mesh ready to be drawn.
 struct ViewPart {
+    static constexpr int kLeaves = -1;
+    static constexpr int kNone = -2;
+
     osg::ref_ptr<osg::Geometry> geometry;
     Surface surface;
+    int generation = 0; ///< kLeaves for leaves
+};
+
+enum class Backdrop { Sky, Light, Dark, Nothing }; ///< Nothing: transparent
+enum class Wires { Off, Only, Over };
+
+/// What is drawn beside the tree, and how.
+struct ViewLook {
+    Backdrop backdrop = Backdrop::Sky;
+    Wires wires = Wires::Off;
+    bool leaves = true;
+    bool ground = false; ///< a grid of metres, and a person of 1.75 m beside the tree
+    bool operator==(const ViewLook&) const = default;
+};
+
+/// Where a ray meets the tree.
+struct ViewHit {
+    int generation; ///< kLeaves for leaves
+    osg::Vec3d point;
 };
 
 /// What the viewport shows: the tree, the ground it stands on, the sky. All members: the thread that draws.
 class CViewScene {
 public:
+    static constexpr double kPersonHeight = 1.75; ///< metres
+
     CViewScene();
 
     osg::Group* root() { return m_root; }
@@ -25,15 +50,26 @@ public:
     void show(const std::vector<ViewPart>& parts);
     /// Empty on success, else why the picture cannot be shown; then the surface is plain.
     std::string setTexture(Surface surface, const std::string& file);
-    void setWireframe(bool on);
+    void setLook(const ViewLook& look);
+    const ViewLook& look() const { return m_look; }
+    /// Colours one generation; ViewPart::kNone colours none.
+    void tint(int generation);
+    int tinted() const { return m_tinted; }
     osg::BoundingBox bounds() const;
+    /// Where the person of the ground stands; z is the top of the head.
+    osg::Vec3d personAt() const;
+    /// The nearest visible triangle along a ray. Cost: every triangle near it.
+    std::optional<ViewHit> pick(const osg::Vec3d& from, const osg::Vec3d& direction) const;
 
 private:
     void updateLight();
 
-    osg::ref_ptr<osg::Group> m_root, m_tree;
+    osg::ref_ptr<osg::Group> m_root, m_tree, m_wires, m_person;
     std::array<osg::ref_ptr<osg::Group>, 2> m_surfaces;
-    osg::ref_ptr<osg::Uniform> m_crownMiddle, m_crownSize;
+    osg::ref_ptr<osg::Uniform> m_crownMiddle, m_crownSize, m_backdrop, m_grid, m_tint, m_personPlace;
+    std::vector<ViewPart> m_parts;
+    ViewLook m_look;
+    int m_tinted = ViewPart::kNone;
 };
 
 } // namespace stromar

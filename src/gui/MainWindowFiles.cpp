@@ -1,0 +1,303 @@
+#include "Autosave.h"
+#include "ExportDialog.h"
+#include "ExportJob.h"
+#include "MainWindow.h"
+#include "ParamPanel.h"
+#include "PresetBrowser.h"
+#include "QtText.h"
+#include "stromar/app/Prediction.h"
+#include <QCloseEvent>
+#include <QDir>
+#include <QDragEnterEvent>
+#include <QFileDialog>
+#include <QFileInfo>
+#include <QImageReader>
+#include <QInputDialog>
+#include <QLabel>
+#include <QLocale>
+#include <QMenu>
+#include <QMessageBox>
+#include <QMimeData>
+#include <QProgressDialog>
+#include <QPushButton>
+#include <QRegularExpression>
+#include <QSettings>
+
+// What the window does with files: trees, presets, pictures, exports, and what a crash has left.
+
+namespace stromar {
+
+namespace {
+constexpr int kMostRecent = 10;
+constexpr const char* kRecentKey = "recentFiles";
+
+QString treeFilter() { return CMainWindow::tr("Trees (*.tree);;All files (*)"); }
+
+const TextInfo& textRow(const char* key) { return *std::get<const TextInfo*>(*findParam(key)); }
+
+bool isPicture(const QString& path) {
+    return QImageReader::supportedImageFormats().contains(QFileInfo(path).suffix().toLower().toLatin1());
+}
+
+/// The one local file of a drag; empty when there is none we take.
+QString droppedFile(const QMimeData& data) {
+    const QList<QUrl> urls = data.urls();
+    if (urls.size() != 1 || !urls.front().isLocalFile()) return {};
+    const QString path = urls.front().toLocalFile();
+    return path.endsWith(QLatin1String(".tree"), Qt::CaseInsensitive) || isPicture(path) ? path : QString();
+}
+} // namespace
+
+bool CMainWindow::open(const QString& path) {
+    try {
+        m_document->open(path);
+    } catch (const CError& e) {
+        tellError(tr("Cannot open the tree"), QString::fromUtf8(e.what()));
+        return false;
+    }
+    remember(m_document->path());
+    return true;
+}
+
+bool CMainWindow::openPreset(const QString& path) {
+    try {
+        m_document->loadPreset(path);
+    } catch (const CError& e) {
+        tellError(tr("Cannot open the preset"), QString::fromUtf8(e.what()));
+        return false;
+    }
+    return true;
+}
+
+bool CMainWindow::save(const QString& path) {
+    try {
+        m_document->save(path);
+    } catch (const CError& e) {
+        tellError(tr("Cannot save the tree"), QString::fromUtf8(e.what()));
+        return false;
+    }
+    m_watch.watch(m_document->path());
+    remember(m_document->path());
+    m_panel->showParams(m_document->params(), m_document->savedParams());
+    updateAutosave();
+    m_notice->setText(tr("Saved %1").arg(m_document->path()));
+    return true;
+}
+
+void CMainWindow::startNew() {
+    if (mayLoseChanges()) m_document->startNew();
+}
+
+void CMainWindow::chooseAndOpen() {
+    if (!mayLoseChanges()) return;
+    const QString start = m_document->path().isEmpty() ? fromPath(dataFolder() / "presets") : m_document->path();
+    const QString path = QFileDialog::getOpenFileName(this, tr("Open a tree"), start, treeFilter());
+    if (!path.isEmpty()) open(path);
+}
+
+void CMainWindow::saveAgain() { saveOrChoose(); }
+
+bool CMainWindow::saveOrChoose() {
+    if (!m_document->path().isEmpty()) return save(m_document->path());
+    chooseAndSave();
+    return !m_document->isModified();
+}
+
+void CMainWindow::chooseAndSave() {
+    const QString start = m_document->path().isEmpty() ? m_document->displayName() : m_document->path();
+    QFileDialog dialog(this, tr("Save the tree"), start, treeFilter());
+    dialog.setAcceptMode(QFileDialog::AcceptSave);
+    dialog.setDefaultSuffix(QStringLiteral("tree"));
+    dialog.selectFile(start);
+    if (dialog.exec() == QDialog::Accepted) save(dialog.selectedFiles().front());
+}
+
+void CMainWindow::savePreset() {
+    const QString suggestion = toQString(m_document->params().text.species);
+    bool wanted = false;
+    const QString name = QInputDialog::getText(this, tr("Save as Preset"), tr("Name of the preset"), QLineEdit::Normal,
+                                               suggestion, &wanted)
+                             .trimmed();
+    if (!wanted || name.isEmpty()) return;
+    QString file = name;
+    file.replace(QRegularExpression(QStringLiteral("[^\\w-]+")), QStringLiteral("_"));
+    const QString path = QDir(CPresetBrowser::ownFolder()).filePath(file + QStringLiteral(".tree"));
+    if (QFileInfo::exists(path) &&
+        QMessageBox::question(this, tr("Save as Preset"), tr("Replace the preset “%1”?").arg(name)) != QMessageBox::Yes)
+        return;
+    try {
+        m_document->saveCopy(path, name);
+        m_presets->refresh();
+        m_notice->setText(tr("Saved %1").arg(path));
+    } catch (const CError& e) {
+        tellError(tr("Cannot save the preset"), QString::fromUtf8(e.what()));
+    }
+}
+
+// Exports
+
+void CMainWindow::chooseAndExport() {
+    const bool full = m_shown && m_shown->model->detail == &detailOf(Model::Full);
+    const double vertices = full ? double(m_shown->model->vertexCount())
+                                 : predictSize(m_document->params(), detailOf(Model::Full)).vertices;
+    CExportDialog dialog(QFileInfo(m_document->displayName()).completeBaseName(), vertices, this);
+    if (dialog.exec() == QDialog::Accepted) exportTo(dialog.path(), dialog.options());
+}
+
+void CMainWindow::exportTo(const QString& path, const ExportOptions& options) {
+    if (m_export) return;
+    const bool ready = m_shown && m_shown->model->params == m_document->params();
+    m_export =
+        std::make_unique<CExportJob>(CExportJob::Task{m_document->params(), ready ? m_shown->model : nullptr, options,
+                                                      m_document->folder(), toPath(path), m_mostVertices});
+    auto* dialog = new QProgressDialog(tr("Writing %1").arg(QFileInfo(path).fileName()), tr("Cancel"), 0, 1000, this);
+    dialog->setWindowModality(Qt::WindowModal);
+    dialog->setMinimumDuration(300);
+    dialog->setAttribute(Qt::WA_DeleteOnClose);
+    auto* poll = new QTimer(dialog);
+    connect(poll, &QTimer::timeout, dialog, [this, dialog] {
+        if (m_export) dialog->setValue(std::min(999, static_cast<int>(m_export->progress() * 1000)));
+    });
+    poll->start(100);
+    connect(dialog, &QProgressDialog::canceled, this, [this] {
+        if (m_export) m_export->cancel();
+    });
+    connect(
+        m_export.get(), &CExportJob::finished, this,
+        [this, dialog, path](const QString& why, bool cancelled) {
+            dialog->disconnect(this);
+            dialog->close();
+            m_export.reset();
+            if (!why.isEmpty())
+                tellError(tr("Cannot export the tree"), why);
+            else
+                m_notice->setText(cancelled ? tr("Export cancelled; no file was changed")
+                                            : tr("Exported %1").arg(path));
+            emit exportEnded(why, cancelled);
+        },
+        Qt::QueuedConnection);
+    m_export->start();
+    m_progressTimer.start();
+}
+
+// Pictures on the tree
+
+void CMainWindow::chooseTexture(const char* key) {
+    const TextInfo& text = textRow(key);
+    const QString start =
+        m_document->folder().empty() ? fromPath(dataFolder() / "textures") : fromPath(m_document->folder());
+    const QString path = QFileDialog::getOpenFileName(
+        this, trText(text.label), start, tr("Pictures (*.png *.jpg *.jpeg *.tga *.tif *.tiff *.bmp);;All files (*)"));
+    if (!path.isEmpty()) setTexture(text, path);
+}
+
+void CMainWindow::setTexture(const TextInfo& text, const QString& path) {
+    const bool saved = !m_document->path().isEmpty();
+    const std::string own = saved ? rebasedPath(QFileInfo(path).fileName().toStdString(),
+                                                toPath(QFileInfo(path).absolutePath()), m_document->folder())
+                                  : path.toStdString();
+    m_document->setText(text, QString::fromStdString(own));
+}
+
+void CMainWindow::updateTextures() {
+    const auto update = [this](Surface surface, QString& shown) {
+        const QString file = fromPath(textureOf(m_document->params(), surface, m_document->folder()));
+        if (file == shown) return;
+        shown = file;
+        if (const QString problem = m_viewport->setTexture(surface, file); !problem.isEmpty()) onFailed(problem);
+    };
+    update(Surface::Bark, m_shownBark);
+    update(Surface::Leaf, m_shownLeaf);
+}
+
+void CMainWindow::dragEnterEvent(QDragEnterEvent* event) {
+    if (!droppedFile(*event->mimeData()).isEmpty()) event->acceptProposedAction();
+}
+
+void CMainWindow::dropEvent(QDropEvent* event) {
+    const QString path = droppedFile(*event->mimeData());
+    if (path.isEmpty()) return;
+    event->acceptProposedAction();
+    if (!isPicture(path)) {
+        if (mayLoseChanges()) open(path);
+        return;
+    }
+    QMenu menu;
+    menu.addAction(tr("As the &bark"), this, [this, path] { setTexture(textRow("BarkTexture"), path); });
+    menu.addAction(tr("As the &leaf"), this, [this, path] { setTexture(textRow("LeafTexture"), path); });
+    menu.exec(mapToGlobal(event->position().toPoint()));
+}
+
+// What must not be lost
+
+void CMainWindow::updateAutosave() {
+    if (m_document->isModified())
+        m_autosave->keep(m_document->kept());
+    else
+        m_autosave->clear();
+}
+
+void CMainWindow::offerRestore() {
+    for (const CAutosave::Leftover& leftover : CAutosave::leftovers(CAutosave::standardFolder())) {
+        const QString name = leftover.path.isEmpty() ? tr("A tree that was never saved") : leftover.path;
+        QMessageBox box(QMessageBox::Question, tr("Restore unsaved changes"),
+                        tr("Stromar ended without saving these changes of %1:\n%2")
+                            .arg(QLocale().toString(leftover.time, QLocale::ShortFormat), name),
+                        QMessageBox::NoButton, this);
+        const QPushButton* restore = box.addButton(tr("&Restore"), QMessageBox::AcceptRole);
+        const QPushButton* discard = box.addButton(tr("&Discard"), QMessageBox::DestructiveRole);
+        box.addButton(tr("Ask &Later"), QMessageBox::RejectRole);
+        box.exec();
+        if (box.clickedButton() == discard) CAutosave::remove(leftover);
+        if (box.clickedButton() != restore) continue;
+        try {
+            m_document->restore(leftover.path, CTreeFile::read(toPath(leftover.file)).params());
+            m_autosave->flush(); // it is safe again before the old copy goes
+            CAutosave::remove(leftover);
+        } catch (const CError& e) {
+            tellError(tr("Cannot restore"), QString::fromUtf8(e.what()));
+        }
+        return; // one document per window; the others are offered next time
+    }
+}
+
+bool CMainWindow::mayLoseChanges() {
+    if (!m_document->isModified()) return true;
+    const auto answer =
+        QMessageBox::question(this, tr("Unsaved changes"), tr("Save the changes of %1?").arg(m_document->displayName()),
+                              QMessageBox::Save | QMessageBox::Discard | QMessageBox::Cancel, QMessageBox::Save);
+    if (answer == QMessageBox::Save) return saveOrChoose();
+    return answer == QMessageBox::Discard;
+}
+
+void CMainWindow::closeEvent(QCloseEvent* event) {
+    if (!mayLoseChanges()) return event->ignore();
+    keepLayout();
+    event->accept();
+}
+
+// Recent files
+
+void CMainWindow::remember(const QString& path) {
+    QSettings settings;
+    QStringList files = settings.value(QLatin1String(kRecentKey)).toStringList();
+    files.removeAll(path);
+    files.prepend(path);
+    settings.setValue(QLatin1String(kRecentKey), QStringList(files.mid(0, kMostRecent)));
+    fillRecentMenu();
+}
+
+void CMainWindow::fillRecentMenu() {
+    m_recentMenu->clear();
+    const QStringList files = QSettings().value(QLatin1String(kRecentKey)).toStringList();
+    for (const QString& file : files)
+        m_recentMenu
+            ->addAction(QFileInfo(file).fileName(), this,
+                        [this, file] {
+                            if (mayLoseChanges()) open(file);
+                        })
+            ->setStatusTip(file);
+    m_recentMenu->setEnabled(!files.isEmpty());
+}
+
+} // namespace stromar

@@ -1,0 +1,31 @@
+#pragma once
+#include "SceneRenderer.h"
+#include "stromar/scene/ViewScene.h"
+#include <QImage>
+#include <QOffscreenSurface>
+#include <QOpenGLContext>
+#include <memory>
+
+namespace stromar {
+
+/// Pictures of trees without a window: thumbnails. The GUI thread.
+class COffscreenPainter {
+public:
+    COffscreenPainter();
+    ~COffscreenPainter();
+
+    /// The whole tree from the front. Null when there is no OpenGL.
+    QImage paint(const std::vector<ViewPart>& parts, const QString& bark, const QString& leaf, const QSize& pixels,
+                 const ViewLook& look);
+
+private:
+    bool start();
+
+    CViewScene m_scene;
+    CSceneRenderer m_renderer;
+    QOffscreenSurface m_surface;
+    std::unique_ptr<QOpenGLContext> m_context;
+    QString m_bark, m_leaf;
+};
+
+} // namespace stromar

@@ -1,0 +1,47 @@
+#pragma once
+#include <QFileSystemWatcher>
+#include <QWidget>
+
+class QComboBox;
+class QLineEdit;
+class QListWidget;
+class QListWidgetItem;
+
+namespace stromar {
+
+class CThumbnails;
+
+/// The trees that come with the program and the user's own, as pictures. A double click or Enter chooses one.
+class CPresetBrowser : public QWidget {
+    Q_OBJECT
+public:
+    explicit CPresetBrowser(CThumbnails& thumbnails, QWidget* parent = nullptr);
+
+    /// Where the user's own presets are; made when it is missing.
+    static QString ownFolder();
+    QListWidget& list() { return *m_list; }
+    QLineEdit& filter() { return *m_filter; }
+    /// Reads the folders anew.
+    void refresh();
+
+signals:
+    void chosen(const QString& path);
+    /// The tree in the window should become a preset.
+    void saveWanted();
+
+private:
+    void addFolder(const QString& folder, bool own);
+    void showThumbnail(const QString& id, const QImage& image);
+    void updateVisibility();
+    void showMenu(const QPoint& at);
+    void removePreset(QListWidgetItem* item);
+    QListWidgetItem* itemOf(const QString& path) const;
+
+    CThumbnails& m_thumbnails;
+    QLineEdit* m_filter;
+    QComboBox* m_folder;
+    QListWidget* m_list;
+    QFileSystemWatcher m_watcher;
+};
+
+} // namespace stromar

@@ -1,0 +1,133 @@
+#include "Thumbnails.h"
+#include "QtText.h"
+#include "stromar/app/Export.h"
+#include "stromar/app/Prediction.h"
+#include "stromar/params/TreeFile.h"
+#include "stromar/scene/OsgGeometry.h"
+#include <QCryptographicHash>
+#include <QDir>
+#include <QFileInfo>
+#include <QStandardPaths>
+#include <QTimer>
+
+namespace stromar {
+
+namespace {
+constexpr int kLookVersion = 1;       // rises when the same tree is drawn differently
+constexpr double kFewVertices = 4e5;  // up to here the level of detail may be fine
+constexpr double kMostVertices = 2e7; // no picture beyond
+
+/// Where the picture of such a tree is kept.
+QString keptFile(const CParams& params, const QString& bark, const QString& leaf, const QSize& pixels) {
+    QCryptographicHash hash(QCryptographicHash::Sha1);
+    hash.addData(QByteArray::fromStdString(CTreeFile().text(params)));
+    for (const QString& picture : {bark, leaf}) {
+        const QFileInfo info(picture);
+        hash.addData(QStringLiteral("%1 %2 %3")
+                         .arg(picture)
+                         .arg(info.size())
+                         .arg(info.lastModified().toMSecsSinceEpoch())
+                         .toUtf8());
+    }
+    hash.addData(QStringLiteral("%1 %2x%3").arg(kLookVersion).arg(pixels.width()).arg(pixels.height()).toUtf8());
+    const QDir folder(QStandardPaths::writableLocation(QStandardPaths::CacheLocation) + QStringLiteral("/thumbnails"));
+    folder.mkpath(QStringLiteral("."));
+    return folder.filePath(QString::fromLatin1(hash.result().toHex()) + QStringLiteral(".png"));
+}
+
+std::shared_ptr<const ViewModel> grow(const CParams& params, const CProgress& progress) {
+    const bool small = predictSize(params, detailOf(Model::Full, 1)).vertices < kFewVertices;
+    CTreeCreator creator(true, kMostVertices);
+    auto view = std::make_shared<ViewModel>();
+    view->model = creator.create(params, detailOf(Model::Full, small ? 1 : 3), progress);
+    view->model->visitMeshes([&](const std::shared_ptr<const CMesh>& mesh, int generation) {
+        view->parts.push_back({makeGeometry(*mesh), mesh->surface, generation});
+    });
+    return view;
+}
+} // namespace
+
+CThumbnails::CThumbnails(QObject* parent) : QObject(parent) {
+    qRegisterMetaType<std::shared_ptr<const ViewModel>>();
+    connect(this, &CThumbnails::grown, this, &CThumbnails::draw, Qt::QueuedConnection);
+    connect(this, &CThumbnails::failed, this,
+            [this](const QString& id) { std::erase_if(m_drawing, [&](const Task& task) { return task.id == id; }); });
+    m_thread = std::jthread([this](const std::stop_token& stop) { work(stop); });
+}
+
+CThumbnails::~CThumbnails() {
+    m_thread.request_stop();
+    {
+        const std::lock_guard lock(m_mutex);
+        m_progress.cancel();
+    }
+    m_wake.notify_all();
+    m_thread.join();
+}
+
+void CThumbnails::request(const QString& id, const CParams& params, const std::filesystem::path& folder,
+                          const QSize& pixels) {
+    Task task{id,
+              fromPath(textureOf(params, Surface::Bark, folder)),
+              fromPath(textureOf(params, Surface::Leaf, folder)),
+              {},
+              params,
+              pixels};
+    task.file = keptFile(params, task.bark, task.leaf, pixels);
+    if (const QImage kept(task.file); !kept.isNull()) {
+        QTimer::singleShot(0, this, [this, id, kept] { emit ready(id, kept); });
+        return;
+    }
+    m_drawing.push_back(task);
+    {
+        const std::lock_guard lock(m_mutex);
+        m_waiting.push_back(std::move(task));
+    }
+    m_wake.notify_one();
+}
+
+void CThumbnails::drop(const QString& idStart) {
+    const auto dropped = [&](const Task& task) { return task.id.startsWith(idStart); };
+    std::erase_if(m_drawing, dropped);
+    const std::lock_guard lock(m_mutex);
+    std::erase_if(m_waiting, dropped);
+}
+
+void CThumbnails::work(const std::stop_token& stop) {
+    for (;;) {
+        Task task;
+        CProgress progress;
+        {
+            std::unique_lock lock(m_mutex);
+            m_wake.wait(lock, stop, [this] { return !m_waiting.empty(); });
+            if (stop.stop_requested()) return;
+            task = std::move(m_waiting.front());
+            m_waiting.pop_front();
+            m_progress = CProgress(1); // the tree in the window comes first
+            progress = m_progress;
+        }
+        try {
+            emit grown(task.id, grow(task.params, progress));
+        } catch (const CCancelled&) {
+            return;
+        } catch (const std::exception& e) {
+            emit failed(task.id, QString::fromUtf8(e.what()));
+        }
+    }
+}
+
+void CThumbnails::draw(const QString& id, const std::shared_ptr<const ViewModel>& view) {
+    const auto task = std::ranges::find(m_drawing, id, &Task::id);
+    if (task == m_drawing.end()) return;
+    const Task found = std::move(*task);
+    m_drawing.erase(task);
+    const QImage image = m_painter.paint(view->parts, found.bark, found.leaf, found.pixels, ViewLook());
+    if (image.isNull()) {
+        emit failed(id, tr("There is no OpenGL to draw it."));
+        return;
+    }
+    image.save(found.file);
+    emit ready(id, image);
+}
+
+} // namespace stromar

@@ -1,0 +1,50 @@
+#pragma once
+#include "OffscreenPainter.h"
+#include "TreeCreatorThread.h"
+#include <QImage>
+#include <QObject>
+#include <condition_variable>
+#include <deque>
+#include <mutex>
+#include <thread>
+
+namespace stromar {
+
+/// Small pictures of trees: grown one after another on a thread of their own, drawn between events on the GUI thread,
+/// kept on the disk by what they show.
+class CThumbnails : public QObject {
+    Q_OBJECT
+public:
+    explicit CThumbnails(QObject* parent = nullptr);
+    /// Cancels and waits.
+    ~CThumbnails() override;
+
+    /// ready() or failed() follows; `id` comes back with it. Pictures that lie on the disk come first.
+    void request(const QString& id, const CParams& params, const std::filesystem::path& folder, const QSize& pixels);
+    /// Forgets what was asked for with ids that start with this.
+    void drop(const QString& idStart);
+
+signals:
+    void ready(const QString& id, const QImage& image);
+    void failed(const QString& id, const QString& why);
+    void grown(const QString& id, std::shared_ptr<const stromar::ViewModel> view); ///< inside
+
+private:
+    struct Task {
+        QString id, bark, leaf, file;
+        CParams params;
+        QSize pixels;
+    };
+    void work(const std::stop_token& stop);
+    void draw(const QString& id, const std::shared_ptr<const ViewModel>& view);
+
+    COffscreenPainter m_painter;
+    std::deque<Task> m_drawing; ///< grown or growing, to be drawn; GUI thread
+    std::mutex m_mutex;         ///< guards the next two
+    std::condition_variable_any m_wake;
+    std::deque<Task> m_waiting;
+    CProgress m_progress;
+    std::jthread m_thread; ///< last: it stops first
+};
+
+} // namespace stromar

@@ -1,0 +1,67 @@
+#pragma once
+#include "stromar/params/ParamTable.h"
+#include <QTimer>
+#include <QWidget>
+#include <array>
+#include <filesystem>
+#include <optional>
+
+class QComboBox;
+class QListWidget;
+class QSpinBox;
+class QToolButton;
+
+namespace stromar {
+
+class CThumbnails;
+
+/// Other trees of the same kind: nine seeds to choose from, the seeds that were liked, and random values.
+class CVariants : public QWidget {
+    Q_OBJECT
+public:
+    static constexpr int kSheet = 9;
+
+    explicit CVariants(CThumbnails& thumbnails, QWidget* parent = nullptr);
+
+    void showParams(const CParams& params, const std::filesystem::path& folder);
+    const std::array<int, kSheet>& seeds() const { return m_seeds; }
+
+signals:
+    void seedChosen(int seed);
+    void likedChanged(const QString& seeds);
+    /// Move the values of these levels (nothing: all groups) by chance; `amount` 0..1.
+    void randomiseWanted(const std::vector<stromar::ParamRef>& refs, double amount);
+
+protected:
+    void resizeEvent(QResizeEvent* event) override;
+    void showEvent(QShowEvent* event) override;
+
+private:
+    void throwSheet();
+    void requestSheet();
+    void requestLiked();
+    void showThumbnail(const QString& id, const QImage& image);
+    void setLiked(const std::vector<int>& seeds);
+    void randomise();
+    QSize pictureSize() const;
+    QWidget* makeSheet();
+    QWidget* makeLiked();
+    QWidget* makeRandomiser();
+
+    CThumbnails& m_thumbnails;
+    std::array<QToolButton*, kSheet> m_cells{};
+    std::array<int, kSheet> m_seeds{};
+    QListWidget* m_liked = nullptr;
+    QToolButton* m_like = nullptr;
+    QComboBox* m_level = nullptr;
+    QSpinBox* m_amount = nullptr;
+    QTimer m_pause;
+    CParams m_params;
+    std::filesystem::path m_folder;
+    bool m_stale = true;
+};
+
+/// The numbers of a list of seeds; what is no number is left out.
+std::vector<int> seedsFrom(const std::string& text);
+
+} // namespace stromar

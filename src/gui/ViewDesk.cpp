@@ -1,0 +1,225 @@
+#include "ViewDesk.h"
+#include "ParamPanel.h"
+#include "PictureDialog.h"
+#include "QtText.h"
+#include "Settings.h"
+#include "stromar/params/ParamText.h"
+#include "stromar/tree/Nearest.h"
+#include <QLocale>
+#include <QMessageBox>
+#include <QProgressDialog>
+#include <QTabWidget>
+#include <algorithm>
+
+namespace stromar {
+
+namespace {
+constexpr int kTurnPoints = 12; // of a drawn turn of a helix
+
+osg::Vec3d toOsg(const glm::dvec3& v) { return {v.x, v.y, v.z}; }
+
+QString generationName(std::size_t generation) {
+    return generation == 0 ? CViewDesk::tr("Trunk") : CViewDesk::tr("Branches %1").arg(generation);
+}
+
+/// The centre line of every path of a stem.
+std::vector<std::vector<osg::Vec3d>> linesOf(const CGeneration& all, const CStem& stem) {
+    std::vector<std::vector<osg::Vec3d>> lines;
+    for (std::uint32_t p = stem.firstPath; p < stem.firstPath + stem.pathCount; ++p) {
+        const CPath& path = all.paths[p];
+        std::vector<osg::Vec3d>& line = lines.emplace_back();
+        for (std::uint32_t s = path.firstSegment; s < path.firstSegment + path.segmentCount; ++s) {
+            const int steps = all.segments[s].helixRadius != 0 ? kTurnPoints : 1;
+            for (int i = 0; i < steps; ++i) line.push_back(toOsg(all.segments[s].centre(double(i) / steps)));
+        }
+        line.push_back(toOsg(all.segments[path.firstSegment + path.segmentCount - 1].centre(1)));
+    }
+    return lines;
+}
+} // namespace
+
+CViewDesk::CViewDesk(CViewport& viewport, CParamPanel& panel, CDocument& document, QObject* parent)
+    : QObject(parent), m_viewport(viewport), m_panel(panel), m_document(document) {
+    connect(&m_panel, &CParamPanel::touched, this, &CViewDesk::onTouched);
+    connect(&m_panel.tabs(), &QTabWidget::currentChanged, this, [this](int tab) {
+        m_guide = tab == m_panel.tabOf(Group::Pruning) ? Guide::Envelope : Guide::None;
+        updateOverlay();
+    });
+    connect(&m_viewport, &CViewport::picked, this, &CViewDesk::onPicked);
+    connect(&m_viewport, &CViewport::guideDragged, this, &CViewDesk::onDragged);
+    connect(&m_viewport, &CViewport::guideReleased, this, [this] {
+        m_dragging = false;
+        emit released();
+    });
+}
+
+void CViewDesk::show(const std::shared_ptr<const ViewModel>& view) {
+    m_view = view;
+    m_viewport.show(view->parts);
+    updateSelection();
+}
+
+int CViewDesk::generationOf(const ParamRef& ref) const {
+    if (ref.group() == Group::Leaves) return ViewPart::kLeaves;
+    if (ref.group() == Group::Trunk) return 0;
+    if (ref.group() != Group::Branches) return ViewPart::kNone;
+    const int levels = m_document.params().global.levels;
+    return ref.level < levels ? ref.level : ref.info->placesLeaves ? ViewPart::kLeaves : ViewPart::kNone;
+}
+
+void CViewDesk::onTouched(const std::optional<ParamRef>& ref) {
+    m_viewport.tint(ref ? generationOf(*ref) : ViewPart::kNone);
+    // Guides stay while the mouse goes to their handles, until another value is touched.
+    if (!ref || guideOf(*ref) == m_guide) return;
+    m_guide = guideOf(*ref);
+    updateOverlay();
+}
+
+void CViewDesk::onDragged(std::size_t handle, const osg::Vec2d& to, int gesture) {
+    m_dragging = true;
+    const GuideHandle& dragged = guideHandles()[handle];
+    const double scale = m_viewport.overlay().model().scaleTree;
+    const QString text = trText(dragged.text);
+    m_document.edit(
+        tr("Drag %1").arg(text), [&](CParams& params) { dragged.drag(params, scale, to); }, gesture, text);
+}
+
+void CViewDesk::onPicked(const std::optional<ViewHit>& hit) {
+    m_selected.reset();
+    if (hit && m_view) {
+        const CTree& tree = *m_view->model->tree;
+        const glm::dvec3 point(hit->point.x(), hit->point.y(), hit->point.z());
+        if (hit->generation == ViewPart::kLeaves) {
+            if (const auto leaf = nearestLeaf(tree, point)) m_selected = Selected{ViewPart::kLeaves, *leaf};
+            m_panel.showLeaves();
+        } else {
+            const auto generation = static_cast<std::size_t>(hit->generation);
+            if (const auto stem = nearestStem(tree, generation, point))
+                m_selected = Selected{hit->generation, tree.generation(generation).stems[*stem].id};
+            m_panel.showGeneration(hit->generation);
+        }
+    }
+    updateSelection();
+}
+
+void CViewDesk::clearSelection() {
+    m_selected.reset();
+    updateSelection();
+}
+
+void CViewDesk::updateSelection() {
+    CViewOverlay::Model& model = m_viewport.overlay().model();
+    model.selection.clear();
+    model.selectionText.clear();
+    if (m_selected && m_view && m_selected->generation == ViewPart::kLeaves)
+        describeLeaf(m_selected->id);
+    else if (m_selected && m_view &&
+             static_cast<std::size_t>(m_selected->generation) < m_view->model->tree->generationCount()) {
+        const auto generation = static_cast<std::size_t>(m_selected->generation);
+        const auto& stems = m_view->model->tree->generation(generation).stems;
+        const auto stem = std::ranges::find(stems, m_selected->id, &CStem::id);
+        if (stem != stems.end()) describeStem(generation, *stem, static_cast<std::size_t>(stem - stems.begin()));
+    }
+    updateOverlay();
+}
+
+void CViewDesk::describeStem(std::size_t generation, const CStem& stem, std::size_t number) {
+    const CTree& tree = *m_view->model->tree;
+    const CGeneration& all = tree.generation(generation);
+    CViewOverlay::Model& model = m_viewport.overlay().model();
+    model.selection = linesOf(all, stem);
+    QStringList rows{
+        tr("%1, stem %2 of %3").arg(generationName(generation)).arg(number + 1).arg(all.stems.size()),
+        tr("Length %1, radius %2").arg(lengthText(stem.measures.length), lengthText(stem.measures.radius))};
+    if (stem.parent >= 0)
+        rows << tr("On %1, stem %2, at %3")
+                    .arg(generationName(generation - 1))
+                    .arg(stem.parent + 1)
+                    .arg(lengthText(stem.measures.offset));
+    if (stem.pathCount > 1) rows << tr("Split into %n path(s)", nullptr, static_cast<int>(stem.pathCount));
+    model.selectionText = rows.join(QLatin1Char('\n'));
+}
+
+void CViewDesk::describeLeaf(std::size_t number) {
+    const CTree& tree = *m_view->model->tree;
+    if (number >= tree.leaves().size()) return;
+    const CLeaf& leaf = tree.leaves()[number];
+    CViewOverlay::Model& model = m_viewport.overlay().model();
+    model.selection = {{toOsg(leaf.position), toOsg(leaf.position + leaf.length * leaf.axis)}};
+    model.selectionText =
+        tr("Leaf %1 of %2\nLength %3, width %4\nOn %5, stem %6")
+            .arg(number + 1)
+            .arg(tree.leaves().size())
+            .arg(lengthText(leaf.length), lengthText(leaf.width), generationName(tree.generationCount() - 1))
+            .arg(leaf.stem + 1);
+}
+
+QStringList CViewDesk::statistics() const {
+    if (!m_statistics || !m_view) return {};
+    const TreeModel& tree = *m_view->model;
+    const QLocale numbers;
+    const auto whole = [&](std::size_t n) { return numbers.toString(qulonglong(n)); };
+    const osg::BoundingBox box = m_viewport.scene().bounds();
+    QStringList rows{toQString(m_document.params().text.species)};
+    if (box.valid())
+        rows << tr("Height %1, width %2")
+                    .arg(lengthText(box.zMax()),
+                         lengthText(std::max(box.xMax() - box.xMin(), box.yMax() - box.yMin())));
+    for (std::size_t g = 0; g < tree.tree->generationCount(); ++g)
+        rows << tr("%1: %2 stems, %3 triangles")
+                    .arg(generationName(g), whole(tree.tree->generation(g).stems.size()),
+                         whole(tree.stems[g]->triangleCount()));
+    rows << tr("Leaves: %1, %2 triangles").arg(whole(tree.tree->leaves().size()), whole(tree.leaves->triangleCount()));
+    rows << tr("Structure %1 ms, mesh %2 ms")
+                .arg(numbers.toString(tree.milliseconds.structure, 'f', 1),
+                     numbers.toString(tree.milliseconds.smooth + tree.milliseconds.mesh, 'f', 1));
+    return rows;
+}
+
+void CViewDesk::updateOverlay() {
+    CViewOverlay::Model& model = m_viewport.overlay().model();
+    model.params = m_document.params();
+    model.guide = m_guide;
+    model.statistics = statistics();
+    if (m_view) model.scaleTree = m_view->model->tree->scaleTree();
+    const ViewLook& look = m_viewport.look();
+    model.person = look.ground ? std::optional(m_viewport.scene().personAt()) : std::nullopt;
+    model.personText = lengthText(CViewScene::kPersonHeight);
+    m_viewport.overlay().update();
+}
+
+void CViewDesk::setLook(const std::function<void(ViewLook&)>& change) {
+    ViewLook look = m_viewport.look();
+    change(look);
+    m_viewport.setLook(look);
+    updateOverlay();
+}
+
+void CViewDesk::setStatistics(bool on) {
+    m_statistics = on;
+    updateOverlay();
+}
+
+void CViewDesk::savePicture(QWidget* parent) {
+    CPictureDialog dialog(m_viewport.size() * m_viewport.devicePixelRatioF(), parent);
+    if (dialog.exec() != QDialog::Accepted) return;
+    const PictureOptions wanted = dialog.options();
+    ViewLook look = m_viewport.look();
+    if (wanted.transparent) look.backdrop = Backdrop::Nothing;
+    QProgressDialog progress(tr("Writing pictures"), tr("Cancel"), 0, wanted.frames, parent);
+    progress.setWindowModality(Qt::WindowModal);
+    CCamera camera = m_viewport.camera();
+    for (int frame = 0; frame < wanted.frames && !progress.wasCanceled(); ++frame) {
+        const QString file = wanted.fileOf(frame);
+        if (!m_viewport.picture(wanted.size, look, camera).save(file)) {
+            QMessageBox::critical(parent, tr("Cannot save the picture"), tr("%1 cannot be written.").arg(file));
+            return;
+        }
+        camera.turn(360.0 / wanted.frames, 0);
+        progress.setValue(frame + 1);
+    }
+    emit notice(wanted.frames == 1 ? tr("Saved %1").arg(wanted.path)
+                                   : tr("Saved %n frame(s) of a turntable", nullptr, wanted.frames));
+}
+
+} // namespace stromar

@@ -1,0 +1,64 @@
+#pragma once
+#include "Camera.h"
+#include "Guides.h"
+#include <QStringList>
+#include <QWidget>
+#include <optional>
+
+namespace stromar {
+
+/// Lines, handles and words above the picture of the tree: antialiased, never part of what is exported. It takes no
+/// mouse events; the viewport asks it what lies under the mouse.
+class CViewOverlay : public QWidget {
+    Q_OBJECT
+public:
+    /// Everything it draws.
+    struct Model {
+        CParams params;
+        double scaleTree = 10; ///< metres
+        Guide guide = Guide::None;
+        std::vector<std::vector<osg::Vec3d>> selection; ///< lines to emphasise
+        QString selectionText;
+        QStringList statistics;
+        std::optional<osg::Vec3d> person; ///< top of the head
+        QString personText;
+    };
+
+    explicit CViewOverlay(const CCamera& camera, QWidget* parent);
+
+    Model& model() { return m_model; }
+    /// The handle under a place of the widget.
+    std::optional<std::size_t> handleAt(const QPointF& at) const;
+    /// Where a handle is drawn.
+    QPointF handlePlace(std::size_t handle) const;
+    /// The place of a handle's dragging: distance from the trunk's axis and height, metres.
+    osg::Vec2d guidePoint(const QPointF& at) const;
+    void setHotHandle(std::optional<std::size_t> handle);
+    /// Yaw and pitch of the axis under a place of the widget.
+    std::optional<std::pair<double, double>> axisAt(const QPointF& at) const;
+
+    /// −1 … 1, y up.
+    osg::Vec2d toView(const QPointF& at) const;
+    /// Nothing behind the eye.
+    std::optional<QPointF> toWidget(const osg::Vec3d& point) const;
+    double aspect() const { return double(width()) / std::max(1, height()); }
+
+protected:
+    void paintEvent(QPaintEvent* event) override;
+
+private:
+    struct AxisEnd;
+    std::vector<AxisEnd> axisEnds() const;
+    void paintGuide(QPainter& painter) const;
+    void paintHandles(QPainter& painter) const;
+    void paintSelection(QPainter& painter) const;
+    void paintAxes(QPainter& painter) const;
+    void paintWords(QPainter& painter) const;
+    void drawLine(QPainter& painter, const std::vector<osg::Vec3d>& points) const;
+
+    const CCamera& m_camera;
+    Model m_model;
+    std::optional<std::size_t> m_hot;
+};
+
+} // namespace stromar

@@ -1,0 +1,94 @@
+#include "stromar/app/Randomise.h"
+#include "stromar/app/Demonstration.h"
+#include "stromar/app/Prediction.h"
+#include "stromar/app/TreeCreator.h"
+#include "stromar/params/ParamText.h"
+#include "stromar/params/TreeFile.h"
+#include <algorithm>
+#include <gtest/gtest.h>
+
+namespace stromar {
+namespace {
+
+CParams aspen() { return CTreeFile::read(STROMAR_SOURCE "/presets/quaking_aspen.tree").params(); }
+ParamRef param(const char* key) { return std::get<ParamRef>(*findParam(key)); }
+
+TEST(Randomise, MovesNumbersWithinTheAmountAndTheUsefulRange) {
+    const CParams params = aspen();
+    for (const double amount : {0.1, 1.0}) {
+        const auto values = randomised(params, allParams(), amount, 7);
+        EXPECT_GT(values.size(), 30u);
+        for (const auto& [ref, value] : values) {
+            const Range& useful = ref.info->useful;
+            const double half = (useful.max - useful.min) / 2, digits = 0.5 * std::pow(10, -ref.info->decimals);
+            EXPECT_LE(std::abs(value - ref.get(params)), amount * half + digits + 1e-9) << ref.key();
+            EXPECT_GE(value, std::min(useful.min, ref.get(params))) << ref.key();
+            EXPECT_LE(value, std::max(useful.max, ref.get(params))) << ref.key();
+            if (ref.info->integer()) {
+                EXPECT_EQ(value, std::round(value)) << ref.key();
+            }
+        }
+    }
+}
+
+TEST(Randomise, LeavesChoicesTheSeedAndWhatDoesNothingAlone) {
+    const auto values = randomised(aspen(), allParams(), 1, 7);
+    for (const auto& [ref, value] : values) {
+        EXPECT_TRUE(ref.info->words.empty()) << ref.key();
+        EXPECT_NE(ref.key(), "Seed");
+        EXPECT_EQ(whyIdle(ref, aspen()), "") << ref.key();
+    }
+}
+
+TEST(Randomise, OneValueLessMovesNoOther) {
+    const auto all = randomised(aspen(), allParams(), 0.5, 7);
+    std::vector<ParamRef> fewer(allParams().begin(), allParams().end());
+    std::erase(fewer, param("Scale"));
+    auto expected = all;
+    std::erase_if(expected, [](const auto& v) { return v.first.key() == "Scale"; });
+    EXPECT_EQ(randomised(aspen(), fewer, 0.5, 7), expected);
+    EXPECT_NE(randomised(aspen(), allParams(), 0.5, 8), all);
+}
+
+TEST(NearestThatFits, IsTheLastThatIsNotTooLarge) {
+    const Detail& full = detailOf(Model::Full);
+    for (const char* key : {"1Branches", "2Branches", "Leaves", "1CurveRes", "LeafQuality", "2SegSplits"}) {
+        CParams params = aspen();
+        const ParamRef ref = param(key);
+        const double fits = ref.get(params);
+        ref.set(params, ref.info->range.max);
+        if (predictSize(params, full).vertices <= 2e6) continue;
+        const double found = nearestThatFits(params, ref, fits, full, 2e6);
+        EXPECT_GE(found, fits) << key;
+        ref.set(params, found);
+        EXPECT_LE(predictSize(params, full).vertices, 2e6) << key;
+        ref.set(params, found + 1.01 * (ref.info->integer() ? 1 : std::pow(10, -ref.info->decimals)));
+        EXPECT_GT(predictSize(params, full).vertices, 2e6) << key;
+    }
+}
+
+TEST(Demonstration, DiffersInItsOwnValueAlone) {
+    for (const ParamRef& ref : allParams()) {
+        const auto shown = demonstrationsOf(ref);
+        EXPECT_EQ(shown.empty(), ref.info->unused() || ref.info->group == Group::Textures) << ref.key();
+        const ParamRef own{ref.info, std::min(ref.level, 1)};
+        for (const Demonstration& one : shown) {
+            CParams same = one.params;
+            own.set(same, own.get(shown.front().params));
+            EXPECT_TRUE(same == shown.front().params) << ref.key();
+            EXPECT_EQ(own.get(one.params), one.value) << ref.key();
+            EXPECT_EQ(whyIdle(own, one.params), "") << ref.key() << ": what is shown must act";
+        }
+    }
+}
+
+TEST(Demonstration, ItsTreesDifferAndAreSmall) {
+    for (const ParamRef& ref : allParams()) {
+        if (ref.level > 1) continue;
+        for (const Demonstration& one : demonstrationsOf(ref))
+            EXPECT_LT(predictSize(one.params, detailOf(Model::Full)).vertices, 3e5) << ref.key();
+    }
+}
+
+} // namespace
+} // namespace stromar

@@ -1,0 +1,403 @@
+#include "Autosave.h"
+#include "Languages.h"
+#include "MessageBar.h"
+#include "PresetBrowser.h"
+#include "QtText.h"
+#include "Settings.h"
+#include "Theme.h"
+#include "Variants.h"
+#include "WindowFixture.h"
+#include "stromar/params/TreeFile.h"
+#include "stromar/util/FileSet.h"
+#include <QComboBox>
+#include <QDir>
+#include <QDockWidget>
+#include <QDropEvent>
+#include <QLineEdit>
+#include <QListWidget>
+#include <QMimeData>
+#include <QProcess>
+#include <QPushButton>
+#include <QSignalSpy>
+#include <QSpinBox>
+#include <QTemporaryDir>
+#include <QToolButton>
+#include <QUndoView>
+
+namespace stromar {
+namespace {
+
+class DeskTest : public WindowFixture {
+protected:
+    void drag(QPointF from, QPointF to, Qt::MouseButton button = Qt::LeftButton) {
+        CViewport& view = window.viewport();
+        QTest::mousePress(&view, button, {}, from.toPoint());
+        for (int i = 1; i <= 4; ++i) {
+            const QPointF at = from + (to - from) * i / 4;
+            QMouseEvent move(QEvent::MouseMove, at, view.mapToGlobal(at), Qt::NoButton, button, {});
+            QCoreApplication::sendEvent(&view, &move);
+            QTest::qWait(10);
+        }
+        QTest::mouseRelease(&view, button, {}, to.toPoint());
+        QTest::qWait(20);
+    }
+    QPointF seenAt(const osg::Vec3d& point) { return *window.viewport().overlay().toWidget(point); }
+    QString selection() { return window.viewport().overlay().model().selectionText; }
+};
+
+TEST_F(DeskTest, AClickOnTheTrunkTellsAboutItAndOpensItsTab) {
+    const QPointF trunk = seenAt({0, 0, 2});
+    QTest::mouseClick(&window.viewport(), Qt::LeftButton, {}, trunk.toPoint());
+    EXPECT_EQ(window.panel().tabs().currentIndex(), window.panel().tabOf(Group::Trunk));
+    EXPECT_TRUE(selection().startsWith(QLatin1String("Trunk, stem 1 of 1\nLength 1"))) << selection().toStdString();
+    EXPECT_EQ(window.viewport().overlay().model().selection.size(), 1u);
+    window.document().setValue(paramRef("Seed"), 14, 0);
+    ASSERT_TRUE(showsNow(Model::Full));
+    EXPECT_TRUE(selection().startsWith(QLatin1String("Trunk"))) << "the trunk of the next tree";
+    action("stop")->trigger();
+    EXPECT_TRUE(selection().isEmpty());
+}
+
+TEST_F(DeskTest, AClickOnALeafAndOnABranch) {
+    const auto click = [&] {
+        window.viewport().lookFrom(0, 0);
+        for (int y = 60; y < window.viewport().height() - 60 && selection().isEmpty(); y += 20)
+            QTest::mouseClick(&window.viewport(), Qt::LeftButton, {}, {window.viewport().width() / 2 + 37, y});
+    };
+    click();
+    EXPECT_TRUE(selection().startsWith(QLatin1String("Leaf "))) << selection().toStdString();
+    EXPECT_EQ(window.panel().tabs().currentIndex(), window.panel().tabOf(Group::Leaves));
+    action("stop")->trigger();
+    action("bare")->trigger();
+    click();
+    EXPECT_TRUE(selection().startsWith(QLatin1String("Branches"))) << selection().toStdString();
+    EXPECT_TRUE(selection().contains(QLatin1String("\nOn "))) << "its parent";
+}
+
+TEST_F(DeskTest, ADraggedHandleOfTheEnvelopeIsOneStep) {
+    window.panel().tabs().setCurrentIndex(window.panel().tabOf(Group::Pruning));
+    window.document().setValue(paramRef("PruneRatio"), 1, 0);
+    ASSERT_TRUE(showsNow(Model::Full));
+    const int steps = window.document().history().count();
+    const double before = value("PruneWidth");
+    const QPointF handle = window.viewport().overlay().handlePlace(0);
+    ASSERT_TRUE(window.viewport().rect().contains(handle.toPoint()));
+    EXPECT_EQ(window.viewport().overlay().handleAt(handle), std::optional<std::size_t>(0));
+    const QImage pictureBefore = picture();
+    drag(handle, handle - QPointF(60, 0));
+    EXPECT_LT(value("PruneWidth"), before - 0.05);
+    EXPECT_EQ(window.document().history().count(), steps + 1);
+    EXPECT_NEAR(window.viewport().overlay().handlePlace(0).x(), handle.x() - 60, 4) << "it follows the mouse";
+    EXPECT_TRUE(showsNow(Model::Full));
+    EXPECT_NE(picture(), pictureBefore);
+    action("undo")->trigger();
+    EXPECT_EQ(value("PruneWidth"), before);
+}
+
+TEST_F(DeskTest, TheValueInHandTintsItsGeneration) {
+    window.panel().tabs().setCurrentIndex(window.panel().tabOf(Group::Branches, 1));
+    const QImage plain = picture();
+    window.panel().editor(paramRef("1DownAngle"))->findChild<QSlider*>()->setFocus();
+    ASSERT_TRUE(waitFor([&] { return window.viewport().tinted() == 1; }));
+    EXPECT_NE(picture(), plain);
+    window.panel().tabs().setCurrentIndex(window.panel().tabOf(Group::Leaves));
+    window.panel().editor(paramRef("LeafScale"))->findChild<QSlider*>()->setFocus();
+    EXPECT_TRUE(waitFor([&] { return window.viewport().tinted() == ViewPart::kLeaves; }));
+}
+
+TEST_F(DeskTest, OverlaysAreNoPartOfThePicture) {
+    action("recentre")->trigger();
+    const CCamera camera = window.viewport().camera();
+    const QImage before = window.viewport().picture({300, 200}, ViewLook(), camera);
+    window.panel().tabs().setCurrentIndex(window.panel().tabOf(Group::Pruning));
+    action("statistics")->trigger();
+    QTest::qWait(50);
+    EXPECT_FALSE(window.viewport().overlay().model().statistics.isEmpty());
+    EXPECT_EQ(window.viewport().picture({300, 200}, ViewLook(), camera), before);
+    action("statistics")->trigger();
+}
+
+TEST_F(DeskTest, APictureMayBeTransparent) {
+    const QImage image =
+        window.viewport().picture({400, 300}, {.backdrop = Backdrop::Nothing}, window.viewport().camera());
+    ASSERT_EQ(image.size(), QSize(400, 300));
+    EXPECT_EQ(image.pixelColor(2, 2).alpha(), 0);
+    int solid = 0;
+    for (int y = 0; y < 300; ++y)
+        for (int x = 0; x < 400; ++x) solid += image.pixelColor(x, y).alpha() == 255;
+    EXPECT_GT(solid, 3000);
+}
+
+TEST_F(DeskTest, SwitchesOfTheView) {
+    for (const char* name : {"wired", "wiresOver", "bare", "ground", "backdropLight", "backdropDark", "orthographic"}) {
+        const QImage before = picture();
+        action(name)->trigger();
+        QTest::qWait(30);
+        EXPECT_NE(picture(), before) << name;
+    }
+    EXPECT_FALSE(action("wired")->isChecked()) << "wires over the tree took its place";
+    for (const char* name : {"wiresOver", "bare", "ground", "orthographic"}) action(name)->trigger();
+    action("backdropSky")->trigger();
+    action("trackball")->trigger();
+    drag({100, 100}, {220, 260});
+    EXPECT_GT(std::abs(window.viewport().camera().right().z()), 0.01) << "turned freely";
+    action("trackball")->trigger();
+    EXPECT_NEAR(window.viewport().camera().right().z(), 0, 1e-9);
+    action("top")->trigger();
+    EXPECT_LT(window.viewport().camera().forward().z(), -0.99);
+    action("recentre")->trigger();
+}
+
+TEST_F(DeskTest, TheMouseMapIsAPreference) {
+    const osg::Vec3d home = window.viewport().camera().eye();
+    CSettings::instance().set("navigation", QStringLiteral("blender"));
+    drag({200, 200}, {300, 200}, Qt::LeftButton);
+    EXPECT_LT((window.viewport().camera().eye() - home).length(), 1e-9);
+    drag({200, 200}, {300, 200}, Qt::MiddleButton);
+    EXPECT_GT((window.viewport().camera().eye() - home).length(), 0.5);
+    CSettings::instance().set("navigation", QStringLiteral("stromar"));
+}
+
+TEST_F(DeskTest, AnAxisOfTheCrossTurnsTheView) {
+    CViewOverlay& overlay = window.viewport().overlay();
+    window.viewport().lookFrom(30, 30);
+    QPoint found(-1, -1);
+    for (int y = overlay.height() - 110; y < overlay.height() && found.x() < 0; y += 2)
+        for (int x = 0; x < 110; x += 2)
+            if (const auto axis = overlay.axisAt(QPointF(x, y)); axis && axis->second == 90) found = {x, y};
+    ASSERT_GE(found.x(), 0);
+    QTest::mouseClick(&window.viewport(), Qt::LeftButton, {}, found);
+    EXPECT_LT(window.viewport().camera().forward().z(), -0.99) << "from above";
+}
+
+TEST_F(DeskTest, ThePictureComesBackInANewContext) {
+    const QImage before = picture();
+    emit window.viewport().contextLost();
+    ASSERT_TRUE(waitFor([&] { return window.viewport().isVisible(); }));
+    QTest::qWait(100);
+    EXPECT_EQ(picture().size(), before.size());
+    EXPECT_EQ(picture(), before);
+}
+
+// Presets
+
+class PresetTest : public DeskTest {
+protected:
+    QListWidgetItem* item(const char* name) {
+        const auto found = window.presets().list().findItems(QLatin1String(name), Qt::MatchExactly);
+        return found.isEmpty() ? nullptr : found.front();
+    }
+};
+
+TEST_F(PresetTest, AreShownWithPicturesAndFound) {
+    ASSERT_TRUE(waitFor([&] { return window.presets().list().count() >= 4; }));
+    const auto hasPicture = [&] {
+        const QImage icon = item("Black Tupelo")->icon().pixmap(112).toImage();
+        int green = 0;
+        for (int i = 0; i < icon.height(); ++i)
+            green += icon.pixelColor(icon.width() / 2, i).green() > icon.pixelColor(icon.width() / 2, i).blue() + 30;
+        return green > 10;
+    };
+    EXPECT_TRUE(waitFor(hasPicture, 60000));
+    EXPECT_TRUE(item("Black Tupelo")->toolTip().contains(QLatin1String("Stromar")));
+    window.presets().filter().setText(QStringLiteral("weeping"));
+    EXPECT_TRUE(item("Black Tupelo")->isHidden());
+    EXPECT_FALSE(item("Weeping Willow")->isHidden());
+}
+
+TEST_F(PresetTest, OpeningOneCanBeUndone) {
+    ASSERT_TRUE(waitFor([&] { return item("Black Tupelo") != nullptr; }));
+    window.document().setValue(paramRef("Scale"), 17, 0);
+    emit window.presets().list().itemActivated(item("Black Tupelo"));
+    EXPECT_EQ(value("Scale"), 23);
+    EXPECT_TRUE(window.document().path().isEmpty()) << "saving must not write over the preset";
+    EXPECT_FALSE(window.isWindowModified());
+    EXPECT_TRUE(window.windowTitle().startsWith(QLatin1String("black_tupelo.tree")));
+    ASSERT_TRUE(showsNow(Model::Full));
+    action("undo")->trigger();
+    EXPECT_EQ(value("Scale"), 17);
+    EXPECT_EQ(window.document().path(), presetPath("quaking_aspen"));
+    EXPECT_TRUE(window.isWindowModified());
+    action("redo")->trigger();
+    EXPECT_EQ(value("Scale"), 23);
+}
+
+TEST_F(PresetTest, OnesOwnAndBrokenOnes) {
+    const QDir own(CPresetBrowser::ownFolder());
+    writeFile(toPath(own.filePath(QStringLiteral("broken.tree"))), "Format = 1\nScale = big\n");
+    window.document().saveCopy(own.filePath(QStringLiteral("mine.tree")), QStringLiteral("My Aspen"));
+    window.presets().refresh();
+    ASSERT_TRUE(item("My Aspen"));
+    ASSERT_TRUE(item("broken"));
+    EXPECT_TRUE(item("broken")->toolTip().contains(QLatin1String("broken.tree:2:9")));
+    answerNext(QMessageBox::Ok);
+    emit window.presets().list().itemActivated(item("broken"));
+    EXPECT_TRUE(asked);
+    EXPECT_EQ(window.document().path(), presetPath("quaking_aspen")) << "nothing has changed";
+    QDir(own).removeRecursively();
+    ASSERT_TRUE(waitFor([&] { return item("My Aspen") == nullptr; })) << "the folder is watched";
+}
+
+// Variants
+
+TEST_F(DeskTest, ASheetOfSeedsToChooseFromAndToLike) {
+    window.findChild<QDockWidget*>(QStringLiteral("variants"))->raise();
+    ASSERT_TRUE(waitFor([&] { return window.variants().isVisible(); }));
+    auto* cell = window.variants().findChild<QToolButton*>(QStringLiteral("seed4"));
+    ASSERT_TRUE(waitFor([&] { return !cell->icon().isNull(); }, 60000));
+    cell->click();
+    const int seed = window.variants().seeds()[4];
+    EXPECT_EQ(value("Seed"), seed);
+    EXPECT_EQ(window.document().history().count(), 1);
+    for (auto* button : window.variants().findChildren<QToolButton*>())
+        if (button->text().contains(QChar(0x2665))) button->click();
+    EXPECT_EQ(window.document().params().text.likedSeeds, std::to_string(seed));
+    QTemporaryDir folder;
+    ASSERT_TRUE(window.save(folder.filePath(QStringLiteral("liked.tree"))));
+    EXPECT_EQ(CTreeFile::read(folder.filePath(QStringLiteral("liked.tree")).toStdString()).params().text.likedSeeds,
+              std::to_string(seed));
+}
+
+TEST_F(DeskTest, RandomiseMovesWhatIsNotLocked) {
+    auto* level = window.variants().findChild<QComboBox*>(QStringLiteral("randomiseLevel"));
+    level->setCurrentIndex(2); // Branches 1
+    const CParams before = window.document().params();
+    window.variants().findChild<QPushButton*>(QStringLiteral("randomise"))->click();
+    const CParams after = window.document().params();
+    EXPECT_NE(before.level[1], after.level[1]);
+    EXPECT_EQ(before.level[2], after.level[2]);
+    EXPECT_EQ(before.global, after.global);
+    EXPECT_EQ(window.document().history().count(), 1) << "one step";
+}
+
+// Files
+
+TEST_F(DeskTest, AFileChangedByAnotherProgramIsNoticed) {
+    QTemporaryDir folder;
+    const QString path = folder.filePath(QStringLiteral("shared.tree"));
+    ASSERT_TRUE(window.save(path));
+    QTest::qWait(400);
+    EXPECT_FALSE(window.bar().isVisible()) << "our own writing is no news";
+    std::string text = readFile(toPath(path));
+    text.replace(text.find("Scale = 13"), 10, "Scale = 21");
+    writeFile(toPath(path), text);
+    ASSERT_TRUE(waitFor([&] { return window.bar().isVisible(); }));
+    EXPECT_TRUE(window.bar().text().contains(QLatin1String("shared.tree")));
+    window.bar().findChildren<QPushButton*>().front()->click();
+    EXPECT_EQ(value("Scale"), 21);
+    EXPECT_FALSE(window.bar().isVisible());
+}
+
+TEST_F(DeskTest, ATreeThatIsDroppedIsOpened) {
+    QMimeData data;
+    data.setUrls({QUrl::fromLocalFile(presetPath("ca_black_oak"))});
+    QDragEnterEvent enter(QPoint(300, 300), Qt::CopyAction, &data, Qt::LeftButton, {});
+    QCoreApplication::sendEvent(&window, &enter);
+    EXPECT_TRUE(enter.isAccepted());
+    QDropEvent drop(QPointF(300, 300), Qt::CopyAction, &data, Qt::LeftButton, {});
+    QCoreApplication::sendEvent(&window, &drop);
+    EXPECT_EQ(window.document().path(), presetPath("ca_black_oak"));
+}
+
+// Layout, theme, language
+
+TEST_F(DeskTest, ClosedDocksComeBackWithTheLayout) {
+    const auto docks = window.findChildren<QDockWidget*>();
+    ASSERT_EQ(docks.size(), 5);
+    for (QDockWidget* dock : docks) dock->close();
+    for (QDockWidget* dock : docks) EXPECT_FALSE(dock->isVisible());
+    EXPECT_FALSE(picture().isNull());
+    action("resetLayout")->trigger();
+    for (const char* name : {"parameters", "presets"})
+        EXPECT_TRUE(window.findChild<QDockWidget*>(QLatin1String(name))->isVisible()) << name;
+}
+
+TEST_F(DeskTest, TheThemeChangesAtOnce) {
+    CSettings::instance().set("theme", QStringLiteral("dark"));
+    const auto lightness = [&] { return window.palette().color(QPalette::Window).lightness(); };
+    EXPECT_TRUE(waitFor([&] { return lightness() < 100; }));
+    CSettings::instance().set("theme", QStringLiteral("light"));
+    EXPECT_TRUE(waitFor([&] { return lightness() > 180; }));
+}
+
+TEST_F(DeskTest, UnitsAndLanguageAskForANewWindowWithTheSameDocument) {
+    window.document().setValue(paramRef("Scale"), 17, 0);
+    QSignalSpy wanted(&window, &CMainWindow::rebuildWanted);
+    CSettings::instance().set("units", QStringLiteral("ft"));
+    EXPECT_EQ(wanted.count(), 1);
+    {
+        CMainWindow other(CTreeCreator::kMostVertices, window.sharedDocument());
+        auto* box = other.panel().editor(paramRef("Scale"))->findChild<QDoubleSpinBox*>();
+        EXPECT_NEAR(box->value(), 17 / 0.3048, 0.01);
+        EXPECT_TRUE(box->suffix().contains(QLatin1String("ft")));
+        box->setValue(20 / 0.3048);
+        EXPECT_NEAR(value("Scale"), 20, 0.01);
+        other.document().history().undo();
+        EXPECT_EQ(value("Scale"), 17);
+    }
+    CSettings::instance().set("units", QStringLiteral("m"));
+}
+
+TEST_F(DeskTest, HistoryIsListed) {
+    window.document().setValue(paramRef("Scale"), 17, 0);
+    window.document().setValue(paramRef("Ratio"), 0.03, 0);
+    const auto* list = window.findChild<QUndoView*>();
+    ASSERT_TRUE(list);
+    EXPECT_EQ(list->model()->rowCount(), 3);
+    window.document().history().setIndex(0);
+    EXPECT_EQ(value("Scale"), 13);
+}
+
+// Crash
+
+/// Run as a program of its own, to be killed.
+TEST(Crash, DISABLED_Victim) {
+    CMainWindow window;
+    window.show();
+    window.open(presetPath("quaking_aspen"));
+    window.document().setValue(paramRef("Scale"), 17, 0);
+    window.autosave().flush();
+    std::puts("kept");
+    std::fflush(stdout);
+    QTest::qWait(60000);
+}
+
+TEST(Crash, AKilledProgramsChangesAreRestored) {
+    QProcess victim;
+    victim.start(QCoreApplication::applicationFilePath(), {QStringLiteral("--gtest_filter=Crash.DISABLED_Victim"),
+                                                           QStringLiteral("--gtest_also_run_disabled_tests")});
+    ASSERT_TRUE(waitFor([&] { return victim.readAllStandardOutput().contains("kept"); }, 60000));
+    const auto whileAlive = CAutosave::leftovers(CAutosave::standardFolder());
+    EXPECT_TRUE(whileAlive.empty()) << "its program lives";
+    victim.kill(); // kill -9
+    victim.waitForFinished();
+    const auto left = CAutosave::leftovers(CAutosave::standardFolder());
+    ASSERT_EQ(left.size(), 1u);
+    EXPECT_EQ(left[0].path, presetPath("quaking_aspen"));
+
+    CMainWindow window;
+    window.show();
+    QTimer poll;
+    QString question;
+    QObject::connect(&poll, &QTimer::timeout, &poll, [&] {
+        auto* box = qobject_cast<QMessageBox*>(QApplication::activeModalWidget());
+        if (!box) return;
+        poll.stop();
+        question = box->text();
+        box->buttons().front()->click(); // Restore
+    });
+    poll.start(20);
+    window.offerRestore();
+    EXPECT_TRUE(question.contains(QLatin1String("quaking_aspen.tree"))) << question.toStdString();
+    EXPECT_EQ(paramRef("Scale").get(window.document().params()), 17);
+    EXPECT_EQ(window.document().path(), presetPath("quaking_aspen"));
+    EXPECT_TRUE(window.isWindowModified()) << "it is not saved yet";
+    EXPECT_TRUE(CAutosave::leftovers(CAutosave::standardFolder()).empty());
+    EXPECT_TRUE(QFile::exists(window.autosave().file())) << "kept again";
+    window.document().history().undo();
+    QTest::qWait(50);
+    EXPECT_TRUE(waitFor([&] { return !QFile::exists(window.autosave().file()); })) << "nothing to keep";
+}
+
+} // namespace
+} // namespace stromar
