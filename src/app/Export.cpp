@@ -73,7 +73,7 @@ fs::path withSuffix(const fs::path& path, const std::string& suffix) {
 
 void refuseUnless(const ExportOptions& options, const Format* format, const fs::path& path) {
     if (!format) throw CError(unknownFormat(path));
-    if (const std::string conflict = conflictOf(options, *format); !conflict.empty()) throw CError(conflict);
+    if (const std::string conflict = conflictText(options, *format); !conflict.empty()) throw CError(conflict);
 }
 } // namespace
 

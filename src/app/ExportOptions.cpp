@@ -1,51 +1,54 @@
 #include "stromar/app/ExportOptions.h"
+#include "stromar/util/Translatable.h"
 
 namespace stromar {
 
 namespace {
-constexpr std::string_view kModels[] = {"full", "simple"};
-constexpr std::string_view kLods[] = {"none", "one-file", "file-each"};
-constexpr std::string_view kUps[] = {"format", "y", "z"};
-constexpr std::string_view kTextures[] = {"format", "embed", "copy", "refer"};
+using std::string_view;
 
-constexpr std::string_view kModelNames[] = {"Full model", "Simple model"};
-constexpr std::string_view kLodNames[] = {"No", "In one file", "A file for each"};
-constexpr std::string_view kUpNames[] = {"As usual in the format", "Y", "Z"};
-constexpr std::string_view kTextureNames[] = {"As usual in the format", "Inside the file", "Copies beside it",
-                                              "Where they are"};
+constexpr string_view kModels[] = {"full", "simple"};
+constexpr string_view kLods[] = {"none", "one-file", "file-each"};
+constexpr string_view kUps[] = {"format", "y", "z"};
+constexpr string_view kTextures[] = {"format", "embed", "copy", "refer"};
+
+constexpr string_view kModelNames[] = {N_("Full model"), N_("Simple model")};
+constexpr string_view kLodNames[] = {N_("No"), N_("In one file"), N_("A file for each")};
+constexpr string_view kUpNames[] = {N_("As usual in the format"), N_("Y"), N_("Z")};
+constexpr string_view kTextureNames[] = {N_("As usual in the format"), N_("Inside the file"), N_("Copies beside it"),
+                                              N_("Where they are")};
 
 constexpr ExportChoice kChoices[] = {
     {.key = "model",
-     .label = "Model",
-     .help = "Which model: the full one, or the simple one of the preview.",
+     .label = N_("Model"),
+     .help = N_("Which model: the full one, or the simple one of the preview."),
      .words = kModels,
      .names = kModelNames,
      .field = &ExportOptions::model},
     {.key = "lod",
-     .label = "Level of detail",
-     .help = "Of the full model: 0 is the finest, 1 to 3 have about 50, 25 and 10 % of its triangles.",
+     .label = N_("Level of detail"),
+     .help = N_("Of the full model: 0 is the finest, 1 to 3 have about 50, 25 and 10 % of its triangles."),
      .field = &ExportOptions::lod,
      .range = {0, 3}},
     {.key = "lods",
-     .label = "All levels of detail",
-     .help = "All four levels of detail: inside one file, or a file for each, named after it.",
+     .label = N_("All levels of detail"),
+     .help = N_("All four levels of detail: inside one file, or a file for each, named after it."),
      .words = kLods,
      .names = kLodNames,
      .field = &ExportOptions::lods},
     {.key = "scale",
-     .label = "Scale",
-     .help = "The model's metres are multiplied by this: 100 writes centimetres.",
+     .label = N_("Scale"),
+     .help = N_("The model's metres are multiplied by this: 100 writes centimetres."),
      .number = &ExportOptions::scale,
      .range = {1e-6, 1e6}},
     {.key = "up",
-     .label = "Up axis",
-     .help = "Which axis points up. 'format' takes what programs expect of the format.",
+     .label = N_("Up axis"),
+     .help = N_("Which axis points up. 'format' takes what programs expect of the format."),
      .words = kUps,
      .names = kUpNames,
      .field = &ExportOptions::up},
     {.key = "textures",
-     .label = "Textures",
-     .help = "Pictures inside the file, as copies beside it, or where they lie now. 'format' takes what is usual.",
+     .label = N_("Textures"),
+     .help = N_("Pictures inside the file, as copies beside it, or where they lie now. 'format' takes what is usual."),
      .words = kTextures,
      .names = kTextureNames,
      .field = &ExportOptions::textures},
@@ -54,21 +57,27 @@ constexpr ExportChoice kChoices[] = {
 
 std::span<const ExportChoice> exportChoices() { return kChoices; }
 
-std::string conflictOf(const ExportOptions& options, const Format& format) {
-    const std::string ending(format.ending);
+string_view conflictOf(const ExportOptions& options, const Format& format) {
     const auto lods = static_cast<ExportedLods>(options.lods);
     if (lods == ExportedLods::InOneFile && !format.lods)
-        return ending + " cannot hold levels of detail; choose a file for each";
+        return N_("%1 cannot hold levels of detail; choose a file for each");
     const bool simple = options.model == static_cast<int>(ExportedModel::Simple);
     if (simple && (lods != ExportedLods::None || options.lod > 0))
-        return "levels of detail belong to the full model; the simple model has none";
+        return N_("levels of detail belong to the full model; the simple model has none");
     const auto up = static_cast<ExportedUp>(options.up);
     const bool usual = up == ExportedUp::Format || (up == ExportedUp::Y) == (format.upAxis == "y");
-    if (!usual && !format.anyUp) return "in " + ending + " files " + std::string(format.upAxis) + " is always up";
+    if (!usual && !format.anyUp)
+        return format.upAxis == "y" ? N_("in %1 files y is always up") : N_("in %1 files z is always up");
     const auto textures = static_cast<ExportedTextures>(options.textures);
     if (textures == ExportedTextures::Embed && format.pictures != Pictures::Inside)
-        return ending + " cannot hold pictures; choose copies";
+        return N_("%1 cannot hold pictures; choose copies");
     return {};
+}
+
+std::string conflictText(const ExportOptions& options, const Format& format) {
+    std::string text(conflictOf(options, format));
+    if (const std::size_t at = text.find("%1"); at != std::string::npos) text.replace(at, 2, format.ending);
+    return text;
 }
 
 std::vector<const Detail*> detailsOf(const ExportOptions& options) {

@@ -1,6 +1,7 @@
 #include "stromar/app/Formats.h"
 #include "stromar/io/Writers.h"
 #include "stromar/util/Text.h"
+#include "stromar/util/Translatable.h"
 #include <vector>
 #ifdef STROMAR_WITH_OSG
 #include "stromar/scene/OsgExport.h"
@@ -11,24 +12,24 @@ namespace stromar {
 namespace {
 // clang-format off
 constexpr Format kFormats[] = {
-    {".glb", "glTF, one file", "y", "nothing", writeGlb, 68, Pictures::Inside, true, false},
-    {".gltf", "glTF, with its buffer and pictures beside it", "y", "nothing", writeGltf, 68, Pictures::Beside, true, false},
-    {".obj", "Wavefront OBJ", "y", "occlusion and tangents; two-sided leaves are up to the program", writeObj, 120,
+    {".glb", N_("glTF, one file"), "y", N_("nothing"), writeGlb, 68, Pictures::Inside, true, false},
+    {".gltf", N_("glTF, with its buffer and pictures beside it"), "y", N_("nothing"), writeGltf, 68, Pictures::Beside, true, false},
+    {".obj", N_("Wavefront OBJ"), "y", N_("occlusion and tangents; two-sided leaves are up to the program"), writeObj, 120,
      Pictures::Beside, false, true},
-    {".dae", "COLLADA", "z", "occlusion and tangents; two-sided leaves are up to the program", writeDae, 110},
-    {".ply", "Stanford PLY, binary", "z", "materials and pictures; all stems and leaves are one mesh", writePly, 55,
+    {".dae", N_("COLLADA"), "z", N_("occlusion and tangents; two-sided leaves are up to the program"), writeDae, 110},
+    {".ply", N_("Stanford PLY, binary"), "z", N_("materials and pictures; all stems and leaves are one mesh"), writePly, 55,
      Pictures::None, false, true},
-    {".stl", "STL, binary", "z", "materials, pictures, texture coordinates and smooth normals", writeStl, 35,
+    {".stl", N_("STL, binary"), "z", N_("materials, pictures, texture coordinates and smooth normals"), writeStl, 35,
      Pictures::None, false, true},
-    {".3ds", "3D Studio", "z",
-     "normals (programs make their own), names beyond ten letters; large meshes are cut into parts", write3ds, 40,
+    {".3ds", N_("3D Studio"), "z",
+     N_("normals (programs make their own), names beyond ten letters; large meshes are cut into parts"), write3ds, 40,
      Pictures::Beside, false, true},
-    {".lwo", "LightWave object", "y", "normals (the program makes its own), transparency of the leaf picture", writeLwo, 45},
-    {".pov", "POV-Ray scene", "y", "nothing a picture shows; a camera, lights and ground are added", writePov, 130},
+    {".lwo", N_("LightWave object"), "y", N_("normals (the program makes its own), transparency of the leaf picture"), writeLwo, 45},
+    {".pov", N_("POV-Ray scene"), "y", N_("nothing a picture shows; a camera, lights and ground are added"), writePov, 130},
 #ifdef STROMAR_WITH_OSG
-    {".osgb", "OpenSceneGraph binary", "z", "occlusion and tangents", writeOsg, 45, Pictures::Beside, true, true},
-    {".osgt", "OpenSceneGraph text", "z", "occlusion and tangents", writeOsg, 160, Pictures::Beside, true, true},
-    {".osg", "OpenSceneGraph, old text form", "z", "occlusion and tangents", writeOsg, 120, Pictures::Beside, true, true},
+    {".osgb", N_("OpenSceneGraph binary"), "z", N_("occlusion and tangents"), writeOsg, 45, Pictures::Beside, true, true},
+    {".osgt", N_("OpenSceneGraph text"), "z", N_("occlusion and tangents"), writeOsg, 160, Pictures::Beside, true, true},
+    {".osg", N_("OpenSceneGraph, old text form"), "z", N_("occlusion and tangents"), writeOsg, 120, Pictures::Beside, true, true},
 #endif
 };
 // clang-format on

@@ -190,7 +190,7 @@ void exportTree(const CommonOptions& common, const ExportOptions& options, const
                 const CProgress& progress) {
     const Format* format = formatOf(path);
     if (!format) throw CUsageError(unknownFormat(path));
-    if (const std::string conflict = conflictOf(options, *format); !conflict.empty()) throw CUsageError(conflict);
+    if (const std::string conflict = conflictText(options, *format); !conflict.empty()) throw CUsageError(conflict);
     const CParams params = readParams(common);
     CTreeCreator creator(common.varied, common.mostVertices);
     std::vector<std::shared_ptr<const TreeModel>> lods;

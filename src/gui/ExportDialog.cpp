@@ -60,7 +60,7 @@ const Format& CExportDialog::format() const {
 void CExportDialog::addFormats(QFormLayout& form) {
     m_format->setObjectName(QStringLiteral("format"));
     for (const Format& format : formatTable())
-        m_format->addItem(QStringLiteral("%1 (%2)").arg(toQString(format.name), toQString(format.ending)),
+        m_format->addItem(QStringLiteral("%1 (%2)").arg(trText(format.name), toQString(format.ending)),
                           toQString(format.ending));
     m_format->setCurrentIndex(std::max(0, m_format->findData(QSettings().value(QLatin1String(kFormatKey)))));
     connect(m_format, &QComboBox::currentIndexChanged, this, [this] {
@@ -99,7 +99,7 @@ void CExportDialog::addChoice(const ExportChoice& choice, QFormLayout& form) {
         editor = box;
     } else {
         auto* box = new QComboBox;
-        for (const std::string_view name : choice.names) box->addItem(toQString(name));
+        for (const std::string_view name : choice.names) box->addItem(trText(name));
         box->setCurrentIndex(std::clamp(last.toInt(), 0, box->count() - 1));
         m_options.*choice.field = box->currentIndex();
         connect(box, &QComboBox::currentIndexChanged, this, [this, &choice](int value) {
@@ -109,8 +109,8 @@ void CExportDialog::addChoice(const ExportChoice& choice, QFormLayout& form) {
         editor = box;
     }
     editor->setObjectName(toQString(choice.key));
-    editor->setToolTip(toQString(choice.help));
-    form.addRow(toQString(choice.label), editor);
+    editor->setToolTip(trText(choice.help));
+    form.addRow(trText(choice.label), editor);
 }
 
 void CExportDialog::addPlace(QFormLayout& form, const QString& name) {
@@ -139,12 +139,12 @@ void CExportDialog::browse() {
 
 void CExportDialog::update() {
     if (!m_export) return;
-    const std::string conflict = conflictOf(m_options, format());
+    const std::string_view conflict = conflictOf(m_options, format());
     const bool wrongEnding = formatOf(toPath(path())) != &format();
-    m_losses->setText(toQString(format().losses));
+    m_losses->setText(trText(format().losses));
     m_size->setText(
         QLocale().formattedDataSize(static_cast<qint64>(estimatedBytes(m_fullVertices, m_options, format()))));
-    m_conflict->setText(!conflict.empty() ? toQString(conflict)
+    m_conflict->setText(!conflict.empty() ? trText(conflict).replace(QLatin1String("%1"), toQString(format().ending))
                         : wrongEnding     ? tr("The file's name has to end in %1").arg(toQString(format().ending))
                                           : QString());
     m_export->setEnabled(m_conflict->text().isEmpty());

@@ -37,8 +37,8 @@ bool speak(const QString& code) {
     own.reset();
     buttons.reset();
     QLocale::setDefault(QLocale(code));
-    if (code == QLatin1String("en")) return true;
-    buttons = install(QStringLiteral("qtbase_") + code, QLibraryInfo::path(QLibraryInfo::TranslationsPath));
+    if (code != QLatin1String("en"))
+        buttons = install(QStringLiteral("qtbase_") + code, QLibraryInfo::path(QLibraryInfo::TranslationsPath));
     own = install(QStringLiteral("stromar_") + code, QStringLiteral(":/translations"));
     return own != nullptr;
 }

@@ -6,7 +6,7 @@ class QCoreApplication;
 
 namespace stromar {
 
-/// A language the window speaks; for each but English there is translations/stromar_<code>.ts.
+/// A language the window speaks, in translations/stromar_<code>.ts; English has only its plurals there.
 struct Language {
     const char* code;
     const char* name; ///< in itself, UTF-8

@@ -26,6 +26,7 @@
 #include <QMessageBox>
 #include <QProgressBar>
 #include <QRandomGenerator>
+#include <QScreen>
 #include <QScrollArea>
 #include <QSettings>
 #include <QStatusBar>
@@ -63,7 +64,7 @@ CMainWindow::CMainWindow(double mostVertices, std::shared_ptr<CDocument> documen
     makeStatusBar();
     connectParts();
     connectDocument();
-    resize(1280, 800);
+    resize(QSize(1280, 800).boundedTo(screen()->availableSize()));
     restoreLayout();
     restoreSwitches();
     for (const char* key : {"navigation", "threads", "fullModelDelay", "autosave"}) onSetting(QLatin1String(key));
@@ -78,7 +79,17 @@ void CMainWindow::makeCentre() {
     column->setContentsMargins(0, 0, 0, 0);
     column->setSpacing(0);
     column->addWidget(m_bar);
-    column->addWidget(m_viewport, 1);
+    if (QString why; CSceneRenderer::available(why))
+        column->addWidget(m_viewport, 1);
+    else {
+        m_withoutPicture.reset(m_viewport); // Qt fails when a window without OpenGL holds it
+        auto* message = new QLabel(why);
+        message->setObjectName(QStringLiteral("noPicture"));
+        message->setAlignment(Qt::AlignCenter);
+        message->setWordWrap(true);
+        message->setMargin(40);
+        column->addWidget(message, 1);
+    }
     setCentralWidget(centre);
 }
 
@@ -207,7 +218,6 @@ void CMainWindow::connectParts() {
     connect(m_presets, &CPresetBrowser::saveWanted, this, &CMainWindow::savePreset);
     connect(m_thread.get(), &CTreeCreatorThread::created, this, &CMainWindow::onCreated);
     connect(m_thread.get(), &CTreeCreatorThread::failed, this, &CMainWindow::onFailed);
-    connect(m_viewport, &CViewport::unusable, this, [this](const QString& why) { tellError(tr("No picture"), why); });
     connect(m_viewport, &CViewport::contextLost, this, &CMainWindow::onContextLost, Qt::QueuedConnection);
     connect(&m_watch, &CFileWatch::changed, this, &CMainWindow::onFileChanged);
     connect(m_autosave.get(), &CAutosave::failed, this,

@@ -136,6 +136,7 @@ private:
 
     std::shared_ptr<CDocument> m_document;
     CThumbnails* m_thumbnails;
+    std::unique_ptr<CViewport> m_withoutPicture; ///< owns the viewport where there is no OpenGL
     CViewport* m_viewport;
     CParamPanel* m_panel;
     CPresetBrowser* m_presets;

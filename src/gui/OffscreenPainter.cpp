@@ -13,6 +13,7 @@ COffscreenPainter::~COffscreenPainter() {
 
 bool COffscreenPainter::start() {
     if (m_context) return m_renderer.attached();
+    if (QString why; !CSceneRenderer::available(why)) return false;
     m_surface.setFormat(CSceneRenderer::surfaceFormat(0));
     m_surface.create();
     m_context = std::make_unique<QOpenGLContext>();

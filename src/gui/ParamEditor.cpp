@@ -7,6 +7,7 @@
 #include <QComboBox>
 #include <QDoubleSpinBox>
 #include <QEvent>
+#include <QGuiApplication>
 #include <QHBoxLayout>
 #include <QRandomGenerator>
 #include <QSignalBlocker>
@@ -20,6 +21,15 @@ namespace stromar {
 namespace {
 constexpr int kMostSeed = 9999; // what the dice throws: easy to tell others
 constexpr int kBurstMs = 800;   // changes that follow each other sooner are one step
+
+/// Shift steps by the last digit that is shown; Ctrl by ten steps is the box's own.
+class CFineSpinBox : public QDoubleSpinBox {
+public:
+    void stepBy(int steps) override {
+        if (!(QGuiApplication::keyboardModifiers() & Qt::ShiftModifier)) return QDoubleSpinBox::stepBy(steps);
+        setValue(value() + (steps > 0 ? 1 : -1) * std::pow(10, -decimals()));
+    }
+};
 
 QString suffixOf(Unit unit) {
     if (unit == Unit::Metre) return QStringLiteral(" ") + lengthUnit().name;
@@ -99,7 +109,7 @@ QAbstractSpinBox* CParamEditor::makeBox(Form form) {
         connect(m_whole, &QSpinBox::valueChanged, this, [this](int v) { onBox(v); });
         box = m_whole;
     } else {
-        m_real = new QDoubleSpinBox;
+        m_real = new CFineSpinBox;
         m_perUnit = p.unit == Unit::Metre ? lengthUnit().perMetre : 1;
         m_real->setDecimals(p.decimals);
         m_real->setRange(p.range.min * m_perUnit, p.range.max * m_perUnit);

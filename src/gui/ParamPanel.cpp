@@ -100,6 +100,7 @@ CParamPanel::CParamPanel(QWidget* parent) : QWidget(parent), m_filter(new QLineE
     m_filter->setPlaceholderText(tr("Find a parameter"));
     m_filter->setAccessibleName(m_filter->placeholderText());
     m_filter->setClearButtonEnabled(true);
+    m_tabs->setAccessibleName(tr("Parameters"));
     auto* column = new QVBoxLayout(this);
     column->setContentsMargins(0, 4, 0, 0);
     column->addWidget(m_filter);

@@ -1,4 +1,5 @@
 #include "SceneRenderer.h"
+#include <QCoreApplication>
 #include <QOffscreenSurface>
 #include <QOpenGLContext>
 #include <QOpenGLFunctions>
@@ -10,18 +11,31 @@ namespace stromar {
 namespace {
 constexpr int kSamples = 4;
 
-bool asksSoftware() {
+/// What this display can do.
+struct Display {
+    bool hasContext = false;
+    std::pair<int, int> version{0, 0};
+    QString renderer;
+};
+
+Display askDisplay() {
     QOffscreenSurface surface;
     surface.setFormat(CSceneRenderer::surfaceFormat(0));
     surface.create();
     QOpenGLContext context;
     context.setFormat(CSceneRenderer::surfaceFormat(0));
-    if (!context.create() || !context.makeCurrent(&surface)) return true;
+    if (!context.create() || !context.makeCurrent(&surface)) return {};
     const auto* name = reinterpret_cast<const char*>(context.functions()->glGetString(GL_RENDERER));
-    const QString renderer = QString::fromLatin1(name ? name : "");
+    const Display display{true,
+                          {context.format().majorVersion(), context.format().minorVersion()},
+                          QString::fromLatin1(name ? name : "")};
     context.doneCurrent();
-    return renderer.contains(QLatin1String("llvmpipe")) || renderer.contains(QLatin1String("softpipe")) ||
-           renderer.contains(QLatin1String("SWR"));
+    return display;
+}
+
+const Display& thisDisplay() {
+    static const Display display = askDisplay();
+    return display;
 }
 } // namespace
 
@@ -37,9 +51,24 @@ QSurfaceFormat CSceneRenderer::surfaceFormat(int samples) {
     return format;
 }
 
+bool CSceneRenderer::available(QString& why) {
+    const Display& display = thisDisplay();
+    if (display.version >= std::pair(2, 1)) return true;
+    why = display.hasContext
+              ? QCoreApplication::translate("stromar::CViewport", "OpenGL 2.1 is needed to show the tree; this display "
+                                                                  "has %1.%2. Files can still be edited and exported.")
+                    .arg(display.version.first)
+                    .arg(display.version.second)
+              : QCoreApplication::translate("stromar::CViewport",
+                                            "There is no OpenGL on this display, so the tree cannot be shown. Install "
+                                            "your graphics driver. Files can still be edited and exported.");
+    return false;
+}
+
 bool CSceneRenderer::drawsInSoftware() {
-    static const bool software = asksSoftware();
-    return software;
+    const QString& renderer = thisDisplay().renderer;
+    return renderer.contains(QLatin1String("llvmpipe")) || renderer.contains(QLatin1String("softpipe")) ||
+           renderer.contains(QLatin1String("SWR"));
 }
 
 int CSceneRenderer::bestSamples() { return drawsInSoftware() ? 0 : kSamples; }

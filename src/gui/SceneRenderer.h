@@ -22,6 +22,8 @@ public:
 
     /// OpenGL with its fixed functions, which OpenSceneGraph uses.
     static QSurfaceFormat surfaceFormat(int samples);
+    /// Whether this display has the OpenGL that is needed; else `why` tells the user what is missing.
+    static bool available(QString& why);
     /// Whether pictures are computed by the processor (llvmpipe …): then multisampling is far too slow.
     static bool drawsInSoftware();
     /// 0, or more where a graphics card draws.

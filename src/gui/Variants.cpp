@@ -62,7 +62,7 @@ QWidget* CVariants::makeSheet() {
         cell->setToolButtonStyle(Qt::ToolButtonTextUnderIcon);
         cell->setIconSize({36, 36});
         cell->setAutoRaise(true);
-        cell->setSizePolicy(QSizePolicy::Expanding, QSizePolicy::Preferred);
+        cell->setSizePolicy(QSizePolicy::Ignored, QSizePolicy::Preferred); // the room decides, not the picture
         connect(cell, &QToolButton::clicked, this, [this, i] { emit seedChosen(m_seeds[std::size_t(i)]); });
         grid->addWidget(cell, i / 3, i % 3);
         m_cells[std::size_t(i)] = cell;
@@ -85,7 +85,7 @@ QWidget* CVariants::makeLiked() {
     auto* row = new QHBoxLayout;
     auto* title = new QLabel(QStringLiteral("<b>%1</b>").arg(tr("Liked seeds")));
     m_like = new QToolButton;
-    m_like->setText(tr("♥ Like This One"));
+    m_like->setText(tr("♥ Like"));
     m_like->setCheckable(true);
     m_like->setToolTip(tr("Keep the seed of the tree in the window in its file"));
     row->addWidget(title, 1);
@@ -123,6 +123,7 @@ QWidget* CVariants::makeRandomiser() {
                        tr("Leaves"), tr("Everything")});
     m_level->setCurrentIndex(m_level->count() - 1);
     m_level->setSizeAdjustPolicy(QComboBox::AdjustToMinimumContentsLengthWithIcon);
+    m_level->setMinimumContentsLength(5);
     m_amount = new QSpinBox;
     m_amount->setRange(1, 100);
     m_amount->setValue(10);
@@ -155,7 +156,12 @@ void CVariants::randomise() {
 }
 
 void CVariants::throwSheet() {
-    for (int& seed : m_seeds) seed = QRandomGenerator::global()->bounded(kMostSeed + 1);
+    for (std::size_t i = 0; i < m_seeds.size(); ++i) {
+        m_seeds[i] = QRandomGenerator::global()->bounded(kMostSeed + 1);
+        m_cells[i]->setText(QString::number(m_seeds[i]));
+        m_cells[i]->setAccessibleName(tr("Seed %1").arg(m_seeds[i]));
+        m_cells[i]->setIcon({});
+    }
     m_stale = true;
 }
 
@@ -176,7 +182,7 @@ void CVariants::showParams(const CParams& params, const std::filesystem::path& f
 /// The pictures take the room there is.
 void CVariants::resizeEvent(QResizeEvent* event) {
     QWidget::resizeEvent(event);
-    const int side = std::clamp(width() / 3 - 14, 36, kPictureSize);
+    const int side = std::clamp(width() / 3 - 12, 36, kPictureSize);
     for (QToolButton* cell : m_cells) cell->setIconSize({side, side});
 }
 
@@ -194,8 +200,6 @@ void CVariants::requestSheet() {
     for (std::size_t i = 0; i < m_seeds.size(); ++i) {
         CParams params = m_params;
         params.global.seed = m_seeds[i];
-        m_cells[i]->setText(QString::number(m_seeds[i]));
-        m_cells[i]->setAccessibleName(tr("Seed %1").arg(m_seeds[i]));
         m_thumbnails.request(QStringLiteral("%1%2").arg(QLatin1String(kSheetId)).arg(i), params, m_folder,
                              pictureSize());
     }

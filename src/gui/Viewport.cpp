@@ -36,12 +36,6 @@ void CViewport::release() {
 }
 
 void CViewport::initializeGL() {
-    const QSurfaceFormat format = context()->format();
-    if (format.version() < qMakePair(2, 1))
-        emit unusable(
-            tr("OpenGL 2.1 is needed to show the tree; this display has %1.%2. Files can still be edited and exported.")
-                .arg(format.majorVersion())
-                .arg(format.minorVersion()));
     m_lost = false;
     m_renderer.attach();
     disconnect(m_contextDies);

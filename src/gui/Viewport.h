@@ -45,8 +45,6 @@ public:
 
 signals:
     void drawn();
-    /// OpenGL is missing or too old; the text is for the user.
-    void unusable(const QString& why);
     void contextLost();
     void picked(const std::optional<stromar::ViewHit>& hit);
     /// A handle was dragged; all changes of one drag have the same gesture.

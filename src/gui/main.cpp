@@ -81,8 +81,8 @@ void takeScreenshot(CMainWindow& window, const Options& options) {
         if (window.shown()->model->detail->model != options.model ||
             window.shown()->model->params != window.document().params())
             return;
-        // Once more around the event loop, so that the viewport has drawn and the bars are laid out.
-        QTimer::singleShot(300, &window, [&window, options] {
+        // Later, so that the bars are laid out and the viewport has drawn.
+        QTimer::singleShot(50, &window, [&window, options] {
             const bool done = window.grab().save(options.screenshot);
             if (!done) std::fprintf(stderr, "stromar: cannot write %s\n", qPrintable(options.screenshot));
             QApplication::exit(done ? 0 : 1);

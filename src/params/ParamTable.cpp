@@ -503,7 +503,7 @@ string_view whyNoLeaves(const ParamRef& ref, const CParams& params) {
 }
 } // namespace
 
-std::string_view whyIdle(const ParamRef& ref, const CParams& params) {
+string_view whyIdle(const ParamRef& ref, const CParams& params) {
     string_view why;
     if (ref.info->perLevel()) why = whyNoStems(ref, params);
     if (ref.info->group == Group::Leaves) why = whyNoLeaves(ref, params);
@@ -512,12 +512,12 @@ std::string_view whyIdle(const ParamRef& ref, const CParams& params) {
     return why;
 }
 
-std::string_view groupName(Group group) {
+string_view groupName(Group group) {
     constexpr string_view kNames[] = {N_("Tree"), N_("Trunk"), N_("Branches"), N_("Leaves"), N_("Pruning"), N_("Textures")};
     return kNames[static_cast<std::size_t>(group)];
 }
 
-std::string_view unitName(Unit unit) {
+string_view unitName(Unit unit) {
     constexpr string_view kNames[] = {"", "m", "°"};
     return kNames[static_cast<std::size_t>(unit)];
 }

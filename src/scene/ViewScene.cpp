@@ -113,7 +113,9 @@ CViewScene::CViewScene()
     state->setMode(GL_CULL_FACE, osg::StateAttribute::OFF);
     osg::StateSet* wires = m_wires->getOrCreateStateSet();
     wires->setAttributeAndModes(makeProgram("wires", kPlainVertexShader, kPlainFragmentShader));
-    wires->addUniform(new osg::Uniform("colour", osg::Vec4(0.05f, 0.07f, 0.10f, 1)));
+    wires->addUniform(new osg::Uniform("colour", osg::Vec4(0.02f, 0.03f, 0.05f, 0.3f)));
+    wires->setMode(GL_BLEND, osg::StateAttribute::ON);
+    wires->setRenderingHint(osg::StateSet::TRANSPARENT_BIN);
     wires->setAttributeAndModes(new osg::PolygonMode(osg::PolygonMode::FRONT_AND_BACK, osg::PolygonMode::LINE));
     wires->setAttributeAndModes(new osg::PolygonOffset(-1, -1));
     wires->setMode(GL_POLYGON_OFFSET_LINE, osg::StateAttribute::ON);

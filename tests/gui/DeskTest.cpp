@@ -9,6 +9,7 @@
 #include "WindowFixture.h"
 #include "stromar/params/TreeFile.h"
 #include "stromar/util/FileSet.h"
+#include <QAccessible>
 #include <QComboBox>
 #include <QDir>
 #include <QDockWidget>
@@ -18,6 +19,7 @@
 #include <QMimeData>
 #include <QProcess>
 #include <QPushButton>
+#include <QScrollArea>
 #include <QSignalSpy>
 #include <QSpinBox>
 #include <QTemporaryDir>
@@ -346,6 +348,47 @@ TEST_F(DeskTest, HistoryIsListed) {
     EXPECT_EQ(list->model()->rowCount(), 3);
     window.document().history().setIndex(0);
     EXPECT_EQ(value("Scale"), 13);
+}
+
+/// What a reader aloud would say of a widget.
+QString spokenName(QWidget* widget) {
+    QAccessibleInterface* interface = QAccessible::queryAccessibleInterface(widget);
+    return interface ? interface->text(QAccessible::Name) : QString();
+}
+
+TEST_F(DeskTest, WhatTakesTheFocusHasAName) {
+    int count = 0;
+    for (QWidget* widget : window.findChildren<QWidget*>()) {
+        const bool inside =
+            qobject_cast<QAbstractSpinBox*>(widget->parentWidget()) || qobject_cast<QComboBox*>(widget->parentWidget());
+        if (!(widget->focusPolicy() & Qt::TabFocus) || inside || qobject_cast<QScrollArea*>(widget) ||
+            widget->inherits("QComboBoxPrivateContainer") || widget->inherits("QComboBoxListView"))
+            continue;
+        EXPECT_FALSE(spokenName(widget).isEmpty())
+            << widget->metaObject()->className() << " " << widget->objectName().toStdString() << " in "
+            << widget->parentWidget()->metaObject()->className();
+        ++count;
+    }
+    EXPECT_GT(count, 100);
+}
+
+TEST_F(DeskTest, EveryEditorIsReachedByTheKeyboard) {
+    window.panel().tabs().setCurrentIndex(window.panel().tabOf(Group::Branches, 1));
+    std::vector<QWidget*> visited;
+    QWidget* at = window.panel().editor(paramRef("1Branches"))->findChild<QSlider*>();
+    at->setFocus();
+    for (int i = 0; i < 60; ++i) {
+        visited.push_back(QApplication::focusWidget());
+        QTest::keyClick(QApplication::focusWidget(), Qt::Key_Tab);
+    }
+    int last = -1;
+    for (const char* key : {"1BranchDist", "1DownAngle", "1DownAngleV", "1Rotate", "1Length", "1Taper", "1CurveRes"}) {
+        const QWidget* editor = window.panel().editor(paramRef(key));
+        const auto found = std::ranges::find_if(visited, [&](const QWidget* w) { return editor->isAncestorOf(w); });
+        ASSERT_NE(found, visited.end()) << key;
+        EXPECT_GT(found - visited.begin(), last) << key << ": in the order of the rows";
+        last = static_cast<int>(found - visited.begin());
+    }
 }
 
 // Crash

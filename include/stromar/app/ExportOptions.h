@@ -34,8 +34,10 @@ struct ExportChoice {
 };
 std::span<const ExportChoice> exportChoices();
 
-/// Why a format cannot do what was chosen; empty when it can.
-std::string conflictOf(const ExportOptions& options, const Format& format);
+/// Why a format cannot do what was chosen; empty when it can. Marked for translation; %1 stands for its ending.
+std::string_view conflictOf(const ExportOptions& options, const Format& format);
+/// The same in English, with the ending.
+std::string conflictText(const ExportOptions& options, const Format& format);
 /// The levels of detail that have to be made, the finest first.
 std::vector<const Detail*> detailsOf(const ExportOptions& options);
 

@@ -1,0 +1,106 @@
+#include "Languages.h"
+#include "MainWindow.h"
+#include "ParamPanel.h"
+#include "Support.h"
+#include <QAbstractButton>
+#include <QAction>
+#include <QDir>
+#include <QDockWidget>
+#include <QFile>
+#include <QLabel>
+#include <QProcess>
+#include <QRegularExpression>
+#include <QTabWidget>
+#include <QTemporaryDir>
+#include <gtest/gtest.h>
+
+namespace stromar {
+namespace {
+
+QString contentOf(const QString& path) {
+    QFile file(path);
+    return file.open(QIODevice::ReadOnly) ? QString::fromUtf8(file.readAll()) : QString();
+}
+
+TEST(Languages, AllTextsAreTranslated) {
+    // A copy is brought up to date with the sources: what is new or gone would show.
+    QTemporaryDir folder;
+    const QDir own(QStringLiteral(STROMAR_SOURCE "/translations"));
+    ASSERT_EQ(own.entryList({QStringLiteral("*.ts")}).size(), int(languageTable().size()));
+    for (const QString& name : own.entryList({QStringLiteral("*.ts")}))
+        ASSERT_TRUE(QFile::copy(own.filePath(name), folder.filePath(name)));
+    QProcess update;
+    update.start(QStringLiteral(STROMAR_SOURCE "/script/translate"), {folder.path()});
+    ASSERT_TRUE(update.waitForFinished(120000));
+    ASSERT_EQ(update.exitCode(), 0) << update.readAllStandardError().toStdString();
+    for (const Language& language : languageTable()) {
+        const QString name = QStringLiteral("stromar_%1.ts").arg(QLatin1String(language.code));
+        const QString text = contentOf(folder.filePath(name));
+        EXPECT_FALSE(text.contains(QLatin1String("unfinished"))) << language.code;
+        EXPECT_EQ(text.count(QLatin1String("<source>")), contentOf(own.filePath(name)).count(QLatin1String("<source>")))
+            << language.code << ": run script/translate";
+        EXPECT_GT(text.count(QLatin1String("<source>")), 0);
+    }
+}
+
+TEST(Languages, PlaceholdersSurvive) {
+    static const QRegularExpression message(
+        QStringLiteral("<source>(.*?)</source>\\s*<translation>(.*?)</translation>"),
+        QRegularExpression::DotMatchesEverythingOption);
+    static const QRegularExpression place(QStringLiteral("%[0-9n]"));
+    for (const Language& language : languageTable()) {
+        const QString text =
+            contentOf(QStringLiteral(STROMAR_SOURCE "/translations/stromar_%1.ts").arg(QLatin1String(language.code)));
+        for (auto match = message.globalMatch(text); match.hasNext();) {
+            const QRegularExpressionMatch pair = match.next();
+            QStringList wanted;
+            for (auto p = place.globalMatch(pair.captured(1)); p.hasNext();) wanted << p.next().captured();
+            for (const QString& one : wanted)
+                EXPECT_TRUE(pair.captured(2).contains(one)) << language.code << ": " << pair.captured(2).toStdString();
+        }
+    }
+}
+
+class LanguageTest : public ::testing::TestWithParam<const char*> {
+protected:
+    void TearDown() override { speak(QStringLiteral("en")); }
+};
+
+TEST_P(LanguageTest, TheWindowSpeaksItAndNothingIsCutOff) {
+    ASSERT_TRUE(speak(QLatin1String(GetParam())));
+    CMainWindow window;
+    window.resize(1280, 800);
+    window.show();
+    ASSERT_TRUE(QTest::qWaitForWindowExposed(&window));
+    EXPECT_EQ(window.findChild<QAction*>(QStringLiteral("save"))->text() == QLatin1String("&Save"),
+              GetParam() == std::string("en"));
+    EXPECT_EQ(window.panel().tabs().tabText(1) == QLatin1String("Trunk"), GetParam() == std::string("en"))
+        << "texts of the tables";
+    window.findChild<QDockWidget*>(QStringLiteral("variants"))->raise();
+    for (int tab = 0; tab < window.panel().tabs().count(); ++tab) {
+        window.panel().tabs().setCurrentIndex(tab);
+        QTest::qWait(20);
+        for (QWidget* widget : window.findChildren<QWidget*>()) {
+            const auto* label = qobject_cast<QLabel*>(widget);
+            const auto* button = qobject_cast<QAbstractButton*>(widget);
+            const QString text = label ? label->text() : button ? button->text() : QString();
+            if (!widget->isVisible() || text.isEmpty() || (label && label->wordWrap()) ||
+                widget->objectName() == QLatin1String("notice") ||
+                widget->sizePolicy().horizontalPolicy() == QSizePolicy::Ignored)
+                continue;
+            EXPECT_GE(widget->width() + 1, widget->sizeHint().width()) << text.toStdString();
+        }
+    }
+}
+
+INSTANTIATE_TEST_SUITE_P(All, LanguageTest, ::testing::Values("en", "cs", "sl", "ru"),
+                         [](const auto& language) { return std::string(language.param); });
+
+TEST(Languages, TheSystemsIsTakenWhenItIsKnown) {
+    EXPECT_EQ(chosenLanguage(QStringLiteral("sl")), QLatin1String("sl"));
+    EXPECT_FALSE(chosenLanguage(QStringLiteral("system")).isEmpty());
+    EXPECT_EQ(chosenLanguage(QStringLiteral("xx")), chosenLanguage(QStringLiteral("system")));
+}
+
+} // namespace
+} // namespace stromar

@@ -1,0 +1,2105 @@
+<?xml version="1.0" encoding="utf-8"?>
+<!DOCTYPE TS>
+<TS version="2.1" language="cs">
+<context>
+    <name>Commands</name>
+    <message>
+        <source>&amp;New</source>
+        <translation>&amp;Nový</translation>
+    </message>
+    <message>
+        <source>Start with a plain tree</source>
+        <translation>Začít s jednoduchým stromem</translation>
+    </message>
+    <message>
+        <source>&amp;Open…</source>
+        <translation>&amp;Otevřít…</translation>
+    </message>
+    <message>
+        <source>Open a .tree file</source>
+        <translation>Otevřít soubor .tree</translation>
+    </message>
+    <message>
+        <source>&amp;Save</source>
+        <translation>&amp;Uložit</translation>
+    </message>
+    <message>
+        <source>Save the tree</source>
+        <translation>Uložit strom</translation>
+    </message>
+    <message>
+        <source>Save &amp;As…</source>
+        <translation>Uložit &amp;jako…</translation>
+    </message>
+    <message>
+        <source>Save the tree in another file</source>
+        <translation>Uložit strom do jiného souboru</translation>
+    </message>
+    <message>
+        <source>Save as &amp;Preset…</source>
+        <translation>Uložit jako &amp;předvolbu…</translation>
+    </message>
+    <message>
+        <source>Keep the tree among your own presets</source>
+        <translation>Zařadit strom mezi vlastní předvolby</translation>
+    </message>
+    <message>
+        <source>&amp;Export…</source>
+        <translation>&amp;Exportovat…</translation>
+    </message>
+    <message>
+        <source>Write the tree for another program</source>
+        <translation>Zapsat strom pro jiný program</translation>
+    </message>
+    <message>
+        <source>Save P&amp;icture…</source>
+        <translation>Uložit o&amp;brázek…</translation>
+    </message>
+    <message>
+        <source>A picture of the tree, or the frames of a turntable</source>
+        <translation>Obrázek stromu nebo snímky otáčejícího se stromu</translation>
+    </message>
+    <message>
+        <source>Load &amp;Bark Texture…</source>
+        <translation>Načíst texturu &amp;kůry…</translation>
+    </message>
+    <message>
+        <source>Choose the picture on the stems</source>
+        <translation>Vybrat obrázek na kmeni a větvích</translation>
+    </message>
+    <message>
+        <source>Load &amp;Leaf Texture…</source>
+        <translation>Načíst texturu &amp;listu…</translation>
+    </message>
+    <message>
+        <source>Choose the picture on the leaves</source>
+        <translation>Vybrat obrázek na listech</translation>
+    </message>
+    <message>
+        <source>&amp;Quit</source>
+        <translation>U&amp;končit</translation>
+    </message>
+    <message>
+        <source>Leave Stromar</source>
+        <translation>Opustit Stromar</translation>
+    </message>
+    <message>
+        <source>&amp;Undo</source>
+        <translation>&amp;Zpět</translation>
+    </message>
+    <message>
+        <source>Take the last change back</source>
+        <translation>Vzít poslední změnu zpět</translation>
+    </message>
+    <message>
+        <source>&amp;Redo</source>
+        <translation>&amp;Znovu</translation>
+    </message>
+    <message>
+        <source>Make the change again</source>
+        <translation>Provést změnu znovu</translation>
+    </message>
+    <message>
+        <source>&amp;Find Parameter</source>
+        <translation>&amp;Najít parametr</translation>
+    </message>
+    <message>
+        <source>Look for a parameter by its name</source>
+        <translation>Hledat parametr podle názvu</translation>
+    </message>
+    <message>
+        <source>&amp;Preferences…</source>
+        <translation>Na&amp;stavení…</translation>
+    </message>
+    <message>
+        <source>Theme, language, mouse, units</source>
+        <translation>Vzhled, jazyk, myš, jednotky</translation>
+    </message>
+    <message>
+        <source>&amp;Another Seed</source>
+        <translation>&amp;Jiné semínko</translation>
+    </message>
+    <message>
+        <source>Another tree of the same kind</source>
+        <translation>Jiný strom téhož druhu</translation>
+    </message>
+    <message>
+        <source>&amp;Generate</source>
+        <translation>&amp;Vytvořit znovu</translation>
+    </message>
+    <message>
+        <source>Build the tree again from scratch</source>
+        <translation>Postavit strom od začátku</translation>
+    </message>
+    <message>
+        <source>&amp;Full Model</source>
+        <translation>Úplný &amp;model</translation>
+    </message>
+    <message>
+        <source>Show the full model now</source>
+        <translation>Ukázat úplný model hned</translation>
+    </message>
+    <message>
+        <source>&amp;Stop Growing</source>
+        <translation>&amp;Zastavit růst</translation>
+    </message>
+    <message>
+        <source>Give up the tree that is growing, and let go of what is selected</source>
+        <translation>Vzdát strom, který právě roste, a zrušit výběr</translation>
+    </message>
+    <message>
+        <source>&amp;Recentre</source>
+        <translation>&amp;Vystředit</translation>
+    </message>
+    <message>
+        <source>See the whole tree from the front</source>
+        <translation>Vidět celý strom zepředu</translation>
+    </message>
+    <message>
+        <source>&amp;Frame the Tree</source>
+        <translation>Celý &amp;strom</translation>
+    </message>
+    <message>
+        <source>See the whole tree from where you are</source>
+        <translation>Vidět celý strom odtud, odkud se díváte</translation>
+    </message>
+    <message>
+        <source>From the Fr&amp;ont</source>
+        <translation>Z&amp;epředu</translation>
+    </message>
+    <message>
+        <source>Look along the Y axis</source>
+        <translation>Pohled podél osy Y</translation>
+    </message>
+    <message>
+        <source>From the S&amp;ide</source>
+        <translation>Z &amp;boku</translation>
+    </message>
+    <message>
+        <source>Look along the X axis</source>
+        <translation>Pohled podél osy X</translation>
+    </message>
+    <message>
+        <source>From A&amp;bove</source>
+        <translation>S&amp;hora</translation>
+    </message>
+    <message>
+        <source>Look down</source>
+        <translation>Pohled dolů</translation>
+    </message>
+    <message>
+        <source>Ort&amp;hographic</source>
+        <translation>&amp;Rovnoběžné promítání</translation>
+    </message>
+    <message>
+        <source>Without perspective</source>
+        <translation>Bez perspektivy</translation>
+    </message>
+    <message>
+        <source>Turn &amp;Freely</source>
+        <translation>Otáčet &amp;volně</translation>
+    </message>
+    <message>
+        <source>Roll the tree in all directions instead of keeping it upright</source>
+        <translation>Otáčet strom všemi směry místo jen svisle</translation>
+    </message>
+    <message>
+        <source>&amp;Wired</source>
+        <translation>&amp;Drátěný</translation>
+    </message>
+    <message>
+        <source>Show the wire frame</source>
+        <translation>Ukázat drátěný model</translation>
+    </message>
+    <message>
+        <source>Wires &amp;over the Tree</source>
+        <translation>Dráty &amp;přes strom</translation>
+    </message>
+    <message>
+        <source>Show the wire frame on the shaded tree</source>
+        <translation>Ukázat drátěný model na vystínovaném stromu</translation>
+    </message>
+    <message>
+        <source>&amp;Bare</source>
+        <translation>&amp;Holý</translation>
+    </message>
+    <message>
+        <source>Hide the leaves</source>
+        <translation>Skrýt listy</translation>
+    </message>
+    <message>
+        <source>&amp;Grid and Person</source>
+        <translation>&amp;Mřížka a postava</translation>
+    </message>
+    <message>
+        <source>Show a grid of metres and a person beside the tree</source>
+        <translation>Ukázat metrovou mřížku a postavu vedle stromu</translation>
+    </message>
+    <message>
+        <source>&amp;Statistics</source>
+        <translation>&amp;Statistika</translation>
+    </message>
+    <message>
+        <source>Show sizes and counts in the picture</source>
+        <translation>Ukázat v obrázku rozměry a počty</translation>
+    </message>
+    <message>
+        <source>Before the S&amp;ky</source>
+        <translation>Před o&amp;blohou</translation>
+    </message>
+    <message>
+        <source>Sky and ground behind the tree</source>
+        <translation>Obloha a zem za stromem</translation>
+    </message>
+    <message>
+        <source>Before &amp;Light Grey</source>
+        <translation>Před s&amp;větlou šedou</translation>
+    </message>
+    <message>
+        <source>A light, plain backdrop</source>
+        <translation>Světlé jednolité pozadí</translation>
+    </message>
+    <message>
+        <source>Before &amp;Dark Grey</source>
+        <translation>Před &amp;tmavou šedou</translation>
+    </message>
+    <message>
+        <source>A dark, plain backdrop</source>
+        <translation>Tmavé jednolité pozadí</translation>
+    </message>
+    <message>
+        <source>&amp;Reset Layout</source>
+        <translation>&amp;Obnovit rozložení</translation>
+    </message>
+    <message>
+        <source>Put all docks back to where they were at first</source>
+        <translation>Vrátit všechny panely tam, kde byly na začátku</translation>
+    </message>
+    <message>
+        <source>&amp;Manual</source>
+        <translation>&amp;Příručka</translation>
+    </message>
+    <message>
+        <source>Read how Stromar works</source>
+        <translation>Přečíst si, jak Stromar pracuje</translation>
+    </message>
+    <message>
+        <source>Mouse and &amp;Keys</source>
+        <translation>Myš a &amp;klávesy</translation>
+    </message>
+    <message>
+        <source>How to move about, and all shortcuts</source>
+        <translation>Jak se pohybovat a všechny zkratky</translation>
+    </message>
+    <message>
+        <source>&amp;About Stromar</source>
+        <translation>&amp;O programu Stromar</translation>
+    </message>
+    <message>
+        <source>Version and origin</source>
+        <translation>Verze a původ</translation>
+    </message>
+    <message>
+        <source>&amp;File</source>
+        <translation>&amp;Soubor</translation>
+    </message>
+    <message>
+        <source>&amp;Edit</source>
+        <translation>Úp&amp;ravy</translation>
+    </message>
+    <message>
+        <source>&amp;Tree</source>
+        <translation>S&amp;trom</translation>
+    </message>
+    <message>
+        <source>&amp;View</source>
+        <translation>&amp;Zobrazení</translation>
+    </message>
+    <message>
+        <source>&amp;Window</source>
+        <translation>&amp;Okno</translation>
+    </message>
+    <message>
+        <source>&amp;Help</source>
+        <translation>&amp;Nápověda</translation>
+    </message>
+</context>
+<context>
+    <name>stromar</name>
+    <message>
+        <source>Full model</source>
+        <translation>Úplný model</translation>
+    </message>
+    <message>
+        <source>Simple model</source>
+        <translation>Jednoduchý model</translation>
+    </message>
+    <message>
+        <source>No</source>
+        <translation>Ne</translation>
+    </message>
+    <message>
+        <source>In one file</source>
+        <translation>V jednom souboru</translation>
+    </message>
+    <message>
+        <source>A file for each</source>
+        <translation>Každá ve vlastním souboru</translation>
+    </message>
+    <message>
+        <source>As usual in the format</source>
+        <translation>Jak je ve formátu zvykem</translation>
+    </message>
+    <message>
+        <source>Y</source>
+        <translation>Y</translation>
+    </message>
+    <message>
+        <source>Z</source>
+        <translation>Z</translation>
+    </message>
+    <message>
+        <source>Inside the file</source>
+        <translation>Uvnitř souboru</translation>
+    </message>
+    <message>
+        <source>Copies beside it</source>
+        <translation>Kopie vedle něj</translation>
+    </message>
+    <message>
+        <source>Where they are</source>
+        <translation>Kde jsou</translation>
+    </message>
+    <message>
+        <source>Model</source>
+        <translation>Model</translation>
+    </message>
+    <message>
+        <source>Which model: the full one, or the simple one of the preview.</source>
+        <translation>Který model: úplný, nebo jednoduchý z náhledu.</translation>
+    </message>
+    <message>
+        <source>Level of detail</source>
+        <translation>Úroveň detailu</translation>
+    </message>
+    <message>
+        <source>Of the full model: 0 is the finest, 1 to 3 have about 50, 25 and 10 % of its triangles.</source>
+        <translation>U úplného modelu: 0 je nejjemnější, 1 až 3 mají asi 50, 25 a 10 % jeho trojúhelníků.</translation>
+    </message>
+    <message>
+        <source>All levels of detail</source>
+        <translation>Všechny úrovně detailu</translation>
+    </message>
+    <message>
+        <source>All four levels of detail: inside one file, or a file for each, named after it.</source>
+        <translation>Všechny čtyři úrovně detailu: uvnitř jednoho souboru, nebo každá ve vlastním, pojmenovaném podle ní.</translation>
+    </message>
+    <message>
+        <source>Scale</source>
+        <translation>Měřítko</translation>
+    </message>
+    <message>
+        <source>The model&apos;s metres are multiplied by this: 100 writes centimetres.</source>
+        <translation>Metry modelu se násobí tímto číslem: 100 zapíše centimetry.</translation>
+    </message>
+    <message>
+        <source>Up axis</source>
+        <translation>Svislá osa</translation>
+    </message>
+    <message>
+        <source>Which axis points up. &apos;format&apos; takes what programs expect of the format.</source>
+        <translation>Která osa míří nahoru. „format“ vezme to, co programy od formátu čekají.</translation>
+    </message>
+    <message>
+        <source>Textures</source>
+        <translation>Textury</translation>
+    </message>
+    <message>
+        <source>Pictures inside the file, as copies beside it, or where they lie now. &apos;format&apos; takes what is usual.</source>
+        <translation>Obrázky uvnitř souboru, jako kopie vedle něj, nebo tam, kde leží teď. „format“ vezme to obvyklé.</translation>
+    </message>
+    <message>
+        <source>%1 cannot hold levels of detail; choose a file for each</source>
+        <translation>%1 neumí úrovně detailu; zvolte pro každou vlastní soubor</translation>
+    </message>
+    <message>
+        <source>levels of detail belong to the full model; the simple model has none</source>
+        <translation>úrovně detailu patří k úplnému modelu; jednoduchý je nemá</translation>
+    </message>
+    <message>
+        <source>in %1 files y is always up</source>
+        <translation>v souborech %1 míří vždy nahoru y</translation>
+    </message>
+    <message>
+        <source>in %1 files z is always up</source>
+        <translation>v souborech %1 míří vždy nahoru z</translation>
+    </message>
+    <message>
+        <source>%1 cannot hold pictures; choose copies</source>
+        <translation>%1 neumí obrázky; zvolte kopie</translation>
+    </message>
+    <message>
+        <source>glTF, one file</source>
+        <translation>glTF, jeden soubor</translation>
+    </message>
+    <message>
+        <source>nothing</source>
+        <translation>nic</translation>
+    </message>
+    <message>
+        <source>glTF, with its buffer and pictures beside it</source>
+        <translation>glTF, data a obrázky vedle něj</translation>
+    </message>
+    <message>
+        <source>Wavefront OBJ</source>
+        <translation>Wavefront OBJ</translation>
+    </message>
+    <message>
+        <source>occlusion and tangents; two-sided leaves are up to the program</source>
+        <translation>zastínění a tečny; oboustranné listy závisí na programu</translation>
+    </message>
+    <message>
+        <source>COLLADA</source>
+        <translation>COLLADA</translation>
+    </message>
+    <message>
+        <source>Stanford PLY, binary</source>
+        <translation>Stanford PLY, binární</translation>
+    </message>
+    <message>
+        <source>materials and pictures; all stems and leaves are one mesh</source>
+        <translation>materiály a obrázky; dřevo i listy jsou jedna síť</translation>
+    </message>
+    <message>
+        <source>STL, binary</source>
+        <translation>STL, binární</translation>
+    </message>
+    <message>
+        <source>materials, pictures, texture coordinates and smooth normals</source>
+        <translation>materiály, obrázky, souřadnice textur a hladké normály</translation>
+    </message>
+    <message>
+        <source>3D Studio</source>
+        <translation>3D Studio</translation>
+    </message>
+    <message>
+        <source>normals (programs make their own), names beyond ten letters; large meshes are cut into parts</source>
+        <translation>normály (programy si dělají vlastní), názvy nad deset písmen; velké sítě se dělí na části</translation>
+    </message>
+    <message>
+        <source>LightWave object</source>
+        <translation>Objekt LightWave</translation>
+    </message>
+    <message>
+        <source>normals (the program makes its own), transparency of the leaf picture</source>
+        <translation>normály (program si dělá vlastní), průhlednost obrázku listu</translation>
+    </message>
+    <message>
+        <source>POV-Ray scene</source>
+        <translation>Scéna POV-Ray</translation>
+    </message>
+    <message>
+        <source>nothing a picture shows; a camera, lights and ground are added</source>
+        <translation>nic, co je vidět; přidá se kamera, světla a zem</translation>
+    </message>
+    <message>
+        <source>OpenSceneGraph binary</source>
+        <translation>OpenSceneGraph, binární</translation>
+    </message>
+    <message>
+        <source>occlusion and tangents</source>
+        <translation>zastínění a tečny</translation>
+    </message>
+    <message>
+        <source>OpenSceneGraph text</source>
+        <translation>OpenSceneGraph, textový</translation>
+    </message>
+    <message>
+        <source>OpenSceneGraph, old text form</source>
+        <translation>OpenSceneGraph, starý textový tvar</translation>
+    </message>
+    <message>
+        <source>Width and widest place</source>
+        <translation>Šířka a nejširší místo</translation>
+    </message>
+    <message>
+        <source>Curve above</source>
+        <translation>Křivka nahoře</translation>
+    </message>
+    <message>
+        <source>Curve below</source>
+        <translation>Křivka dole</translation>
+    </message>
+    <message>
+        <source>Bare trunk</source>
+        <translation>Holý kmen</translation>
+    </message>
+    <message>
+        <source>Length of the branches</source>
+        <translation>Délka větví</translation>
+    </message>
+    <message>
+        <source>Stromar: left turns, right zooms, middle moves</source>
+        <translation>Stromar: levé otáčí, pravé přibližuje, prostřední posouvá</translation>
+    </message>
+    <message>
+        <source>Blender: middle button with Shift and Ctrl</source>
+        <translation>Blender: prostřední tlačítko se Shift a Ctrl</translation>
+    </message>
+    <message>
+        <source>Maya: all buttons with Alt</source>
+        <translation>Maya: všechna tlačítka s Alt</translation>
+    </message>
+    <message>
+        <source>left</source>
+        <translation>levým</translation>
+    </message>
+    <message>
+        <source>middle</source>
+        <translation>prostředním</translation>
+    </message>
+    <message>
+        <source>right</source>
+        <translation>pravým</translation>
+    </message>
+    <message>
+        <source>%1 drag</source>
+        <translation>Tažení %1 tlačítkem</translation>
+    </message>
+    <message>
+        <source>Turn</source>
+        <translation>Otáčení</translation>
+    </message>
+    <message>
+        <source>Move</source>
+        <translation>Posun</translation>
+    </message>
+    <message>
+        <source>Nearer and farther</source>
+        <translation>Blíž a dál</translation>
+    </message>
+    <message>
+        <source>As the system</source>
+        <translation>Podle systému</translation>
+    </message>
+    <message>
+        <source>Light</source>
+        <translation>Světlý</translation>
+    </message>
+    <message>
+        <source>Dark</source>
+        <translation>Tmavý</translation>
+    </message>
+    <message>
+        <source>Metres</source>
+        <translation>Metry</translation>
+    </message>
+    <message>
+        <source>Feet</source>
+        <translation>Stopy</translation>
+    </message>
+    <message>
+        <source>Theme</source>
+        <translation>Vzhled</translation>
+    </message>
+    <message>
+        <source>Light or dark windows.</source>
+        <translation>Světlá nebo tmavá okna.</translation>
+    </message>
+    <message>
+        <source>Language</source>
+        <translation>Jazyk</translation>
+    </message>
+    <message>
+        <source>The language of menus, parameters and help.</source>
+        <translation>Jazyk nabídek, parametrů a nápovědy.</translation>
+    </message>
+    <message>
+        <source>Mouse in the picture</source>
+        <translation>Myš v obrázku</translation>
+    </message>
+    <message>
+        <source>Which buttons turn, move and zoom. The wheel always zooms.</source>
+        <translation>Která tlačítka otáčejí, posouvají a přibližují. Kolečko přibližuje vždy.</translation>
+    </message>
+    <message>
+        <source>Lengths in</source>
+        <translation>Délky v</translation>
+    </message>
+    <message>
+        <source>The unit of lengths in the window. Files are always in metres.</source>
+        <translation>Jednotka délek v okně. Soubory jsou vždy v metrech.</translation>
+    </message>
+    <message>
+        <source>Full model after</source>
+        <translation>Úplný model za</translation>
+    </message>
+    <message>
+        <source>How long the hand rests before the full model follows the simple one.</source>
+        <translation>Jak dlouho musí ruka odpočívat, než po jednoduchém modelu přijde úplný.</translation>
+    </message>
+    <message>
+        <source> ms</source>
+        <translation> ms</translation>
+    </message>
+    <message>
+        <source>Threads</source>
+        <translation>Vlákna</translation>
+    </message>
+    <message>
+        <source>How many processors grow the tree; 0 takes all.</source>
+        <translation>Kolik procesorů pěstuje strom; 0 vezme všechny.</translation>
+    </message>
+    <message>
+        <source>Autosave every</source>
+        <translation>Průběžně ukládat po</translation>
+    </message>
+    <message>
+        <source>How often changes are kept aside against a crash; 0 never.</source>
+        <translation>Jak často se změny odkládají pro případ pádu; 0 nikdy.</translation>
+    </message>
+    <message>
+        <source> s</source>
+        <translation> s</translation>
+    </message>
+    <message>
+        <source>conical</source>
+        <translation>kuželová</translation>
+    </message>
+    <message>
+        <source>spherical</source>
+        <translation>kulová</translation>
+    </message>
+    <message>
+        <source>hemispherical</source>
+        <translation>polokulová</translation>
+    </message>
+    <message>
+        <source>cylindrical</source>
+        <translation>válcová</translation>
+    </message>
+    <message>
+        <source>tapered-cylindrical</source>
+        <translation>zúžená válcová</translation>
+    </message>
+    <message>
+        <source>flame</source>
+        <translation>plamen</translation>
+    </message>
+    <message>
+        <source>inverse-conical</source>
+        <translation>obrácený kužel</translation>
+    </message>
+    <message>
+        <source>tend-flame</source>
+        <translation>mírný plamen</translation>
+    </message>
+    <message>
+        <source>envelope</source>
+        <translation>obálka</translation>
+    </message>
+    <message>
+        <source>oval</source>
+        <translation>oválný</translation>
+    </message>
+    <message>
+        <source>triangle</source>
+        <translation>trojúhelník</translation>
+    </message>
+    <message>
+        <source>three-lobe-oak</source>
+        <translation>trojlaločný dubový</translation>
+    </message>
+    <message>
+        <source>three-lobe-maple</source>
+        <translation>trojlaločný javorový</translation>
+    </message>
+    <message>
+        <source>five-lobe-maple</source>
+        <translation>pětilaločný javorový</translation>
+    </message>
+    <message>
+        <source>three-leaflets</source>
+        <translation>tři lístky</translation>
+    </message>
+    <message>
+        <source>square</source>
+        <translation>čtverec</translation>
+    </message>
+    <message>
+        <source>needles</source>
+        <translation>jehlice</translation>
+    </message>
+    <message>
+        <source>card</source>
+        <translation>karta</translation>
+    </message>
+    <message>
+        <source>outline</source>
+        <translation>obrys</translation>
+    </message>
+    <message>
+        <source>off</source>
+        <translation>vypnuto</translation>
+    </message>
+    <message>
+        <source>on</source>
+        <translation>zapnuto</translation>
+    </message>
+    <message>
+        <source>The tree is a bare trunk: Levels of stems is 1.</source>
+        <translation>Strom je holý kmen: počet úrovní je 1.</translation>
+    </message>
+    <message>
+        <source>It acts on stems of level 2 and deeper, and there are none.</source>
+        <translation>Působí na větve úrovně 2 a hlubší, a žádné tu nejsou.</translation>
+    </message>
+    <message>
+        <source>The trunk has no lobes.</source>
+        <translation>Kmen nemá laloky.</translation>
+    </message>
+    <message>
+        <source>The trunk has no lobes, or they have no depth.</source>
+        <translation>Kmen nemá laloky, nebo nemají hloubku.</translation>
+    </message>
+    <message>
+        <source>The trunk has only one segment, so there is no joint to split at.</source>
+        <translation>Kmen má jen jeden díl, není kde se dělit.</translation>
+    </message>
+    <message>
+        <source>These stems never split.</source>
+        <translation>Tyto větve se nikdy nedělí.</translation>
+    </message>
+    <message>
+        <source>Nothing in this tree splits.</source>
+        <translation>V tomto stromu se nic nedělí.</translation>
+    </message>
+    <message>
+        <source>A negative curve variation winds these stems into a helix instead.</source>
+        <translation>Záporná odchylka zakřivení je místo toho stáčí do šroubovice.</translation>
+    </message>
+    <message>
+        <source>A card shows what its texture shows: set Form to outline.</source>
+        <translation>Karta ukazuje svou texturu: nastavte tvar listu na obrys.</translation>
+    </message>
+    <message>
+        <source>Nothing is pruned: Strength is 0.</source>
+        <translation>Nic se neprořezává: síla je 0.</translation>
+    </message>
+    <message>
+        <source>Nothing is pruned, and the crown shape is not the envelope.</source>
+        <translation>Nic se neprořezává a tvar koruny není obálka.</translation>
+    </message>
+    <message>
+        <source>Crown shape</source>
+        <translation>Tvar koruny</translation>
+    </message>
+    <message>
+        <source>Crown</source>
+        <translation>Koruna</translation>
+    </message>
+    <message>
+        <source>The outline of the crown: how long the branches are from its bottom to its top. &apos;envelope&apos; takes the outline of the pruning tab.</source>
+        <translation>Obrys koruny: jak dlouhé jsou větve odspodu nahoru. „obálka“ vezme obrys z karty prořezávání.</translation>
+    </message>
+    <message>
+        <source>The part of the tree&apos;s height, from the ground, that bears no branches.</source>
+        <translation>Část výšky stromu od země, která nenese větve.</translation>
+    </message>
+    <message>
+        <source>Height</source>
+        <translation>Výška</translation>
+    </message>
+    <message>
+        <source>Size</source>
+        <translation>Velikost</translation>
+    </message>
+    <message>
+        <source>The height of the tree.</source>
+        <translation>Výška stromu.</translation>
+    </message>
+    <message>
+        <source>Height variation</source>
+        <translation>Odchylka výšky</translation>
+    </message>
+    <message>
+        <source>How much taller or smaller a tree of another seed may be.</source>
+        <translation>O kolik vyšší nebo nižší může být strom s jiným semínkem.</translation>
+    </message>
+    <message>
+        <source>Z scale</source>
+        <translation>Měřítko Z</translation>
+    </message>
+    <message>
+        <source>Printed in the paper&apos;s tables but used by none of its formulas. Kept in files, without effect.</source>
+        <translation>Je v tabulkách článku, ale žádný jeho vzorec ho nepoužívá. Zůstává v souborech, bez účinku.</translation>
+    </message>
+    <message>
+        <source>Z scale variation</source>
+        <translation>Odchylka měřítka Z</translation>
+    </message>
+    <message>
+        <source>Levels of stems</source>
+        <translation>Úrovně větvení</translation>
+    </message>
+    <message>
+        <source>1 grows a bare trunk, 2 adds branches, 3 branches on branches. The leaves sit on the last level.</source>
+        <translation>1 vypěstuje holý kmen, 2 přidá větve, 3 větve na větvích. Listy sedí na poslední úrovni.</translation>
+    </message>
+    <message>
+        <source>Thickness</source>
+        <translation>Tloušťka</translation>
+    </message>
+    <message>
+        <source>The radius of the trunk divided by its length.</source>
+        <translation>Poloměr kmene dělený jeho délkou.</translation>
+    </message>
+    <message>
+        <source>Thinning</source>
+        <translation>Tenčení</translation>
+    </message>
+    <message>
+        <source>How much thinner than its parent a shorter branch is. Higher values make finer branches.</source>
+        <translation>Oč je kratší větev tenčí než její rodič. Vyšší hodnoty dělají jemnější větve.</translation>
+    </message>
+    <message>
+        <source>Least radius</source>
+        <translation>Nejmenší poloměr</translation>
+    </message>
+    <message>
+        <source>No stem is drawn thinner than this, so that fine twigs stay visible.</source>
+        <translation>Nic se nekreslí tenčí, aby jemné větvičky zůstaly vidět.</translation>
+    </message>
+    <message>
+        <source>Attraction up</source>
+        <translation>Vzpřimování</translation>
+    </message>
+    <message>
+        <source>Growth</source>
+        <translation>Růst</translation>
+    </message>
+    <message>
+        <source>How strongly branches of level 2 and deeper bend up to the light. Negative values let them hang.</source>
+        <translation>Jak silně se větve úrovně 2 a hlubší ohýbají vzhůru ke světlu. Záporné hodnoty je nechají viset.</translation>
+    </message>
+    <message>
+        <source>Halve splitting</source>
+        <translation>Půlit dělení</translation>
+    </message>
+    <message>
+        <source>On: a stem that has split, and its clones, split half as often from then on.</source>
+        <translation>Zapnuto: větev, která se rozdělila, a její klony se pak dělí o polovinu méně.</translation>
+    </message>
+    <message>
+        <source>Seed</source>
+        <translation>Semínko</translation>
+    </message>
+    <message>
+        <source>Every seed gives another tree of the same kind. The same seed always grows the same tree.</source>
+        <translation>Každé semínko dá jiný strom téhož druhu. Stejné semínko vypěstuje vždy stejný strom.</translation>
+    </message>
+    <message>
+        <source>Radius factor</source>
+        <translation>Násobek poloměru</translation>
+    </message>
+    <message>
+        <source>Makes the trunk thicker or thinner than Thickness says, and the branches with it.</source>
+        <translation>Dělá kmen silnější nebo slabší, než říká tloušťka, a větve s ním.</translation>
+    </message>
+    <message>
+        <source>Radius factor variation</source>
+        <translation>Odchylka násobku poloměru</translation>
+    </message>
+    <message>
+        <source>How much the radius factor differs from seed to seed.</source>
+        <translation>Jak se násobek poloměru liší semínko od semínka.</translation>
+    </message>
+    <message>
+        <source>Flare</source>
+        <translation>Kořenový náběh</translation>
+    </message>
+    <message>
+        <source>How much the trunk widens at the ground. 1 makes it twice as thick there.</source>
+        <translation>Oč se kmen u země rozšiřuje. 1 ho tam dělá dvakrát silnějším.</translation>
+    </message>
+    <message>
+        <source>Lobes</source>
+        <translation>Laloky</translation>
+    </message>
+    <message>
+        <source>The number of bulges around the trunk. Odd numbers look natural, even ones symmetric.</source>
+        <translation>Počet vypuklin kolem kmene. Lichá čísla vypadají přirozeně, sudá souměrně.</translation>
+    </message>
+    <message>
+        <source>Lobe depth</source>
+        <translation>Hloubka laloků</translation>
+    </message>
+    <message>
+        <source>How far the bulges stand out, as a part of the radius.</source>
+        <translation>Jak daleko vypukliny vystupují, jako část poloměru.</translation>
+    </message>
+    <message>
+        <source>Lobes fade</source>
+        <translation>Slábnutí laloků</translation>
+    </message>
+    <message>
+        <source>1 lets the lobes end a little above the ground, 0 lets them run up the whole trunk.</source>
+        <translation>1 nechá laloky skončit kousek nad zemí, 0 je vede po celém kmeni.</translation>
+    </message>
+    <message>
+        <source>Splits at the base</source>
+        <translation>Dělení u paty</translation>
+    </message>
+    <message>
+        <source>Splitting</source>
+        <translation>Dělení</translation>
+    </message>
+    <message>
+        <source>So many more trunks grow out of the end of the trunk&apos;s first segment.</source>
+        <translation>Tolik dalších kmenů vyroste z konce prvního dílu kmene.</translation>
+    </message>
+    <message>
+        <source>Number</source>
+        <translation>Počet</translation>
+    </message>
+    <message>
+        <source>Placement</source>
+        <translation>Rozmístění</translation>
+    </message>
+    <message>
+        <source>The most branches of this level that one parent can bear.</source>
+        <translation>Nejvíc větví této úrovně, kolik jich může jeden rodič nést.</translation>
+    </message>
+    <message>
+        <source>Spread along segments</source>
+        <translation>Rozprostření po dílech</translation>
+    </message>
+    <message>
+        <source>1 spaces the branches evenly, 0 gathers them at the lower end of each segment of the parent, as whorls.</source>
+        <translation>1 rozmístí větve rovnoměrně, 0 je shromáždí na dolním konci každého dílu rodiče jako přesleny.</translation>
+    </message>
+    <message>
+        <source>Place variation</source>
+        <translation>Odchylka místa</translation>
+    </message>
+    <message>
+        <source>How far each branch is moved along its parent, as a part of the spacing.</source>
+        <translation>Jak daleko se každá větev posune podél rodiče, jako část rozestupu.</translation>
+    </message>
+    <message>
+        <source>Down angle</source>
+        <translation>Úhel odklonu</translation>
+    </message>
+    <message>
+        <source>Direction</source>
+        <translation>Směr</translation>
+    </message>
+    <message>
+        <source>The angle between a branch and its parent. 90 stands off at a right angle.</source>
+        <translation>Úhel mezi větví a jejím rodičem. 90 odstává kolmo.</translation>
+    </message>
+    <message>
+        <source>Down angle variation</source>
+        <translation>Odchylka úhlu odklonu</translation>
+    </message>
+    <message>
+        <source>How much the down angle differs from branch to branch. Negative values are not random: they grade the angle along the parent, more at its base, less at its tip.</source>
+        <translation>Jak se úhel odklonu liší větev od větve. Záporné hodnoty nejsou náhodné: odstupňují úhel podél rodiče, víc u paty, méně u špičky.</translation>
+    </message>
+    <message>
+        <source>Rotation</source>
+        <translation>Otočení</translation>
+    </message>
+    <message>
+        <source>The turn about the parent from one branch to the next. Negative values put the branches on alternate sides.</source>
+        <translation>Otočení kolem rodiče od jedné větve ke druhé. Záporné hodnoty kladou větve střídavě na obě strany.</translation>
+    </message>
+    <message>
+        <source>Rotation variation</source>
+        <translation>Odchylka otočení</translation>
+    </message>
+    <message>
+        <source>How much the rotation differs from branch to branch.</source>
+        <translation>Jak se otočení liší větev od větve.</translation>
+    </message>
+    <message>
+        <source>Length</source>
+        <translation>Délka</translation>
+    </message>
+    <message>
+        <source>The length as a part of the parent&apos;s length; for the trunk, of the tree&apos;s height.</source>
+        <translation>Délka jako část délky rodiče; u kmene výšky stromu.</translation>
+    </message>
+    <message>
+        <source>Length variation</source>
+        <translation>Odchylka délky</translation>
+    </message>
+    <message>
+        <source>How much the length differs from stem to stem.</source>
+        <translation>Jak se délka liší větev od větve.</translation>
+    </message>
+    <message>
+        <source>Taper</source>
+        <translation>Sbíhavost</translation>
+    </message>
+    <message>
+        <source>The form of the stem: 0 a cylinder, 1 a cone, 2 a cylinder with a round end, 3 a chain of spheres.</source>
+        <translation>Tvar dřeva: 0 válec, 1 kužel, 2 válec s kulatým koncem, 3 řada koulí.</translation>
+    </message>
+    <message>
+        <source>Segments</source>
+        <translation>Díly</translation>
+    </message>
+    <message>
+        <source>Curvature</source>
+        <translation>Zakřivení</translation>
+    </message>
+    <message>
+        <source>The number of segments a stem consists of. More segments bend and split more finely.</source>
+        <translation>Z kolika dílů se větev skládá. Více dílů se ohýbá a dělí jemněji.</translation>
+    </message>
+    <message>
+        <source>Curve</source>
+        <translation>Ohyb</translation>
+    </message>
+    <message>
+        <source>How much the stem bends from base to tip. Positive values bend down, negative ones up.</source>
+        <translation>Oč se větev ohne od paty ke špičce. Kladné hodnoty ohýbají dolů, záporné nahoru.</translation>
+    </message>
+    <message>
+        <source>Curve back</source>
+        <translation>Zpětný ohyb</translation>
+    </message>
+    <message>
+        <source>Unless 0, the lower half bends by Curve and the upper half by this: S-shaped stems.</source>
+        <translation>Není-li 0, ohýbá se dolní polovina podle ohybu a horní podle této hodnoty: větve tvaru S.</translation>
+    </message>
+    <message>
+        <source>Curve variation</source>
+        <translation>Odchylka ohybu</translation>
+    </message>
+    <message>
+        <source>Random bending, shared out over the segments. Negative values wind the stem into a helix of that angle.</source>
+        <translation>Náhodné ohýbání rozdělené na díly. Záporné hodnoty stáčejí větev do šroubovice o tomto úhlu.</translation>
+    </message>
+    <message>
+        <source>Splits per segment</source>
+        <translation>Dělení na díl</translation>
+    </message>
+    <message>
+        <source>How many clones split off at the end of each segment, on average. 1 forks at every one.</source>
+        <translation>Kolik klonů se odštěpí na konci každého dílu, v průměru. 1 se rozdvojí na každém.</translation>
+    </message>
+    <message>
+        <source>Split angle</source>
+        <translation>Úhel dělení</translation>
+    </message>
+    <message>
+        <source>How far each part leans away from the vertical after a split. Towards its tip it turns back again.</source>
+        <translation>Jak daleko se každá část po rozdělení odkloní od svislice. Ke špičce se zase vrací.</translation>
+    </message>
+    <message>
+        <source>Split angle variation</source>
+        <translation>Odchylka úhlu dělení</translation>
+    </message>
+    <message>
+        <source>How much the split angle differs from fork to fork.</source>
+        <translation>Jak se úhel dělení liší vidlici od vidlice.</translation>
+    </message>
+    <message>
+        <source>The most leaves that a stem of the last level bears. Negative values put them in a fan at its tip.</source>
+        <translation>Nejvíc listů, kolik jich nese větev poslední úrovně. Záporné hodnoty je dají do vějíře na špičku.</translation>
+    </message>
+    <message>
+        <source>Density</source>
+        <translation>Hustota</translation>
+    </message>
+    <message>
+        <source>Fewer but larger leaves below 1, more and smaller ones above: the leaf area stays.</source>
+        <translation>Pod 1 méně, ale větších listů, nad 1 více menších: plocha listů zůstává.</translation>
+    </message>
+    <message>
+        <source>Turn to the light</source>
+        <translation>Obracení ke světlu</translation>
+    </message>
+    <message>
+        <source>How far the leaves turn outwards and up to the light.</source>
+        <translation>Jak daleko se listy obracejí ven a vzhůru ke světlu.</translation>
+    </message>
+    <message>
+        <source>Shape</source>
+        <translation>Tvar</translation>
+    </message>
+    <message>
+        <source>Blade</source>
+        <translation>Čepel</translation>
+    </message>
+    <message>
+        <source>The kind of leaf: its outline where the form is &apos;outline&apos;. A card shows what its texture shows.</source>
+        <translation>Druh listu: jeho obrys, je-li tvar „obrys“. Karta ukazuje svou texturu.</translation>
+    </message>
+    <message>
+        <source>Form</source>
+        <translation>Podoba</translation>
+    </message>
+    <message>
+        <source>A card is a rectangle with the leaf texture. An outline is cut to the shape and needs no transparency.</source>
+        <translation>Karta je obdélník s texturou listu. Obrys je vystřižen do tvaru a nepotřebuje průhlednost.</translation>
+    </message>
+    <message>
+        <source>The length of a leaf.</source>
+        <translation>Délka listu.</translation>
+    </message>
+    <message>
+        <source>Width</source>
+        <translation>Šířka</translation>
+    </message>
+    <message>
+        <source>The width of a leaf as a part of its length.</source>
+        <translation>Šířka listu jako část jeho délky.</translation>
+    </message>
+    <message>
+        <source>Stalk</source>
+        <translation>Řapík</translation>
+    </message>
+    <message>
+        <source>The length of the stalk between stem and blade, as a part of the leaf&apos;s length.</source>
+        <translation>Délka stopky mezi větví a čepelí jako část délky listu.</translation>
+    </message>
+    <message>
+        <source>Fold</source>
+        <translation>Přehnutí</translation>
+    </message>
+    <message>
+        <source>How far each half of a leaf is folded up along its midrib.</source>
+        <translation>Oč je každá polovina listu přehnutá vzhůru podél středního žebra.</translation>
+    </message>
+    <message>
+        <source>Rounding</source>
+        <translation>Zaoblení</translation>
+    </message>
+    <message>
+        <source>Shading</source>
+        <translation>Stínování</translation>
+    </message>
+    <message>
+        <source>Shades the leaves as if they were the surface of one round crown: softer light on dense crowns.</source>
+        <translation>Stínuje listy, jako by byly povrchem jedné kulaté koruny: měkčí světlo na hustých korunách.</translation>
+    </message>
+    <message>
+        <source>Strength</source>
+        <translation>Síla</translation>
+    </message>
+    <message>
+        <source>Envelope</source>
+        <translation>Obálka</translation>
+    </message>
+    <message>
+        <source>0 leaves the branches alone, 1 shortens them until they stay inside the envelope.</source>
+        <translation>0 nechá větve být, 1 je zkracuje, dokud nezůstanou uvnitř obálky.</translation>
+    </message>
+    <message>
+        <source>The radius of the envelope at its widest place, as a part of the tree&apos;s height.</source>
+        <translation>Poloměr obálky v nejširším místě jako část výšky stromu.</translation>
+    </message>
+    <message>
+        <source>Widest place</source>
+        <translation>Nejširší místo</translation>
+    </message>
+    <message>
+        <source>Where the envelope is widest, from 0 at its bottom to 1 at its top.</source>
+        <translation>Kde je obálka nejširší, od 0 dole po 1 nahoře.</translation>
+    </message>
+    <message>
+        <source>The envelope below its widest place: under 1 it bulges, 1 is straight, above 1 it is hollow.</source>
+        <translation>Obálka pod nejširším místem: pod 1 je vypouklá, 1 rovná, nad 1 prohnutá.</translation>
+    </message>
+    <message>
+        <source>The envelope above its widest place: under 1 it bulges, 1 is straight, above 1 it is hollow.</source>
+        <translation>Obálka nad nejširším místem: pod 1 je vypouklá, 1 rovná, nad 1 prohnutá.</translation>
+    </message>
+    <message>
+        <source>Bark repeats around</source>
+        <translation>Opakování kůry kolem</translation>
+    </message>
+    <message>
+        <source>Bark</source>
+        <translation>Kůra</translation>
+    </message>
+    <message>
+        <source>How often the bark picture goes around the trunk; branches follow. Whole numbers leave no seam.</source>
+        <translation>Kolikrát obrázek kůry obejde kmen; větve následují. Celá čísla nenechají šev.</translation>
+    </message>
+    <message>
+        <source>Bark repeats along</source>
+        <translation>Opakování kůry podél</translation>
+    </message>
+    <message>
+        <source>How often the bark picture repeats from the trunk&apos;s base to its tip. Branches show it at the same scale.</source>
+        <translation>Kolikrát se obrázek kůry opakuje od paty kmene k jeho špičce. Větve ho ukazují ve stejném měřítku.</translation>
+    </message>
+    <message>
+        <source>Species</source>
+        <translation>Druh</translation>
+    </message>
+    <message>
+        <source>About</source>
+        <translation>O stromu</translation>
+    </message>
+    <message>
+        <source>The name of the kind of tree.</source>
+        <translation>Název druhu stromu.</translation>
+    </message>
+    <message>
+        <source>Author</source>
+        <translation>Autor</translation>
+    </message>
+    <message>
+        <source>Who made the file.</source>
+        <translation>Kdo soubor vytvořil.</translation>
+    </message>
+    <message>
+        <source>Description</source>
+        <translation>Popis</translation>
+    </message>
+    <message>
+        <source>What the tree is like.</source>
+        <translation>Jaký strom je.</translation>
+    </message>
+    <message>
+        <source>Method</source>
+        <translation>Metoda</translation>
+    </message>
+    <message>
+        <source>How the tree is grown: weber-penn.</source>
+        <translation>Jak strom roste: weber-penn.</translation>
+    </message>
+    <message>
+        <source>Liked seeds</source>
+        <translation>Oblíbená semínka</translation>
+    </message>
+    <message>
+        <source>Seeds worth finding again, separated by blanks.</source>
+        <translation>Semínka, která stojí za to znovu najít, oddělená mezerami.</translation>
+    </message>
+    <message>
+        <source>Bark texture</source>
+        <translation>Textura kůry</translation>
+    </message>
+    <message>
+        <source>The picture on the stems; its path starts at the file&apos;s folder. Empty takes the built-in one.</source>
+        <translation>Obrázek na dřevě; cesta začíná ve složce souboru. Prázdné vezme vestavěný.</translation>
+    </message>
+    <message>
+        <source>Leaf texture</source>
+        <translation>Textura listu</translation>
+    </message>
+    <message>
+        <source>Leaves</source>
+        <translation>Listy</translation>
+    </message>
+    <message>
+        <source>The picture on the leaves, transparent outside the blade. Empty takes the built-in one.</source>
+        <translation>Obrázek na listech, průhledný mimo čepel. Prázdné vezme vestavěný.</translation>
+    </message>
+    <message>
+        <source>The tree has no stems of this level: see Levels of stems.</source>
+        <translation>Strom nemá větve této úrovně: viz Úrovně větvení.</translation>
+    </message>
+    <message>
+        <source>The tree has no stems of this level: a Number of branches is 0.</source>
+        <translation>Strom nemá větve této úrovně: některý počet větví je 0.</translation>
+    </message>
+    <message>
+        <source>This level would place the leaves, and the tree has none.</source>
+        <translation>Tato úroveň by rozmístila listy, a strom žádné nemá.</translation>
+    </message>
+    <message>
+        <source>Leaves grow on branches, and the tree is a bare trunk.</source>
+        <translation>Listy rostou na větvích, a strom je holý kmen.</translation>
+    </message>
+    <message>
+        <source>The tree has no leaves: their Number is 0.</source>
+        <translation>Strom nemá listy: jejich počet je 0.</translation>
+    </message>
+    <message>
+        <source>Tree</source>
+        <translation>Strom</translation>
+    </message>
+    <message>
+        <source>Trunk</source>
+        <translation>Kmen</translation>
+    </message>
+    <message>
+        <source>Branches</source>
+        <translation>Větve</translation>
+    </message>
+    <message>
+        <source>Pruning</source>
+        <translation>Prořezávání</translation>
+    </message>
+</context>
+<context>
+    <name>stromar::CDocument</name>
+    <message>
+        <source>new.tree</source>
+        <translation>nový.tree</translation>
+    </message>
+    <message>
+        <source>Open preset %1</source>
+        <translation>Otevřít předvolbu %1</translation>
+    </message>
+    <message>
+        <source>Restore</source>
+        <translation>Obnovit</translation>
+    </message>
+    <message>
+        <source>Change %1</source>
+        <translation>Změna %1</translation>
+    </message>
+</context>
+<context>
+    <name>stromar::CExportDialog</name>
+    <message>
+        <source>Export</source>
+        <translation>Export</translation>
+    </message>
+    <message>
+        <source>Lost in this format</source>
+        <translation>V tomto formátu se ztratí</translation>
+    </message>
+    <message>
+        <source>Size, about</source>
+        <translation>Velikost asi</translation>
+    </message>
+    <message>
+        <source>Format</source>
+        <translation>Formát</translation>
+    </message>
+    <message>
+        <source>Browse…</source>
+        <translation>Procházet…</translation>
+    </message>
+    <message>
+        <source>File</source>
+        <translation>Soubor</translation>
+    </message>
+    <message>
+        <source>Where to export</source>
+        <translation>Kam exportovat</translation>
+    </message>
+    <message>
+        <source>The file&apos;s name has to end in %1</source>
+        <translation>Název souboru musí končit na %1</translation>
+    </message>
+    <message>
+        <source>%1 is there already. Replace it?</source>
+        <translation>%1 už existuje. Nahradit?</translation>
+    </message>
+</context>
+<context>
+    <name>stromar::CHelpWindow</name>
+    <message>
+        <source>Stromar Manual</source>
+        <translation>Příručka Stromaru</translation>
+    </message>
+    <message>
+        <source>Pages</source>
+        <translation>Stránky</translation>
+    </message>
+    <message>
+        <source>Back</source>
+        <translation>Zpět</translation>
+    </message>
+    <message>
+        <source>Forward</source>
+        <translation>Vpřed</translation>
+    </message>
+    <message>
+        <source>Contents</source>
+        <translation>Obsah</translation>
+    </message>
+</context>
+<context>
+    <name>stromar::CMainWindow</name>
+    <message>
+        <source>Parameters</source>
+        <translation>Parametry</translation>
+    </message>
+    <message>
+        <source>Presets</source>
+        <translation>Předvolby</translation>
+    </message>
+    <message>
+        <source>Variants</source>
+        <translation>Varianty</translation>
+    </message>
+    <message>
+        <source>As opened</source>
+        <translation>Jak byl otevřen</translation>
+    </message>
+    <message>
+        <source>History</source>
+        <translation>Historie</translation>
+    </message>
+    <message>
+        <source>Messages of the file</source>
+        <translation>Zprávy k souboru</translation>
+    </message>
+    <message>
+        <source>Messages</source>
+        <translation>Zprávy</translation>
+    </message>
+    <message>
+        <source>Tools</source>
+        <translation>Nástroje</translation>
+    </message>
+    <message>
+        <source>Open &amp;Recent</source>
+        <translation>Otevřít &amp;nedávné</translation>
+    </message>
+    <message>
+        <source>The tree is growing; Esc gives it up</source>
+        <translation>Strom roste; Esc ho vzdá</translation>
+    </message>
+    <message>
+        <source>Autosave: %1</source>
+        <translation>Průběžné ukládání: %1</translation>
+    </message>
+    <message>
+        <source>Randomise</source>
+        <translation>Zamíchat</translation>
+    </message>
+    <message>
+        <source>The graphics driver has started again</source>
+        <translation>Ovladač grafiky se znovu spustil</translation>
+    </message>
+    <message>
+        <source>%1 = %2 fits</source>
+        <translation>%1 = %2 se vejde</translation>
+    </message>
+    <message>
+        <source>Grow it anyway</source>
+        <translation>Přesto vypěstovat</translation>
+    </message>
+    <message>
+        <source>Undo</source>
+        <translation>Zpět</translation>
+    </message>
+    <message>
+        <source>This tree may have up to %1 stems, %2 leaves and %3 million vertices; the limit is %4 million.</source>
+        <translation>Tento strom může mít až %1 větví, %2 listů a %3 milionů vrcholů; mez je %4 milionů.</translation>
+    </message>
+    <message>
+        <source>%1   %2 stems   %3 leaves   %4 vertices   %5 triangles   %6 ms</source>
+        <translation>%1   %2 větví   %3 listů   %4 vrcholů   %5 trojúhelníků   %6 ms</translation>
+    </message>
+    <message>
+        <source>Simple model</source>
+        <translation>Jednoduchý model</translation>
+    </message>
+    <message>
+        <source>Full model</source>
+        <translation>Úplný model</translation>
+    </message>
+    <message>
+        <source>Another program has changed %1. Opening it again loses your changes.</source>
+        <translation>Jiný program změnil %1. Novým otevřením ztratíte své změny.</translation>
+    </message>
+    <message>
+        <source>Another program has changed %1.</source>
+        <translation>Jiný program změnil %1.</translation>
+    </message>
+    <message>
+        <source>Open it again</source>
+        <translation>Otevřít znovu</translation>
+    </message>
+    <message>
+        <source>Keep mine</source>
+        <translation>Nechat moje</translation>
+    </message>
+    <message>
+        <source>Stopped; F6 grows the full model</source>
+        <translation>Zastaveno; F6 vypěstuje úplný model</translation>
+    </message>
+    <message>
+        <source>No manual</source>
+        <translation>Příručka chybí</translation>
+    </message>
+    <message>
+        <source>The pages of the manual are not installed.</source>
+        <translation>Stránky příručky nejsou nainstalované.</translation>
+    </message>
+    <message>
+        <source>In the picture</source>
+        <translation>V obrázku</translation>
+    </message>
+    <message>
+        <source>Wheel</source>
+        <translation>Kolečko</translation>
+    </message>
+    <message>
+        <source>Nearer and farther</source>
+        <translation>Blíž a dál</translation>
+    </message>
+    <message>
+        <source>Click</source>
+        <translation>Kliknutí</translation>
+    </message>
+    <message>
+        <source>Tell about the stem or leaf</source>
+        <translation>Povědět o větvi nebo listu</translation>
+    </message>
+    <message>
+        <source>In the parameters</source>
+        <translation>V parametrech</translation>
+    </message>
+    <message>
+        <source>Scroll; changes an editor only after a click into it</source>
+        <translation>Posouvá; hodnotu mění až po kliknutí do ní</translation>
+    </message>
+    <message>
+        <source>Shift</source>
+        <translation>Shift</translation>
+    </message>
+    <message>
+        <source>Finer steps of a slider</source>
+        <translation>Jemnější kroky posuvníku</translation>
+    </message>
+    <message>
+        <source>Ctrl</source>
+        <translation>Ctrl</translation>
+    </message>
+    <message>
+        <source>Larger steps of a slider</source>
+        <translation>Větší kroky posuvníku</translation>
+    </message>
+    <message>
+        <source>Double click on a name</source>
+        <translation>Dvojklik na název</translation>
+    </message>
+    <message>
+        <source>Back to the default</source>
+        <translation>Zpět na výchozí hodnotu</translation>
+    </message>
+    <message>
+        <source>Right click on a name</source>
+        <translation>Pravé kliknutí na název</translation>
+    </message>
+    <message>
+        <source>Copy, paste, lock</source>
+        <translation>Kopírovat, vložit, zamknout</translation>
+    </message>
+    <message>
+        <source>Keys</source>
+        <translation>Klávesy</translation>
+    </message>
+    <message>
+        <source>Mouse and keys</source>
+        <translation>Myš a klávesy</translation>
+    </message>
+    <message>
+        <source>About Stromar</source>
+        <translation>O programu Stromar</translation>
+    </message>
+    <message>
+        <source>&lt;p&gt;&lt;b&gt;Stromar %1&lt;/b&gt;&lt;/p&gt;&lt;p&gt;Grows trees by the model of Weber and Penn, “Creation and Rendering of Realistic Trees”, SIGGRAPH ’95.&lt;/p&gt;</source>
+        <translation>&lt;p&gt;&lt;b&gt;Stromar %1&lt;/b&gt;&lt;/p&gt;&lt;p&gt;Pěstuje stromy podle modelu Webera a Penna, „Creation and Rendering of Realistic Trees“, SIGGRAPH ’95.&lt;/p&gt;</translation>
+    </message>
+    <message>
+        <source>Trees (*.tree);;All files (*)</source>
+        <translation>Stromy (*.tree);;Všechny soubory (*)</translation>
+    </message>
+    <message>
+        <source>Cannot open the tree</source>
+        <translation>Strom nelze otevřít</translation>
+    </message>
+    <message>
+        <source>Cannot open the preset</source>
+        <translation>Předvolbu nelze otevřít</translation>
+    </message>
+    <message>
+        <source>Cannot save the tree</source>
+        <translation>Strom nelze uložit</translation>
+    </message>
+    <message>
+        <source>Saved %1</source>
+        <translation>Uloženo %1</translation>
+    </message>
+    <message>
+        <source>Open a tree</source>
+        <translation>Otevřít strom</translation>
+    </message>
+    <message>
+        <source>Save the tree</source>
+        <translation>Uložit strom</translation>
+    </message>
+    <message>
+        <source>Save as Preset</source>
+        <translation>Uložit jako předvolbu</translation>
+    </message>
+    <message>
+        <source>Name of the preset</source>
+        <translation>Název předvolby</translation>
+    </message>
+    <message>
+        <source>Replace the preset “%1”?</source>
+        <translation>Nahradit předvolbu „%1“?</translation>
+    </message>
+    <message>
+        <source>Cannot save the preset</source>
+        <translation>Předvolbu nelze uložit</translation>
+    </message>
+    <message>
+        <source>Writing %1</source>
+        <translation>Zapisuje se %1</translation>
+    </message>
+    <message>
+        <source>Cancel</source>
+        <translation>Zrušit</translation>
+    </message>
+    <message>
+        <source>Cannot export the tree</source>
+        <translation>Strom nelze exportovat</translation>
+    </message>
+    <message>
+        <source>Export cancelled; no file was changed</source>
+        <translation>Export zrušen; žádný soubor se nezměnil</translation>
+    </message>
+    <message>
+        <source>Exported %1</source>
+        <translation>Exportováno %1</translation>
+    </message>
+    <message>
+        <source>Pictures (*.png *.jpg *.jpeg *.tga *.tif *.tiff *.bmp);;All files (*)</source>
+        <translation>Obrázky (*.png *.jpg *.jpeg *.tga *.tif *.tiff *.bmp);;Všechny soubory (*)</translation>
+    </message>
+    <message>
+        <source>As the &amp;bark</source>
+        <translation>Jako &amp;kůra</translation>
+    </message>
+    <message>
+        <source>As the &amp;leaf</source>
+        <translation>Jako &amp;list</translation>
+    </message>
+    <message>
+        <source>A tree that was never saved</source>
+        <translation>Strom, který nebyl nikdy uložen</translation>
+    </message>
+    <message>
+        <source>Restore unsaved changes</source>
+        <translation>Obnovit neuložené změny</translation>
+    </message>
+    <message>
+        <source>Stromar ended without saving these changes of %1:
+%2</source>
+        <translation>Stromar skončil bez uložení těchto změn z %1:
+%2</translation>
+    </message>
+    <message>
+        <source>&amp;Restore</source>
+        <translation>&amp;Obnovit</translation>
+    </message>
+    <message>
+        <source>&amp;Discard</source>
+        <translation>&amp;Zahodit</translation>
+    </message>
+    <message>
+        <source>Ask &amp;Later</source>
+        <translation>Zeptat se &amp;později</translation>
+    </message>
+    <message>
+        <source>Cannot restore</source>
+        <translation>Nelze obnovit</translation>
+    </message>
+    <message>
+        <source>Unsaved changes</source>
+        <translation>Neuložené změny</translation>
+    </message>
+    <message>
+        <source>Save the changes of %1?</source>
+        <translation>Uložit změny v %1?</translation>
+    </message>
+</context>
+<context>
+    <name>stromar::CMessageBar</name>
+    <message>
+        <source>Dismiss</source>
+        <translation>Zavřít</translation>
+    </message>
+</context>
+<context>
+    <name>stromar::CParamEditor</name>
+    <message>
+        <source>Another tree of the same kind</source>
+        <translation>Jiný strom téhož druhu</translation>
+    </message>
+    <message>
+        <source>Random seed</source>
+        <translation>Náhodné semínko</translation>
+    </message>
+</context>
+<context>
+    <name>stromar::CParamPanel</name>
+    <message>
+        <source>Find a parameter</source>
+        <translation>Najít parametr</translation>
+    </message>
+    <message>
+        <source>Parameters</source>
+        <translation>Parametry</translation>
+    </message>
+    <message>
+        <source>built in</source>
+        <translation>vestavěná</translation>
+    </message>
+    <message>
+        <source>Load…</source>
+        <translation>Načíst…</translation>
+    </message>
+    <message>
+        <source>Choose a picture</source>
+        <translation>Vybrat obrázek</translation>
+    </message>
+</context>
+<context>
+    <name>stromar::CParamRow</name>
+    <message>
+        <source>Trunk</source>
+        <translation>Kmen</translation>
+    </message>
+    <message>
+        <source>Branches %1</source>
+        <translation>Větve %1</translation>
+    </message>
+    <message>
+        <source>Without effect: %1</source>
+        <translation>Bez účinku: %1</translation>
+    </message>
+    <message>
+        <source>Reset %1</source>
+        <translation>Výchozí %1</translation>
+    </message>
+    <message>
+        <source>Paste %1</source>
+        <translation>Vložit %1</translation>
+    </message>
+    <message>
+        <source>&amp;Paste</source>
+        <translation>&amp;Vložit</translation>
+    </message>
+    <message>
+        <source>Give to &amp;Level</source>
+        <translation>Předat ú&amp;rovni</translation>
+    </message>
+    <message>
+        <source>&amp;Reset to Default</source>
+        <translation>&amp;Výchozí hodnota</translation>
+    </message>
+    <message>
+        <source>Back to the &amp;Saved Value</source>
+        <translation>Zpět na &amp;uloženou hodnotu</translation>
+    </message>
+    <message>
+        <source>Saved %1</source>
+        <translation>Uloženo %1</translation>
+    </message>
+    <message>
+        <source>&amp;Copy</source>
+        <translation>&amp;Kopírovat</translation>
+    </message>
+    <message>
+        <source>&amp;Lock against Randomise</source>
+        <translation>&amp;Zamknout proti míchání</translation>
+    </message>
+</context>
+<context>
+    <name>stromar::CPictureDialog</name>
+    <message>
+        <source>&amp;Transparent background</source>
+        <translation>&amp;Průhledné pozadí</translation>
+    </message>
+    <message>
+        <source>Save a Picture</source>
+        <translation>Uložit obrázek</translation>
+    </message>
+    <message>
+        <source>One picture</source>
+        <translation>Jeden obrázek</translation>
+    </message>
+    <message>
+        <source> frames</source>
+        <translation> snímků</translation>
+    </message>
+    <message>
+        <source>More than one: the tree turns once around, each frame a numbered PNG file</source>
+        <translation>Více než jeden: strom se jednou otočí, každý snímek je očíslovaný soubor PNG</translation>
+    </message>
+    <message>
+        <source>&amp;Width</source>
+        <translation>Šíř&amp;ka</translation>
+    </message>
+    <message>
+        <source>&amp;Height</source>
+        <translation>&amp;Výška</translation>
+    </message>
+    <message>
+        <source>T&amp;urntable</source>
+        <translation>&amp;Otáčení</translation>
+    </message>
+    <message>
+        <source>Pictures (*.png *.jpg *.webp)</source>
+        <translation>Obrázky (*.png *.jpg *.webp)</translation>
+    </message>
+</context>
+<context>
+    <name>stromar::CPreferencesDialog</name>
+    <message>
+        <source>Preferences</source>
+        <translation>Nastavení</translation>
+    </message>
+</context>
+<context>
+    <name>stromar::CPresetBrowser</name>
+    <message>
+        <source>Find a tree</source>
+        <translation>Najít strom</translation>
+    </message>
+    <message>
+        <source>All</source>
+        <translation>Vše</translation>
+    </message>
+    <message>
+        <source>Stromar&apos;s</source>
+        <translation>Ze Stromaru</translation>
+    </message>
+    <message>
+        <source>My own</source>
+        <translation>Moje vlastní</translation>
+    </message>
+    <message>
+        <source>Folder of presets</source>
+        <translation>Složka předvoleb</translation>
+    </message>
+    <message>
+        <source>Save…</source>
+        <translation>Uložit…</translation>
+    </message>
+    <message>
+        <source>Keep the tree in the window as a preset of your own</source>
+        <translation>Uchovat strom v okně jako vlastní předvolbu</translation>
+    </message>
+    <message>
+        <source>Presets</source>
+        <translation>Předvolby</translation>
+    </message>
+    <message>
+        <source>By %1</source>
+        <translation>Autor: %1</translation>
+    </message>
+    <message>
+        <source>&amp;Open</source>
+        <translation>&amp;Otevřít</translation>
+    </message>
+    <message>
+        <source>&amp;Remove…</source>
+        <translation>&amp;Odstranit…</translation>
+    </message>
+    <message>
+        <source>Remove a preset</source>
+        <translation>Odstranit předvolbu</translation>
+    </message>
+    <message>
+        <source>Move “%1” to the waste bin?</source>
+        <translation>Přesunout „%1“ do koše?</translation>
+    </message>
+    <message>
+        <source>%1 cannot be removed.</source>
+        <translation>%1 nelze odstranit.</translation>
+    </message>
+</context>
+<context>
+    <name>stromar::CThumbnails</name>
+    <message>
+        <source>There is no OpenGL to draw it.</source>
+        <translation>Není tu OpenGL, které by ho nakreslilo.</translation>
+    </message>
+</context>
+<context>
+    <name>stromar::CVariants</name>
+    <message>
+        <source>&amp;Nine Others</source>
+        <translation>&amp;Devět jiných</translation>
+    </message>
+    <message>
+        <source>Throw nine other seeds</source>
+        <translation>Hodit devět jiných semínek</translation>
+    </message>
+    <message>
+        <source>Liked seeds</source>
+        <translation>Oblíbená semínka</translation>
+    </message>
+    <message>
+        <source>♥ Like</source>
+        <translation>♥ Líbí se</translation>
+    </message>
+    <message>
+        <source>Keep the seed of the tree in the window in its file</source>
+        <translation>Uchovat semínko stromu v okně v jeho souboru</translation>
+    </message>
+    <message>
+        <source>The tree as a whole</source>
+        <translation>Strom jako celek</translation>
+    </message>
+    <message>
+        <source>Trunk</source>
+        <translation>Kmen</translation>
+    </message>
+    <message>
+        <source>Branches 1</source>
+        <translation>Větve 1</translation>
+    </message>
+    <message>
+        <source>Branches 2</source>
+        <translation>Větve 2</translation>
+    </message>
+    <message>
+        <source>Branches 3</source>
+        <translation>Větve 3</translation>
+    </message>
+    <message>
+        <source>Leaves</source>
+        <translation>Listy</translation>
+    </message>
+    <message>
+        <source>Everything</source>
+        <translation>Vše</translation>
+    </message>
+    <message>
+        <source>&amp;Randomise</source>
+        <translation>&amp;Zamíchat</translation>
+    </message>
+    <message>
+        <source>Move the values by chance; locked ones stay (right click a parameter to lock it)</source>
+        <translation>Náhodně pohne hodnotami; zamčené zůstanou (zamyká se pravým kliknutím na parametr)</translation>
+    </message>
+    <message>
+        <source>Random values</source>
+        <translation>Náhodné hodnoty</translation>
+    </message>
+    <message>
+        <source>&amp;Values of</source>
+        <translation>&amp;Hodnoty</translation>
+    </message>
+    <message>
+        <source>&amp;At most</source>
+        <translation>&amp;Nejvýše</translation>
+    </message>
+    <message>
+        <source>Seed %1</source>
+        <translation>Semínko %1</translation>
+    </message>
+</context>
+<context>
+    <name>stromar::CViewDesk</name>
+    <message>
+        <source>Trunk</source>
+        <translation>Kmen</translation>
+    </message>
+    <message>
+        <source>Branches %1</source>
+        <translation>Větve %1</translation>
+    </message>
+    <message>
+        <source>Drag %1</source>
+        <translation>Tažení: %1</translation>
+    </message>
+    <message>
+        <source>%1, stem %2 of %3</source>
+        <translation>%1, č. %2 z %3</translation>
+    </message>
+    <message>
+        <source>Length %1, radius %2</source>
+        <translation>Délka %1, poloměr %2</translation>
+    </message>
+    <message>
+        <source>On %1, stem %2, at %3</source>
+        <translation>Na: %1, č. %2, ve vzdálenosti %3</translation>
+    </message>
+    <message numerus="yes">
+        <source>Split into %n path(s)</source>
+        <translation>
+            <numerusform>Dělí se na %n cestu</numerusform>
+            <numerusform>Dělí se na %n cesty</numerusform>
+            <numerusform>Dělí se na %n cest</numerusform>
+        </translation>
+    </message>
+    <message>
+        <source>Leaf %1 of %2
+Length %3, width %4
+On %5, stem %6</source>
+        <translation>List %1 z %2
+Délka %3, šířka %4
+Na: %5, č. %6</translation>
+    </message>
+    <message>
+        <source>Height %1, width %2</source>
+        <translation>Výška %1, šířka %2</translation>
+    </message>
+    <message>
+        <source>%1: %2 stems, %3 triangles</source>
+        <translation>%1: počet %2, %3 trojúhelníků</translation>
+    </message>
+    <message>
+        <source>Leaves: %1, %2 triangles</source>
+        <translation>Listy: %1, %2 trojúhelníků</translation>
+    </message>
+    <message>
+        <source>Structure %1 ms, mesh %2 ms</source>
+        <translation>Struktura %1 ms, síť %2 ms</translation>
+    </message>
+    <message>
+        <source>Writing pictures</source>
+        <translation>Zapisují se obrázky</translation>
+    </message>
+    <message>
+        <source>Cancel</source>
+        <translation>Zrušit</translation>
+    </message>
+    <message>
+        <source>Cannot save the picture</source>
+        <translation>Obrázek nelze uložit</translation>
+    </message>
+    <message>
+        <source>%1 cannot be written.</source>
+        <translation>%1 nelze zapsat.</translation>
+    </message>
+    <message>
+        <source>Saved %1</source>
+        <translation>Uloženo %1</translation>
+    </message>
+    <message numerus="yes">
+        <source>Saved %n frame(s) of a turntable</source>
+        <translation>
+            <numerusform>Uložen %n snímek otáčení</numerusform>
+            <numerusform>Uloženy %n snímky otáčení</numerusform>
+            <numerusform>Uloženo %n snímků otáčení</numerusform>
+        </translation>
+    </message>
+</context>
+<context>
+    <name>stromar::CViewport</name>
+    <message>
+        <source>OpenGL 2.1 is needed to show the tree; this display has %1.%2. Files can still be edited and exported.</source>
+        <translation>K zobrazení stromu je třeba OpenGL 2.1; tento displej má %1.%2. Soubory lze dál upravovat a exportovat.</translation>
+    </message>
+    <message>
+        <source>There is no OpenGL on this display, so the tree cannot be shown. Install your graphics driver. Files can still be edited and exported.</source>
+        <translation>Na tomto displeji není OpenGL, strom tedy nelze ukázat. Nainstalujte ovladač grafiky. Soubory lze dál upravovat a exportovat.</translation>
+    </message>
+    <message>
+        <source>Picture of the tree</source>
+        <translation>Obrázek stromu</translation>
+    </message>
+</context>
+</TS>

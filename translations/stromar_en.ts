@@ -1,0 +1,21 @@
+<?xml version="1.0" encoding="utf-8"?>
+<!DOCTYPE TS>
+<TS version="2.1" language="en">
+<context>
+    <name>stromar::CViewDesk</name>
+    <message numerus="yes">
+        <source>Split into %n path(s)</source>
+        <translation>
+            <numerusform>Split into %n path</numerusform>
+            <numerusform>Split into %n paths</numerusform>
+        </translation>
+    </message>
+    <message numerus="yes">
+        <source>Saved %n frame(s) of a turntable</source>
+        <translation>
+            <numerusform>Saved %n frame of a turntable</numerusform>
+            <numerusform>Saved %n frames of a turntable</numerusform>
+        </translation>
+    </message>
+</context>
+</TS>

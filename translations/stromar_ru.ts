@@ -1,0 +1,2105 @@
+<?xml version="1.0" encoding="utf-8"?>
+<!DOCTYPE TS>
+<TS version="2.1" language="ru">
+<context>
+    <name>Commands</name>
+    <message>
+        <source>&amp;New</source>
+        <translation>&amp;Новое</translation>
+    </message>
+    <message>
+        <source>Start with a plain tree</source>
+        <translation>Начать с простого дерева</translation>
+    </message>
+    <message>
+        <source>&amp;Open…</source>
+        <translation>&amp;Открыть…</translation>
+    </message>
+    <message>
+        <source>Open a .tree file</source>
+        <translation>Открыть файл .tree</translation>
+    </message>
+    <message>
+        <source>&amp;Save</source>
+        <translation>&amp;Сохранить</translation>
+    </message>
+    <message>
+        <source>Save the tree</source>
+        <translation>Сохранить дерево</translation>
+    </message>
+    <message>
+        <source>Save &amp;As…</source>
+        <translation>Сохранить &amp;как…</translation>
+    </message>
+    <message>
+        <source>Save the tree in another file</source>
+        <translation>Сохранить дерево в другой файл</translation>
+    </message>
+    <message>
+        <source>Save as &amp;Preset…</source>
+        <translation>Сохранить как &amp;заготовку…</translation>
+    </message>
+    <message>
+        <source>Keep the tree among your own presets</source>
+        <translation>Добавить дерево к своим заготовкам</translation>
+    </message>
+    <message>
+        <source>&amp;Export…</source>
+        <translation>&amp;Экспорт…</translation>
+    </message>
+    <message>
+        <source>Write the tree for another program</source>
+        <translation>Записать дерево для другой программы</translation>
+    </message>
+    <message>
+        <source>Save P&amp;icture…</source>
+        <translation>Сохранить &amp;картинку…</translation>
+    </message>
+    <message>
+        <source>A picture of the tree, or the frames of a turntable</source>
+        <translation>Картинка дерева или кадры вращения</translation>
+    </message>
+    <message>
+        <source>Load &amp;Bark Texture…</source>
+        <translation>Загрузить текстуру ко&amp;ры…</translation>
+    </message>
+    <message>
+        <source>Choose the picture on the stems</source>
+        <translation>Выбрать картинку для ствола и ветвей</translation>
+    </message>
+    <message>
+        <source>Load &amp;Leaf Texture…</source>
+        <translation>Загрузить текстуру &amp;листа…</translation>
+    </message>
+    <message>
+        <source>Choose the picture on the leaves</source>
+        <translation>Выбрать картинку для листьев</translation>
+    </message>
+    <message>
+        <source>&amp;Quit</source>
+        <translation>&amp;Выход</translation>
+    </message>
+    <message>
+        <source>Leave Stromar</source>
+        <translation>Выйти из Stromar</translation>
+    </message>
+    <message>
+        <source>&amp;Undo</source>
+        <translation>&amp;Отменить</translation>
+    </message>
+    <message>
+        <source>Take the last change back</source>
+        <translation>Отменить последнее изменение</translation>
+    </message>
+    <message>
+        <source>&amp;Redo</source>
+        <translation>&amp;Вернуть</translation>
+    </message>
+    <message>
+        <source>Make the change again</source>
+        <translation>Повторить изменение</translation>
+    </message>
+    <message>
+        <source>&amp;Find Parameter</source>
+        <translation>&amp;Найти параметр</translation>
+    </message>
+    <message>
+        <source>Look for a parameter by its name</source>
+        <translation>Искать параметр по имени</translation>
+    </message>
+    <message>
+        <source>&amp;Preferences…</source>
+        <translation>&amp;Настройки…</translation>
+    </message>
+    <message>
+        <source>Theme, language, mouse, units</source>
+        <translation>Тема, язык, мышь, единицы</translation>
+    </message>
+    <message>
+        <source>&amp;Another Seed</source>
+        <translation>&amp;Другое зерно</translation>
+    </message>
+    <message>
+        <source>Another tree of the same kind</source>
+        <translation>Другое дерево того же вида</translation>
+    </message>
+    <message>
+        <source>&amp;Generate</source>
+        <translation>&amp;Построить заново</translation>
+    </message>
+    <message>
+        <source>Build the tree again from scratch</source>
+        <translation>Построить дерево с самого начала</translation>
+    </message>
+    <message>
+        <source>&amp;Full Model</source>
+        <translation>Полная &amp;модель</translation>
+    </message>
+    <message>
+        <source>Show the full model now</source>
+        <translation>Показать полную модель сейчас</translation>
+    </message>
+    <message>
+        <source>&amp;Stop Growing</source>
+        <translation>О&amp;становить рост</translation>
+    </message>
+    <message>
+        <source>Give up the tree that is growing, and let go of what is selected</source>
+        <translation>Бросить растущее дерево и снять выделение</translation>
+    </message>
+    <message>
+        <source>&amp;Recentre</source>
+        <translation>По &amp;центру</translation>
+    </message>
+    <message>
+        <source>See the whole tree from the front</source>
+        <translation>Всё дерево спереди</translation>
+    </message>
+    <message>
+        <source>&amp;Frame the Tree</source>
+        <translation>Всё &amp;дерево</translation>
+    </message>
+    <message>
+        <source>See the whole tree from where you are</source>
+        <translation>Всё дерево с того места, где вы находитесь</translation>
+    </message>
+    <message>
+        <source>From the Fr&amp;ont</source>
+        <translation>С&amp;переди</translation>
+    </message>
+    <message>
+        <source>Look along the Y axis</source>
+        <translation>Вид вдоль оси Y</translation>
+    </message>
+    <message>
+        <source>From the S&amp;ide</source>
+        <translation>С&amp;боку</translation>
+    </message>
+    <message>
+        <source>Look along the X axis</source>
+        <translation>Вид вдоль оси X</translation>
+    </message>
+    <message>
+        <source>From A&amp;bove</source>
+        <translation>С&amp;верху</translation>
+    </message>
+    <message>
+        <source>Look down</source>
+        <translation>Вид вниз</translation>
+    </message>
+    <message>
+        <source>Ort&amp;hographic</source>
+        <translation>&amp;Ортогонально</translation>
+    </message>
+    <message>
+        <source>Without perspective</source>
+        <translation>Без перспективы</translation>
+    </message>
+    <message>
+        <source>Turn &amp;Freely</source>
+        <translation>Вращать с&amp;вободно</translation>
+    </message>
+    <message>
+        <source>Roll the tree in all directions instead of keeping it upright</source>
+        <translation>Вращать дерево во все стороны, а не только стоя</translation>
+    </message>
+    <message>
+        <source>&amp;Wired</source>
+        <translation>&amp;Каркас</translation>
+    </message>
+    <message>
+        <source>Show the wire frame</source>
+        <translation>Показать каркас</translation>
+    </message>
+    <message>
+        <source>Wires &amp;over the Tree</source>
+        <translation>Каркас по&amp;верх дерева</translation>
+    </message>
+    <message>
+        <source>Show the wire frame on the shaded tree</source>
+        <translation>Показать каркас на затенённом дереве</translation>
+    </message>
+    <message>
+        <source>&amp;Bare</source>
+        <translation>&amp;Без листьев</translation>
+    </message>
+    <message>
+        <source>Hide the leaves</source>
+        <translation>Скрыть листья</translation>
+    </message>
+    <message>
+        <source>&amp;Grid and Person</source>
+        <translation>&amp;Сетка и человек</translation>
+    </message>
+    <message>
+        <source>Show a grid of metres and a person beside the tree</source>
+        <translation>Показать метровую сетку и человека рядом с деревом</translation>
+    </message>
+    <message>
+        <source>&amp;Statistics</source>
+        <translation>Ст&amp;атистика</translation>
+    </message>
+    <message>
+        <source>Show sizes and counts in the picture</source>
+        <translation>Показать размеры и количества в картинке</translation>
+    </message>
+    <message>
+        <source>Before the S&amp;ky</source>
+        <translation>На фоне &amp;неба</translation>
+    </message>
+    <message>
+        <source>Sky and ground behind the tree</source>
+        <translation>Небо и земля за деревом</translation>
+    </message>
+    <message>
+        <source>Before &amp;Light Grey</source>
+        <translation>На &amp;светло-сером</translation>
+    </message>
+    <message>
+        <source>A light, plain backdrop</source>
+        <translation>Светлый однотонный фон</translation>
+    </message>
+    <message>
+        <source>Before &amp;Dark Grey</source>
+        <translation>На &amp;тёмно-сером</translation>
+    </message>
+    <message>
+        <source>A dark, plain backdrop</source>
+        <translation>Тёмный однотонный фон</translation>
+    </message>
+    <message>
+        <source>&amp;Reset Layout</source>
+        <translation>&amp;Сбросить расположение</translation>
+    </message>
+    <message>
+        <source>Put all docks back to where they were at first</source>
+        <translation>Вернуть все панели на исходные места</translation>
+    </message>
+    <message>
+        <source>&amp;Manual</source>
+        <translation>&amp;Руководство</translation>
+    </message>
+    <message>
+        <source>Read how Stromar works</source>
+        <translation>Прочитать, как работает Stromar</translation>
+    </message>
+    <message>
+        <source>Mouse and &amp;Keys</source>
+        <translation>Мышь и &amp;клавиши</translation>
+    </message>
+    <message>
+        <source>How to move about, and all shortcuts</source>
+        <translation>Как двигаться и все сочетания клавиш</translation>
+    </message>
+    <message>
+        <source>&amp;About Stromar</source>
+        <translation>&amp;О программе Stromar</translation>
+    </message>
+    <message>
+        <source>Version and origin</source>
+        <translation>Версия и происхождение</translation>
+    </message>
+    <message>
+        <source>&amp;File</source>
+        <translation>&amp;Файл</translation>
+    </message>
+    <message>
+        <source>&amp;Edit</source>
+        <translation>&amp;Правка</translation>
+    </message>
+    <message>
+        <source>&amp;Tree</source>
+        <translation>&amp;Дерево</translation>
+    </message>
+    <message>
+        <source>&amp;View</source>
+        <translation>&amp;Вид</translation>
+    </message>
+    <message>
+        <source>&amp;Window</source>
+        <translation>&amp;Окно</translation>
+    </message>
+    <message>
+        <source>&amp;Help</source>
+        <translation>&amp;Справка</translation>
+    </message>
+</context>
+<context>
+    <name>stromar</name>
+    <message>
+        <source>Full model</source>
+        <translation>Полная модель</translation>
+    </message>
+    <message>
+        <source>Simple model</source>
+        <translation>Простая модель</translation>
+    </message>
+    <message>
+        <source>No</source>
+        <translation>Нет</translation>
+    </message>
+    <message>
+        <source>In one file</source>
+        <translation>В одном файле</translation>
+    </message>
+    <message>
+        <source>A file for each</source>
+        <translation>Каждый в своём файле</translation>
+    </message>
+    <message>
+        <source>As usual in the format</source>
+        <translation>Как принято в формате</translation>
+    </message>
+    <message>
+        <source>Y</source>
+        <translation>Y</translation>
+    </message>
+    <message>
+        <source>Z</source>
+        <translation>Z</translation>
+    </message>
+    <message>
+        <source>Inside the file</source>
+        <translation>Внутри файла</translation>
+    </message>
+    <message>
+        <source>Copies beside it</source>
+        <translation>Копии рядом</translation>
+    </message>
+    <message>
+        <source>Where they are</source>
+        <translation>Где лежат</translation>
+    </message>
+    <message>
+        <source>Model</source>
+        <translation>Модель</translation>
+    </message>
+    <message>
+        <source>Which model: the full one, or the simple one of the preview.</source>
+        <translation>Какая модель: полная или простая, как при просмотре.</translation>
+    </message>
+    <message>
+        <source>Level of detail</source>
+        <translation>Уровень детализации</translation>
+    </message>
+    <message>
+        <source>Of the full model: 0 is the finest, 1 to 3 have about 50, 25 and 10 % of its triangles.</source>
+        <translation>Для полной модели: 0 — самый подробный, у 1–3 около 50, 25 и 10 % его треугольников.</translation>
+    </message>
+    <message>
+        <source>All levels of detail</source>
+        <translation>Все уровни детализации</translation>
+    </message>
+    <message>
+        <source>All four levels of detail: inside one file, or a file for each, named after it.</source>
+        <translation>Все четыре уровня: внутри одного файла или каждый в своём, названном по нему.</translation>
+    </message>
+    <message>
+        <source>Scale</source>
+        <translation>Масштаб</translation>
+    </message>
+    <message>
+        <source>The model&apos;s metres are multiplied by this: 100 writes centimetres.</source>
+        <translation>Метры модели умножаются на это число: 100 запишет сантиметры.</translation>
+    </message>
+    <message>
+        <source>Up axis</source>
+        <translation>Ось вверх</translation>
+    </message>
+    <message>
+        <source>Which axis points up. &apos;format&apos; takes what programs expect of the format.</source>
+        <translation>Какая ось смотрит вверх. «format» берёт то, чего программы ждут от формата.</translation>
+    </message>
+    <message>
+        <source>Textures</source>
+        <translation>Текстуры</translation>
+    </message>
+    <message>
+        <source>Pictures inside the file, as copies beside it, or where they lie now. &apos;format&apos; takes what is usual.</source>
+        <translation>Картинки внутри файла, копиями рядом или там, где лежат сейчас. «format» берёт обычное.</translation>
+    </message>
+    <message>
+        <source>%1 cannot hold levels of detail; choose a file for each</source>
+        <translation>%1 не хранит уровни детализации; выберите отдельные файлы</translation>
+    </message>
+    <message>
+        <source>levels of detail belong to the full model; the simple model has none</source>
+        <translation>уровни детализации есть у полной модели; у простой их нет</translation>
+    </message>
+    <message>
+        <source>in %1 files y is always up</source>
+        <translation>в файлах %1 вверх всегда смотрит y</translation>
+    </message>
+    <message>
+        <source>in %1 files z is always up</source>
+        <translation>в файлах %1 вверх всегда смотрит z</translation>
+    </message>
+    <message>
+        <source>%1 cannot hold pictures; choose copies</source>
+        <translation>%1 не хранит картинки; выберите копии</translation>
+    </message>
+    <message>
+        <source>glTF, one file</source>
+        <translation>glTF, один файл</translation>
+    </message>
+    <message>
+        <source>nothing</source>
+        <translation>ничего</translation>
+    </message>
+    <message>
+        <source>glTF, with its buffer and pictures beside it</source>
+        <translation>glTF, данные и картинки рядом</translation>
+    </message>
+    <message>
+        <source>Wavefront OBJ</source>
+        <translation>Wavefront OBJ</translation>
+    </message>
+    <message>
+        <source>occlusion and tangents; two-sided leaves are up to the program</source>
+        <translation>затенение и касательные; двусторонность листьев зависит от программы</translation>
+    </message>
+    <message>
+        <source>COLLADA</source>
+        <translation>COLLADA</translation>
+    </message>
+    <message>
+        <source>Stanford PLY, binary</source>
+        <translation>Stanford PLY, двоичный</translation>
+    </message>
+    <message>
+        <source>materials and pictures; all stems and leaves are one mesh</source>
+        <translation>материалы и картинки; вся древесина и листья — одна сетка</translation>
+    </message>
+    <message>
+        <source>STL, binary</source>
+        <translation>STL, двоичный</translation>
+    </message>
+    <message>
+        <source>materials, pictures, texture coordinates and smooth normals</source>
+        <translation>материалы, картинки, текстурные координаты и гладкие нормали</translation>
+    </message>
+    <message>
+        <source>3D Studio</source>
+        <translation>3D Studio</translation>
+    </message>
+    <message>
+        <source>normals (programs make their own), names beyond ten letters; large meshes are cut into parts</source>
+        <translation>нормали (программы строят свои), имена длиннее десяти букв; большие сетки режутся на части</translation>
+    </message>
+    <message>
+        <source>LightWave object</source>
+        <translation>Объект LightWave</translation>
+    </message>
+    <message>
+        <source>normals (the program makes its own), transparency of the leaf picture</source>
+        <translation>нормали (программа строит свои), прозрачность картинки листа</translation>
+    </message>
+    <message>
+        <source>POV-Ray scene</source>
+        <translation>Сцена POV-Ray</translation>
+    </message>
+    <message>
+        <source>nothing a picture shows; a camera, lights and ground are added</source>
+        <translation>ничего из видимого; добавляются камера, свет и земля</translation>
+    </message>
+    <message>
+        <source>OpenSceneGraph binary</source>
+        <translation>OpenSceneGraph, двоичный</translation>
+    </message>
+    <message>
+        <source>occlusion and tangents</source>
+        <translation>затенение и касательные</translation>
+    </message>
+    <message>
+        <source>OpenSceneGraph text</source>
+        <translation>OpenSceneGraph, текстовый</translation>
+    </message>
+    <message>
+        <source>OpenSceneGraph, old text form</source>
+        <translation>OpenSceneGraph, старый текстовый вид</translation>
+    </message>
+    <message>
+        <source>Width and widest place</source>
+        <translation>Ширина и самое широкое место</translation>
+    </message>
+    <message>
+        <source>Curve above</source>
+        <translation>Кривая сверху</translation>
+    </message>
+    <message>
+        <source>Curve below</source>
+        <translation>Кривая снизу</translation>
+    </message>
+    <message>
+        <source>Bare trunk</source>
+        <translation>Голый ствол</translation>
+    </message>
+    <message>
+        <source>Length of the branches</source>
+        <translation>Длина ветвей</translation>
+    </message>
+    <message>
+        <source>Stromar: left turns, right zooms, middle moves</source>
+        <translation>Stromar: левая вращает, правая приближает, средняя двигает</translation>
+    </message>
+    <message>
+        <source>Blender: middle button with Shift and Ctrl</source>
+        <translation>Blender: средняя кнопка с Shift и Ctrl</translation>
+    </message>
+    <message>
+        <source>Maya: all buttons with Alt</source>
+        <translation>Maya: все кнопки с Alt</translation>
+    </message>
+    <message>
+        <source>left</source>
+        <translation>левой</translation>
+    </message>
+    <message>
+        <source>middle</source>
+        <translation>средней</translation>
+    </message>
+    <message>
+        <source>right</source>
+        <translation>правой</translation>
+    </message>
+    <message>
+        <source>%1 drag</source>
+        <translation>Тянуть %1 кнопкой</translation>
+    </message>
+    <message>
+        <source>Turn</source>
+        <translation>Вращение</translation>
+    </message>
+    <message>
+        <source>Move</source>
+        <translation>Сдвиг</translation>
+    </message>
+    <message>
+        <source>Nearer and farther</source>
+        <translation>Ближе и дальше</translation>
+    </message>
+    <message>
+        <source>As the system</source>
+        <translation>Как в системе</translation>
+    </message>
+    <message>
+        <source>Light</source>
+        <translation>Светлая</translation>
+    </message>
+    <message>
+        <source>Dark</source>
+        <translation>Тёмная</translation>
+    </message>
+    <message>
+        <source>Metres</source>
+        <translation>Метры</translation>
+    </message>
+    <message>
+        <source>Feet</source>
+        <translation>Футы</translation>
+    </message>
+    <message>
+        <source>Theme</source>
+        <translation>Тема</translation>
+    </message>
+    <message>
+        <source>Light or dark windows.</source>
+        <translation>Светлые или тёмные окна.</translation>
+    </message>
+    <message>
+        <source>Language</source>
+        <translation>Язык</translation>
+    </message>
+    <message>
+        <source>The language of menus, parameters and help.</source>
+        <translation>Язык меню, параметров и справки.</translation>
+    </message>
+    <message>
+        <source>Mouse in the picture</source>
+        <translation>Мышь в картинке</translation>
+    </message>
+    <message>
+        <source>Which buttons turn, move and zoom. The wheel always zooms.</source>
+        <translation>Какие кнопки вращают, двигают и приближают. Колесо приближает всегда.</translation>
+    </message>
+    <message>
+        <source>Lengths in</source>
+        <translation>Длины в</translation>
+    </message>
+    <message>
+        <source>The unit of lengths in the window. Files are always in metres.</source>
+        <translation>Единица длины в окне. В файлах всегда метры.</translation>
+    </message>
+    <message>
+        <source>Full model after</source>
+        <translation>Полная модель через</translation>
+    </message>
+    <message>
+        <source>How long the hand rests before the full model follows the simple one.</source>
+        <translation>Сколько рука должна отдыхать, прежде чем за простой моделью придёт полная.</translation>
+    </message>
+    <message>
+        <source> ms</source>
+        <translation> мс</translation>
+    </message>
+    <message>
+        <source>Threads</source>
+        <translation>Потоки</translation>
+    </message>
+    <message>
+        <source>How many processors grow the tree; 0 takes all.</source>
+        <translation>Сколько процессоров растят дерево; 0 — все.</translation>
+    </message>
+    <message>
+        <source>Autosave every</source>
+        <translation>Автосохранение каждые</translation>
+    </message>
+    <message>
+        <source>How often changes are kept aside against a crash; 0 never.</source>
+        <translation>Как часто изменения откладываются на случай сбоя; 0 — никогда.</translation>
+    </message>
+    <message>
+        <source> s</source>
+        <translation> с</translation>
+    </message>
+    <message>
+        <source>conical</source>
+        <translation>коническая</translation>
+    </message>
+    <message>
+        <source>spherical</source>
+        <translation>шаровидная</translation>
+    </message>
+    <message>
+        <source>hemispherical</source>
+        <translation>полушаровидная</translation>
+    </message>
+    <message>
+        <source>cylindrical</source>
+        <translation>цилиндрическая</translation>
+    </message>
+    <message>
+        <source>tapered-cylindrical</source>
+        <translation>сужающийся-цилиндр</translation>
+    </message>
+    <message>
+        <source>flame</source>
+        <translation>пламя</translation>
+    </message>
+    <message>
+        <source>inverse-conical</source>
+        <translation>обратный-конус</translation>
+    </message>
+    <message>
+        <source>tend-flame</source>
+        <translation>мягкое-пламя</translation>
+    </message>
+    <message>
+        <source>envelope</source>
+        <translation>оболочка</translation>
+    </message>
+    <message>
+        <source>oval</source>
+        <translation>овал</translation>
+    </message>
+    <message>
+        <source>triangle</source>
+        <translation>треугольник</translation>
+    </message>
+    <message>
+        <source>three-lobe-oak</source>
+        <translation>дубовый-трёхлопастный</translation>
+    </message>
+    <message>
+        <source>three-lobe-maple</source>
+        <translation>кленовый-трёхлопастный</translation>
+    </message>
+    <message>
+        <source>five-lobe-maple</source>
+        <translation>кленовый-пятилопастный</translation>
+    </message>
+    <message>
+        <source>three-leaflets</source>
+        <translation>три-листочка</translation>
+    </message>
+    <message>
+        <source>square</source>
+        <translation>квадрат</translation>
+    </message>
+    <message>
+        <source>needles</source>
+        <translation>иглы</translation>
+    </message>
+    <message>
+        <source>card</source>
+        <translation>карточка</translation>
+    </message>
+    <message>
+        <source>outline</source>
+        <translation>контур</translation>
+    </message>
+    <message>
+        <source>off</source>
+        <translation>выкл</translation>
+    </message>
+    <message>
+        <source>on</source>
+        <translation>вкл</translation>
+    </message>
+    <message>
+        <source>The tree is a bare trunk: Levels of stems is 1.</source>
+        <translation>Дерево — голый ствол: число уровней равно 1.</translation>
+    </message>
+    <message>
+        <source>It acts on stems of level 2 and deeper, and there are none.</source>
+        <translation>Действует на ветви уровня 2 и глубже, а их нет.</translation>
+    </message>
+    <message>
+        <source>The trunk has no lobes.</source>
+        <translation>У ствола нет лопастей.</translation>
+    </message>
+    <message>
+        <source>The trunk has no lobes, or they have no depth.</source>
+        <translation>У ствола нет лопастей, или у них нет глубины.</translation>
+    </message>
+    <message>
+        <source>The trunk has only one segment, so there is no joint to split at.</source>
+        <translation>У ствола один сегмент, делиться негде.</translation>
+    </message>
+    <message>
+        <source>These stems never split.</source>
+        <translation>Эти ветви никогда не делятся.</translation>
+    </message>
+    <message>
+        <source>Nothing in this tree splits.</source>
+        <translation>В этом дереве ничего не делится.</translation>
+    </message>
+    <message>
+        <source>A negative curve variation winds these stems into a helix instead.</source>
+        <translation>Отрицательный разброс изгиба вместо этого свивает их в спираль.</translation>
+    </message>
+    <message>
+        <source>A card shows what its texture shows: set Form to outline.</source>
+        <translation>Карточка показывает свою текстуру: задайте вид «контур».</translation>
+    </message>
+    <message>
+        <source>Nothing is pruned: Strength is 0.</source>
+        <translation>Ничего не обрезается: сила равна 0.</translation>
+    </message>
+    <message>
+        <source>Nothing is pruned, and the crown shape is not the envelope.</source>
+        <translation>Ничего не обрезается, и форма кроны — не оболочка.</translation>
+    </message>
+    <message>
+        <source>Crown shape</source>
+        <translation>Форма кроны</translation>
+    </message>
+    <message>
+        <source>Crown</source>
+        <translation>Крона</translation>
+    </message>
+    <message>
+        <source>The outline of the crown: how long the branches are from its bottom to its top. &apos;envelope&apos; takes the outline of the pruning tab.</source>
+        <translation>Очертание кроны: как длинны ветви снизу доверху. «оболочка» берёт очертание с вкладки обрезки.</translation>
+    </message>
+    <message>
+        <source>The part of the tree&apos;s height, from the ground, that bears no branches.</source>
+        <translation>Часть высоты дерева от земли, на которой нет ветвей.</translation>
+    </message>
+    <message>
+        <source>Height</source>
+        <translation>Высота</translation>
+    </message>
+    <message>
+        <source>Size</source>
+        <translation>Размер</translation>
+    </message>
+    <message>
+        <source>The height of the tree.</source>
+        <translation>Высота дерева.</translation>
+    </message>
+    <message>
+        <source>Height variation</source>
+        <translation>Разброс высоты</translation>
+    </message>
+    <message>
+        <source>How much taller or smaller a tree of another seed may be.</source>
+        <translation>Насколько выше или ниже может быть дерево с другим зерном.</translation>
+    </message>
+    <message>
+        <source>Z scale</source>
+        <translation>Масштаб Z</translation>
+    </message>
+    <message>
+        <source>Printed in the paper&apos;s tables but used by none of its formulas. Kept in files, without effect.</source>
+        <translation>Есть в таблицах статьи, но ни одна её формула его не использует. Хранится в файлах, не действует.</translation>
+    </message>
+    <message>
+        <source>Z scale variation</source>
+        <translation>Разброс масштаба Z</translation>
+    </message>
+    <message>
+        <source>Levels of stems</source>
+        <translation>Уровни ветвления</translation>
+    </message>
+    <message>
+        <source>1 grows a bare trunk, 2 adds branches, 3 branches on branches. The leaves sit on the last level.</source>
+        <translation>1 растит голый ствол, 2 добавляет ветви, 3 — ветви на ветвях. Листья сидят на последнем уровне.</translation>
+    </message>
+    <message>
+        <source>Thickness</source>
+        <translation>Толщина</translation>
+    </message>
+    <message>
+        <source>The radius of the trunk divided by its length.</source>
+        <translation>Радиус ствола, делённый на его длину.</translation>
+    </message>
+    <message>
+        <source>Thinning</source>
+        <translation>Утоньшение</translation>
+    </message>
+    <message>
+        <source>How much thinner than its parent a shorter branch is. Higher values make finer branches.</source>
+        <translation>Насколько ветвь короче — настолько она тоньше родителя. Большие значения дают более тонкие ветви.</translation>
+    </message>
+    <message>
+        <source>Least radius</source>
+        <translation>Наименьший радиус</translation>
+    </message>
+    <message>
+        <source>No stem is drawn thinner than this, so that fine twigs stay visible.</source>
+        <translation>Ничто не рисуется тоньше этого, чтобы тонкие веточки оставались видны.</translation>
+    </message>
+    <message>
+        <source>Attraction up</source>
+        <translation>Стремление вверх</translation>
+    </message>
+    <message>
+        <source>Growth</source>
+        <translation>Рост</translation>
+    </message>
+    <message>
+        <source>How strongly branches of level 2 and deeper bend up to the light. Negative values let them hang.</source>
+        <translation>Как сильно ветви уровня 2 и глубже тянутся вверх к свету. При отрицательных значениях они свисают.</translation>
+    </message>
+    <message>
+        <source>Halve splitting</source>
+        <translation>Делить пополам</translation>
+    </message>
+    <message>
+        <source>On: a stem that has split, and its clones, split half as often from then on.</source>
+        <translation>Вкл: разделившаяся ветвь и её клоны дальше делятся вдвое реже.</translation>
+    </message>
+    <message>
+        <source>Seed</source>
+        <translation>Зерно</translation>
+    </message>
+    <message>
+        <source>Every seed gives another tree of the same kind. The same seed always grows the same tree.</source>
+        <translation>Каждое зерно даёт другое дерево того же вида. Одно и то же зерно всегда растит одно и то же дерево.</translation>
+    </message>
+    <message>
+        <source>Radius factor</source>
+        <translation>Множитель радиуса</translation>
+    </message>
+    <message>
+        <source>Makes the trunk thicker or thinner than Thickness says, and the branches with it.</source>
+        <translation>Делает ствол толще или тоньше, чем задаёт толщина, и ветви вместе с ним.</translation>
+    </message>
+    <message>
+        <source>Radius factor variation</source>
+        <translation>Разброс множителя радиуса</translation>
+    </message>
+    <message>
+        <source>How much the radius factor differs from seed to seed.</source>
+        <translation>Насколько множитель радиуса меняется от зерна к зерну.</translation>
+    </message>
+    <message>
+        <source>Flare</source>
+        <translation>Расширение комля</translation>
+    </message>
+    <message>
+        <source>How much the trunk widens at the ground. 1 makes it twice as thick there.</source>
+        <translation>Насколько ствол расширяется у земли. 1 делает его там вдвое толще.</translation>
+    </message>
+    <message>
+        <source>Lobes</source>
+        <translation>Лопасти</translation>
+    </message>
+    <message>
+        <source>The number of bulges around the trunk. Odd numbers look natural, even ones symmetric.</source>
+        <translation>Число выступов вокруг ствола. Нечётные выглядят естественно, чётные — симметрично.</translation>
+    </message>
+    <message>
+        <source>Lobe depth</source>
+        <translation>Глубина лопастей</translation>
+    </message>
+    <message>
+        <source>How far the bulges stand out, as a part of the radius.</source>
+        <translation>Насколько выступы выдаются, как доля радиуса.</translation>
+    </message>
+    <message>
+        <source>Lobes fade</source>
+        <translation>Затухание лопастей</translation>
+    </message>
+    <message>
+        <source>1 lets the lobes end a little above the ground, 0 lets them run up the whole trunk.</source>
+        <translation>1 — лопасти кончаются чуть выше земли, 0 — идут по всему стволу.</translation>
+    </message>
+    <message>
+        <source>Splits at the base</source>
+        <translation>Деления у основания</translation>
+    </message>
+    <message>
+        <source>Splitting</source>
+        <translation>Деление</translation>
+    </message>
+    <message>
+        <source>So many more trunks grow out of the end of the trunk&apos;s first segment.</source>
+        <translation>Столько ещё стволов вырастает из конца первого сегмента ствола.</translation>
+    </message>
+    <message>
+        <source>Number</source>
+        <translation>Число</translation>
+    </message>
+    <message>
+        <source>Placement</source>
+        <translation>Размещение</translation>
+    </message>
+    <message>
+        <source>The most branches of this level that one parent can bear.</source>
+        <translation>Наибольшее число ветвей этого уровня на одном родителе.</translation>
+    </message>
+    <message>
+        <source>Spread along segments</source>
+        <translation>Разброс по сегментам</translation>
+    </message>
+    <message>
+        <source>1 spaces the branches evenly, 0 gathers them at the lower end of each segment of the parent, as whorls.</source>
+        <translation>1 размещает ветви равномерно, 0 собирает их у нижнего конца каждого сегмента родителя, мутовками.</translation>
+    </message>
+    <message>
+        <source>Place variation</source>
+        <translation>Разброс места</translation>
+    </message>
+    <message>
+        <source>How far each branch is moved along its parent, as a part of the spacing.</source>
+        <translation>Насколько каждая ветвь сдвинута вдоль родителя, как доля промежутка.</translation>
+    </message>
+    <message>
+        <source>Down angle</source>
+        <translation>Угол отклонения</translation>
+    </message>
+    <message>
+        <source>Direction</source>
+        <translation>Направление</translation>
+    </message>
+    <message>
+        <source>The angle between a branch and its parent. 90 stands off at a right angle.</source>
+        <translation>Угол между ветвью и её родителем. 90 — под прямым углом.</translation>
+    </message>
+    <message>
+        <source>Down angle variation</source>
+        <translation>Разброс угла отклонения</translation>
+    </message>
+    <message>
+        <source>How much the down angle differs from branch to branch. Negative values are not random: they grade the angle along the parent, more at its base, less at its tip.</source>
+        <translation>Насколько угол меняется от ветви к ветви. Отрицательные значения не случайны: угол меняется вдоль родителя, больше у основания, меньше у вершины.</translation>
+    </message>
+    <message>
+        <source>Rotation</source>
+        <translation>Поворот</translation>
+    </message>
+    <message>
+        <source>The turn about the parent from one branch to the next. Negative values put the branches on alternate sides.</source>
+        <translation>Поворот вокруг родителя от одной ветви к следующей. Отрицательные значения ставят ветви попеременно по сторонам.</translation>
+    </message>
+    <message>
+        <source>Rotation variation</source>
+        <translation>Разброс поворота</translation>
+    </message>
+    <message>
+        <source>How much the rotation differs from branch to branch.</source>
+        <translation>Насколько поворот меняется от ветви к ветви.</translation>
+    </message>
+    <message>
+        <source>Length</source>
+        <translation>Длина</translation>
+    </message>
+    <message>
+        <source>The length as a part of the parent&apos;s length; for the trunk, of the tree&apos;s height.</source>
+        <translation>Длина как доля длины родителя; для ствола — высоты дерева.</translation>
+    </message>
+    <message>
+        <source>Length variation</source>
+        <translation>Разброс длины</translation>
+    </message>
+    <message>
+        <source>How much the length differs from stem to stem.</source>
+        <translation>Насколько длина меняется от ветви к ветви.</translation>
+    </message>
+    <message>
+        <source>Taper</source>
+        <translation>Сбег</translation>
+    </message>
+    <message>
+        <source>The form of the stem: 0 a cylinder, 1 a cone, 2 a cylinder with a round end, 3 a chain of spheres.</source>
+        <translation>Форма древесины: 0 цилиндр, 1 конус, 2 цилиндр с круглым концом, 3 цепочка шаров.</translation>
+    </message>
+    <message>
+        <source>Segments</source>
+        <translation>Сегменты</translation>
+    </message>
+    <message>
+        <source>Curvature</source>
+        <translation>Кривизна</translation>
+    </message>
+    <message>
+        <source>The number of segments a stem consists of. More segments bend and split more finely.</source>
+        <translation>Из скольких сегментов состоит ветвь. Чем больше, тем плавнее изгиб и деление.</translation>
+    </message>
+    <message>
+        <source>Curve</source>
+        <translation>Изгиб</translation>
+    </message>
+    <message>
+        <source>How much the stem bends from base to tip. Positive values bend down, negative ones up.</source>
+        <translation>Насколько ветвь изгибается от основания к вершине. Положительные значения — вниз, отрицательные — вверх.</translation>
+    </message>
+    <message>
+        <source>Curve back</source>
+        <translation>Обратный изгиб</translation>
+    </message>
+    <message>
+        <source>Unless 0, the lower half bends by Curve and the upper half by this: S-shaped stems.</source>
+        <translation>Если не 0, нижняя половина гнётся по изгибу, верхняя — по этому значению: S-образные ветви.</translation>
+    </message>
+    <message>
+        <source>Curve variation</source>
+        <translation>Разброс изгиба</translation>
+    </message>
+    <message>
+        <source>Random bending, shared out over the segments. Negative values wind the stem into a helix of that angle.</source>
+        <translation>Случайный изгиб, распределённый по сегментам. Отрицательные значения свивают ветвь в спираль с этим углом.</translation>
+    </message>
+    <message>
+        <source>Splits per segment</source>
+        <translation>Делений на сегмент</translation>
+    </message>
+    <message>
+        <source>How many clones split off at the end of each segment, on average. 1 forks at every one.</source>
+        <translation>Сколько клонов отделяется в конце каждого сегмента, в среднем. 1 — развилка на каждом.</translation>
+    </message>
+    <message>
+        <source>Split angle</source>
+        <translation>Угол деления</translation>
+    </message>
+    <message>
+        <source>How far each part leans away from the vertical after a split. Towards its tip it turns back again.</source>
+        <translation>Насколько каждая часть отклоняется от вертикали после деления. К вершине она возвращается.</translation>
+    </message>
+    <message>
+        <source>Split angle variation</source>
+        <translation>Разброс угла деления</translation>
+    </message>
+    <message>
+        <source>How much the split angle differs from fork to fork.</source>
+        <translation>Насколько угол деления меняется от развилки к развилке.</translation>
+    </message>
+    <message>
+        <source>The most leaves that a stem of the last level bears. Negative values put them in a fan at its tip.</source>
+        <translation>Наибольшее число листьев на ветви последнего уровня. Отрицательные значения собирают их веером на конце.</translation>
+    </message>
+    <message>
+        <source>Density</source>
+        <translation>Плотность</translation>
+    </message>
+    <message>
+        <source>Fewer but larger leaves below 1, more and smaller ones above: the leaf area stays.</source>
+        <translation>Меньше 1 — листьев меньше, но крупнее, больше 1 — больше и мельче: площадь листвы сохраняется.</translation>
+    </message>
+    <message>
+        <source>Turn to the light</source>
+        <translation>Поворот к свету</translation>
+    </message>
+    <message>
+        <source>How far the leaves turn outwards and up to the light.</source>
+        <translation>Насколько листья поворачиваются наружу и вверх к свету.</translation>
+    </message>
+    <message>
+        <source>Shape</source>
+        <translation>Форма</translation>
+    </message>
+    <message>
+        <source>Blade</source>
+        <translation>Пластинка</translation>
+    </message>
+    <message>
+        <source>The kind of leaf: its outline where the form is &apos;outline&apos;. A card shows what its texture shows.</source>
+        <translation>Вид листа: его контур, если вид «контур». Карточка показывает свою текстуру.</translation>
+    </message>
+    <message>
+        <source>Form</source>
+        <translation>Вид</translation>
+    </message>
+    <message>
+        <source>A card is a rectangle with the leaf texture. An outline is cut to the shape and needs no transparency.</source>
+        <translation>Карточка — прямоугольник с текстурой листа. Контур вырезан по форме и не требует прозрачности.</translation>
+    </message>
+    <message>
+        <source>The length of a leaf.</source>
+        <translation>Длина листа.</translation>
+    </message>
+    <message>
+        <source>Width</source>
+        <translation>Ширина</translation>
+    </message>
+    <message>
+        <source>The width of a leaf as a part of its length.</source>
+        <translation>Ширина листа как доля его длины.</translation>
+    </message>
+    <message>
+        <source>Stalk</source>
+        <translation>Черешок</translation>
+    </message>
+    <message>
+        <source>The length of the stalk between stem and blade, as a part of the leaf&apos;s length.</source>
+        <translation>Длина черешка между ветвью и пластинкой как доля длины листа.</translation>
+    </message>
+    <message>
+        <source>Fold</source>
+        <translation>Складка</translation>
+    </message>
+    <message>
+        <source>How far each half of a leaf is folded up along its midrib.</source>
+        <translation>Насколько каждая половина листа согнута вверх вдоль средней жилки.</translation>
+    </message>
+    <message>
+        <source>Rounding</source>
+        <translation>Округление</translation>
+    </message>
+    <message>
+        <source>Shading</source>
+        <translation>Затенение</translation>
+    </message>
+    <message>
+        <source>Shades the leaves as if they were the surface of one round crown: softer light on dense crowns.</source>
+        <translation>Затеняет листья так, будто они поверхность одной круглой кроны: мягче свет на густых кронах.</translation>
+    </message>
+    <message>
+        <source>Strength</source>
+        <translation>Сила</translation>
+    </message>
+    <message>
+        <source>Envelope</source>
+        <translation>Оболочка</translation>
+    </message>
+    <message>
+        <source>0 leaves the branches alone, 1 shortens them until they stay inside the envelope.</source>
+        <translation>0 не трогает ветви, 1 укорачивает их, пока они не останутся внутри оболочки.</translation>
+    </message>
+    <message>
+        <source>The radius of the envelope at its widest place, as a part of the tree&apos;s height.</source>
+        <translation>Радиус оболочки в самом широком месте как доля высоты дерева.</translation>
+    </message>
+    <message>
+        <source>Widest place</source>
+        <translation>Самое широкое место</translation>
+    </message>
+    <message>
+        <source>Where the envelope is widest, from 0 at its bottom to 1 at its top.</source>
+        <translation>Где оболочка шире всего, от 0 внизу до 1 вверху.</translation>
+    </message>
+    <message>
+        <source>The envelope below its widest place: under 1 it bulges, 1 is straight, above 1 it is hollow.</source>
+        <translation>Оболочка ниже самого широкого места: меньше 1 выпуклая, 1 прямая, больше 1 вогнутая.</translation>
+    </message>
+    <message>
+        <source>The envelope above its widest place: under 1 it bulges, 1 is straight, above 1 it is hollow.</source>
+        <translation>Оболочка выше самого широкого места: меньше 1 выпуклая, 1 прямая, больше 1 вогнутая.</translation>
+    </message>
+    <message>
+        <source>Bark repeats around</source>
+        <translation>Повторов коры вокруг</translation>
+    </message>
+    <message>
+        <source>Bark</source>
+        <translation>Кора</translation>
+    </message>
+    <message>
+        <source>How often the bark picture goes around the trunk; branches follow. Whole numbers leave no seam.</source>
+        <translation>Сколько раз картинка коры обходит ствол; ветви следуют за ним. Целые числа не оставляют шва.</translation>
+    </message>
+    <message>
+        <source>Bark repeats along</source>
+        <translation>Повторов коры вдоль</translation>
+    </message>
+    <message>
+        <source>How often the bark picture repeats from the trunk&apos;s base to its tip. Branches show it at the same scale.</source>
+        <translation>Сколько раз картинка коры повторяется от основания ствола до вершины. Ветви показывают её в том же масштабе.</translation>
+    </message>
+    <message>
+        <source>Species</source>
+        <translation>Порода</translation>
+    </message>
+    <message>
+        <source>About</source>
+        <translation>О дереве</translation>
+    </message>
+    <message>
+        <source>The name of the kind of tree.</source>
+        <translation>Название породы дерева.</translation>
+    </message>
+    <message>
+        <source>Author</source>
+        <translation>Автор</translation>
+    </message>
+    <message>
+        <source>Who made the file.</source>
+        <translation>Кто создал файл.</translation>
+    </message>
+    <message>
+        <source>Description</source>
+        <translation>Описание</translation>
+    </message>
+    <message>
+        <source>What the tree is like.</source>
+        <translation>Каково дерево.</translation>
+    </message>
+    <message>
+        <source>Method</source>
+        <translation>Метод</translation>
+    </message>
+    <message>
+        <source>How the tree is grown: weber-penn.</source>
+        <translation>Как растёт дерево: weber-penn.</translation>
+    </message>
+    <message>
+        <source>Liked seeds</source>
+        <translation>Любимые зёрна</translation>
+    </message>
+    <message>
+        <source>Seeds worth finding again, separated by blanks.</source>
+        <translation>Зёрна, которые стоит найти снова, через пробел.</translation>
+    </message>
+    <message>
+        <source>Bark texture</source>
+        <translation>Текстура коры</translation>
+    </message>
+    <message>
+        <source>The picture on the stems; its path starts at the file&apos;s folder. Empty takes the built-in one.</source>
+        <translation>Картинка на древесине; путь начинается в папке файла. Пусто — встроенная.</translation>
+    </message>
+    <message>
+        <source>Leaf texture</source>
+        <translation>Текстура листа</translation>
+    </message>
+    <message>
+        <source>Leaves</source>
+        <translation>Листья</translation>
+    </message>
+    <message>
+        <source>The picture on the leaves, transparent outside the blade. Empty takes the built-in one.</source>
+        <translation>Картинка на листьях, прозрачная вне пластинки. Пусто — встроенная.</translation>
+    </message>
+    <message>
+        <source>The tree has no stems of this level: see Levels of stems.</source>
+        <translation>У дерева нет ветвей этого уровня: см. «Уровни ветвления».</translation>
+    </message>
+    <message>
+        <source>The tree has no stems of this level: a Number of branches is 0.</source>
+        <translation>У дерева нет ветвей этого уровня: одно из чисел ветвей равно 0.</translation>
+    </message>
+    <message>
+        <source>This level would place the leaves, and the tree has none.</source>
+        <translation>Этот уровень разместил бы листья, а их у дерева нет.</translation>
+    </message>
+    <message>
+        <source>Leaves grow on branches, and the tree is a bare trunk.</source>
+        <translation>Листья растут на ветвях, а дерево — голый ствол.</translation>
+    </message>
+    <message>
+        <source>The tree has no leaves: their Number is 0.</source>
+        <translation>У дерева нет листьев: их число равно 0.</translation>
+    </message>
+    <message>
+        <source>Tree</source>
+        <translation>Дерево</translation>
+    </message>
+    <message>
+        <source>Trunk</source>
+        <translation>Ствол</translation>
+    </message>
+    <message>
+        <source>Branches</source>
+        <translation>Ветви</translation>
+    </message>
+    <message>
+        <source>Pruning</source>
+        <translation>Обрезка</translation>
+    </message>
+</context>
+<context>
+    <name>stromar::CDocument</name>
+    <message>
+        <source>new.tree</source>
+        <translation>новое.tree</translation>
+    </message>
+    <message>
+        <source>Open preset %1</source>
+        <translation>Открыть заготовку %1</translation>
+    </message>
+    <message>
+        <source>Restore</source>
+        <translation>Восстановить</translation>
+    </message>
+    <message>
+        <source>Change %1</source>
+        <translation>Изменение %1</translation>
+    </message>
+</context>
+<context>
+    <name>stromar::CExportDialog</name>
+    <message>
+        <source>Export</source>
+        <translation>Экспорт</translation>
+    </message>
+    <message>
+        <source>Lost in this format</source>
+        <translation>В этом формате теряется</translation>
+    </message>
+    <message>
+        <source>Size, about</source>
+        <translation>Размер, около</translation>
+    </message>
+    <message>
+        <source>Format</source>
+        <translation>Формат</translation>
+    </message>
+    <message>
+        <source>Browse…</source>
+        <translation>Обзор…</translation>
+    </message>
+    <message>
+        <source>File</source>
+        <translation>Файл</translation>
+    </message>
+    <message>
+        <source>Where to export</source>
+        <translation>Куда экспортировать</translation>
+    </message>
+    <message>
+        <source>The file&apos;s name has to end in %1</source>
+        <translation>Имя файла должно кончаться на %1</translation>
+    </message>
+    <message>
+        <source>%1 is there already. Replace it?</source>
+        <translation>%1 уже существует. Заменить?</translation>
+    </message>
+</context>
+<context>
+    <name>stromar::CHelpWindow</name>
+    <message>
+        <source>Stromar Manual</source>
+        <translation>Руководство по Stromar</translation>
+    </message>
+    <message>
+        <source>Pages</source>
+        <translation>Страницы</translation>
+    </message>
+    <message>
+        <source>Back</source>
+        <translation>Назад</translation>
+    </message>
+    <message>
+        <source>Forward</source>
+        <translation>Вперёд</translation>
+    </message>
+    <message>
+        <source>Contents</source>
+        <translation>Содержание</translation>
+    </message>
+</context>
+<context>
+    <name>stromar::CMainWindow</name>
+    <message>
+        <source>Parameters</source>
+        <translation>Параметры</translation>
+    </message>
+    <message>
+        <source>Presets</source>
+        <translation>Заготовки</translation>
+    </message>
+    <message>
+        <source>Variants</source>
+        <translation>Варианты</translation>
+    </message>
+    <message>
+        <source>As opened</source>
+        <translation>Как открыто</translation>
+    </message>
+    <message>
+        <source>History</source>
+        <translation>История</translation>
+    </message>
+    <message>
+        <source>Messages of the file</source>
+        <translation>Сообщения о файле</translation>
+    </message>
+    <message>
+        <source>Messages</source>
+        <translation>Сообщения</translation>
+    </message>
+    <message>
+        <source>Tools</source>
+        <translation>Инструменты</translation>
+    </message>
+    <message>
+        <source>Open &amp;Recent</source>
+        <translation>Открыть &amp;недавние</translation>
+    </message>
+    <message>
+        <source>The tree is growing; Esc gives it up</source>
+        <translation>Дерево растёт; Esc прекращает</translation>
+    </message>
+    <message>
+        <source>Autosave: %1</source>
+        <translation>Автосохранение: %1</translation>
+    </message>
+    <message>
+        <source>Randomise</source>
+        <translation>Перемешать</translation>
+    </message>
+    <message>
+        <source>The graphics driver has started again</source>
+        <translation>Графический драйвер перезапустился</translation>
+    </message>
+    <message>
+        <source>%1 = %2 fits</source>
+        <translation>%1 = %2 помещается</translation>
+    </message>
+    <message>
+        <source>Grow it anyway</source>
+        <translation>Всё равно вырастить</translation>
+    </message>
+    <message>
+        <source>Undo</source>
+        <translation>Отменить</translation>
+    </message>
+    <message>
+        <source>This tree may have up to %1 stems, %2 leaves and %3 million vertices; the limit is %4 million.</source>
+        <translation>У этого дерева может быть до %1 ветвей, %2 листьев и %3 млн вершин; предел — %4 млн.</translation>
+    </message>
+    <message>
+        <source>%1   %2 stems   %3 leaves   %4 vertices   %5 triangles   %6 ms</source>
+        <translation>%1   %2 ветвей   %3 листьев   %4 вершин   %5 треугольников   %6 мс</translation>
+    </message>
+    <message>
+        <source>Simple model</source>
+        <translation>Простая модель</translation>
+    </message>
+    <message>
+        <source>Full model</source>
+        <translation>Полная модель</translation>
+    </message>
+    <message>
+        <source>Another program has changed %1. Opening it again loses your changes.</source>
+        <translation>Другая программа изменила %1. Если открыть снова, ваши изменения пропадут.</translation>
+    </message>
+    <message>
+        <source>Another program has changed %1.</source>
+        <translation>Другая программа изменила %1.</translation>
+    </message>
+    <message>
+        <source>Open it again</source>
+        <translation>Открыть снова</translation>
+    </message>
+    <message>
+        <source>Keep mine</source>
+        <translation>Оставить мои</translation>
+    </message>
+    <message>
+        <source>Stopped; F6 grows the full model</source>
+        <translation>Остановлено; F6 вырастит полную модель</translation>
+    </message>
+    <message>
+        <source>No manual</source>
+        <translation>Нет руководства</translation>
+    </message>
+    <message>
+        <source>The pages of the manual are not installed.</source>
+        <translation>Страницы руководства не установлены.</translation>
+    </message>
+    <message>
+        <source>In the picture</source>
+        <translation>В картинке</translation>
+    </message>
+    <message>
+        <source>Wheel</source>
+        <translation>Колесо</translation>
+    </message>
+    <message>
+        <source>Nearer and farther</source>
+        <translation>Ближе и дальше</translation>
+    </message>
+    <message>
+        <source>Click</source>
+        <translation>Щелчок</translation>
+    </message>
+    <message>
+        <source>Tell about the stem or leaf</source>
+        <translation>Рассказать о ветви или листе</translation>
+    </message>
+    <message>
+        <source>In the parameters</source>
+        <translation>В параметрах</translation>
+    </message>
+    <message>
+        <source>Scroll; changes an editor only after a click into it</source>
+        <translation>Прокручивает; меняет значение только после щелчка в него</translation>
+    </message>
+    <message>
+        <source>Shift</source>
+        <translation>Shift</translation>
+    </message>
+    <message>
+        <source>Finer steps of a slider</source>
+        <translation>Мелкие шаги ползунка</translation>
+    </message>
+    <message>
+        <source>Ctrl</source>
+        <translation>Ctrl</translation>
+    </message>
+    <message>
+        <source>Larger steps of a slider</source>
+        <translation>Крупные шаги ползунка</translation>
+    </message>
+    <message>
+        <source>Double click on a name</source>
+        <translation>Двойной щелчок по имени</translation>
+    </message>
+    <message>
+        <source>Back to the default</source>
+        <translation>К значению по умолчанию</translation>
+    </message>
+    <message>
+        <source>Right click on a name</source>
+        <translation>Правый щелчок по имени</translation>
+    </message>
+    <message>
+        <source>Copy, paste, lock</source>
+        <translation>Копировать, вставить, закрепить</translation>
+    </message>
+    <message>
+        <source>Keys</source>
+        <translation>Клавиши</translation>
+    </message>
+    <message>
+        <source>Mouse and keys</source>
+        <translation>Мышь и клавиши</translation>
+    </message>
+    <message>
+        <source>About Stromar</source>
+        <translation>О программе Stromar</translation>
+    </message>
+    <message>
+        <source>&lt;p&gt;&lt;b&gt;Stromar %1&lt;/b&gt;&lt;/p&gt;&lt;p&gt;Grows trees by the model of Weber and Penn, “Creation and Rendering of Realistic Trees”, SIGGRAPH ’95.&lt;/p&gt;</source>
+        <translation>&lt;p&gt;&lt;b&gt;Stromar %1&lt;/b&gt;&lt;/p&gt;&lt;p&gt;Растит деревья по модели Вебера и Пенна, «Creation and Rendering of Realistic Trees», SIGGRAPH ’95.&lt;/p&gt;</translation>
+    </message>
+    <message>
+        <source>Trees (*.tree);;All files (*)</source>
+        <translation>Деревья (*.tree);;Все файлы (*)</translation>
+    </message>
+    <message>
+        <source>Cannot open the tree</source>
+        <translation>Не удаётся открыть дерево</translation>
+    </message>
+    <message>
+        <source>Cannot open the preset</source>
+        <translation>Не удаётся открыть заготовку</translation>
+    </message>
+    <message>
+        <source>Cannot save the tree</source>
+        <translation>Не удаётся сохранить дерево</translation>
+    </message>
+    <message>
+        <source>Saved %1</source>
+        <translation>Сохранено: %1</translation>
+    </message>
+    <message>
+        <source>Open a tree</source>
+        <translation>Открыть дерево</translation>
+    </message>
+    <message>
+        <source>Save the tree</source>
+        <translation>Сохранить дерево</translation>
+    </message>
+    <message>
+        <source>Save as Preset</source>
+        <translation>Сохранить как заготовку</translation>
+    </message>
+    <message>
+        <source>Name of the preset</source>
+        <translation>Имя заготовки</translation>
+    </message>
+    <message>
+        <source>Replace the preset “%1”?</source>
+        <translation>Заменить заготовку «%1»?</translation>
+    </message>
+    <message>
+        <source>Cannot save the preset</source>
+        <translation>Не удаётся сохранить заготовку</translation>
+    </message>
+    <message>
+        <source>Writing %1</source>
+        <translation>Запись %1</translation>
+    </message>
+    <message>
+        <source>Cancel</source>
+        <translation>Отмена</translation>
+    </message>
+    <message>
+        <source>Cannot export the tree</source>
+        <translation>Не удаётся экспортировать дерево</translation>
+    </message>
+    <message>
+        <source>Export cancelled; no file was changed</source>
+        <translation>Экспорт отменён; ни один файл не изменён</translation>
+    </message>
+    <message>
+        <source>Exported %1</source>
+        <translation>Экспортировано: %1</translation>
+    </message>
+    <message>
+        <source>Pictures (*.png *.jpg *.jpeg *.tga *.tif *.tiff *.bmp);;All files (*)</source>
+        <translation>Картинки (*.png *.jpg *.jpeg *.tga *.tif *.tiff *.bmp);;Все файлы (*)</translation>
+    </message>
+    <message>
+        <source>As the &amp;bark</source>
+        <translation>Как &amp;кору</translation>
+    </message>
+    <message>
+        <source>As the &amp;leaf</source>
+        <translation>Как &amp;лист</translation>
+    </message>
+    <message>
+        <source>A tree that was never saved</source>
+        <translation>Дерево, которое не сохранялось</translation>
+    </message>
+    <message>
+        <source>Restore unsaved changes</source>
+        <translation>Восстановить несохранённые изменения</translation>
+    </message>
+    <message>
+        <source>Stromar ended without saving these changes of %1:
+%2</source>
+        <translation>Stromar завершился, не сохранив эти изменения от %1:
+%2</translation>
+    </message>
+    <message>
+        <source>&amp;Restore</source>
+        <translation>&amp;Восстановить</translation>
+    </message>
+    <message>
+        <source>&amp;Discard</source>
+        <translation>&amp;Отбросить</translation>
+    </message>
+    <message>
+        <source>Ask &amp;Later</source>
+        <translation>Спросить &amp;позже</translation>
+    </message>
+    <message>
+        <source>Cannot restore</source>
+        <translation>Не удаётся восстановить</translation>
+    </message>
+    <message>
+        <source>Unsaved changes</source>
+        <translation>Несохранённые изменения</translation>
+    </message>
+    <message>
+        <source>Save the changes of %1?</source>
+        <translation>Сохранить изменения в %1?</translation>
+    </message>
+</context>
+<context>
+    <name>stromar::CMessageBar</name>
+    <message>
+        <source>Dismiss</source>
+        <translation>Закрыть</translation>
+    </message>
+</context>
+<context>
+    <name>stromar::CParamEditor</name>
+    <message>
+        <source>Another tree of the same kind</source>
+        <translation>Другое дерево того же вида</translation>
+    </message>
+    <message>
+        <source>Random seed</source>
+        <translation>Случайное зерно</translation>
+    </message>
+</context>
+<context>
+    <name>stromar::CParamPanel</name>
+    <message>
+        <source>Find a parameter</source>
+        <translation>Найти параметр</translation>
+    </message>
+    <message>
+        <source>Parameters</source>
+        <translation>Параметры</translation>
+    </message>
+    <message>
+        <source>built in</source>
+        <translation>встроенная</translation>
+    </message>
+    <message>
+        <source>Load…</source>
+        <translation>Загрузить…</translation>
+    </message>
+    <message>
+        <source>Choose a picture</source>
+        <translation>Выбрать картинку</translation>
+    </message>
+</context>
+<context>
+    <name>stromar::CParamRow</name>
+    <message>
+        <source>Trunk</source>
+        <translation>Ствол</translation>
+    </message>
+    <message>
+        <source>Branches %1</source>
+        <translation>Ветви %1</translation>
+    </message>
+    <message>
+        <source>Without effect: %1</source>
+        <translation>Не действует: %1</translation>
+    </message>
+    <message>
+        <source>Reset %1</source>
+        <translation>По умолчанию %1</translation>
+    </message>
+    <message>
+        <source>Paste %1</source>
+        <translation>Вставить %1</translation>
+    </message>
+    <message>
+        <source>&amp;Paste</source>
+        <translation>&amp;Вставить</translation>
+    </message>
+    <message>
+        <source>Give to &amp;Level</source>
+        <translation>Передать &amp;уровню</translation>
+    </message>
+    <message>
+        <source>&amp;Reset to Default</source>
+        <translation>По &amp;умолчанию</translation>
+    </message>
+    <message>
+        <source>Back to the &amp;Saved Value</source>
+        <translation>К со&amp;хранённому значению</translation>
+    </message>
+    <message>
+        <source>Saved %1</source>
+        <translation>Сохранено: %1</translation>
+    </message>
+    <message>
+        <source>&amp;Copy</source>
+        <translation>&amp;Копировать</translation>
+    </message>
+    <message>
+        <source>&amp;Lock against Randomise</source>
+        <translation>&amp;Закрепить от перемешивания</translation>
+    </message>
+</context>
+<context>
+    <name>stromar::CPictureDialog</name>
+    <message>
+        <source>&amp;Transparent background</source>
+        <translation>&amp;Прозрачный фон</translation>
+    </message>
+    <message>
+        <source>Save a Picture</source>
+        <translation>Сохранить картинку</translation>
+    </message>
+    <message>
+        <source>One picture</source>
+        <translation>Одна картинка</translation>
+    </message>
+    <message>
+        <source> frames</source>
+        <translation> кадров</translation>
+    </message>
+    <message>
+        <source>More than one: the tree turns once around, each frame a numbered PNG file</source>
+        <translation>Больше одного: дерево поворачивается один раз, каждый кадр — пронумерованный файл PNG</translation>
+    </message>
+    <message>
+        <source>&amp;Width</source>
+        <translation>&amp;Ширина</translation>
+    </message>
+    <message>
+        <source>&amp;Height</source>
+        <translation>&amp;Высота</translation>
+    </message>
+    <message>
+        <source>T&amp;urntable</source>
+        <translation>Вр&amp;ащение</translation>
+    </message>
+    <message>
+        <source>Pictures (*.png *.jpg *.webp)</source>
+        <translation>Картинки (*.png *.jpg *.webp)</translation>
+    </message>
+</context>
+<context>
+    <name>stromar::CPreferencesDialog</name>
+    <message>
+        <source>Preferences</source>
+        <translation>Настройки</translation>
+    </message>
+</context>
+<context>
+    <name>stromar::CPresetBrowser</name>
+    <message>
+        <source>Find a tree</source>
+        <translation>Найти дерево</translation>
+    </message>
+    <message>
+        <source>All</source>
+        <translation>Все</translation>
+    </message>
+    <message>
+        <source>Stromar&apos;s</source>
+        <translation>Stromar</translation>
+    </message>
+    <message>
+        <source>My own</source>
+        <translation>Мои</translation>
+    </message>
+    <message>
+        <source>Folder of presets</source>
+        <translation>Папка заготовок</translation>
+    </message>
+    <message>
+        <source>Save…</source>
+        <translation>Сохранить…</translation>
+    </message>
+    <message>
+        <source>Keep the tree in the window as a preset of your own</source>
+        <translation>Сохранить дерево из окна как свою заготовку</translation>
+    </message>
+    <message>
+        <source>Presets</source>
+        <translation>Заготовки</translation>
+    </message>
+    <message>
+        <source>By %1</source>
+        <translation>Автор: %1</translation>
+    </message>
+    <message>
+        <source>&amp;Open</source>
+        <translation>&amp;Открыть</translation>
+    </message>
+    <message>
+        <source>&amp;Remove…</source>
+        <translation>&amp;Удалить…</translation>
+    </message>
+    <message>
+        <source>Remove a preset</source>
+        <translation>Удалить заготовку</translation>
+    </message>
+    <message>
+        <source>Move “%1” to the waste bin?</source>
+        <translation>Переместить «%1» в корзину?</translation>
+    </message>
+    <message>
+        <source>%1 cannot be removed.</source>
+        <translation>%1 не удаётся удалить.</translation>
+    </message>
+</context>
+<context>
+    <name>stromar::CThumbnails</name>
+    <message>
+        <source>There is no OpenGL to draw it.</source>
+        <translation>Нет OpenGL, чтобы нарисовать.</translation>
+    </message>
+</context>
+<context>
+    <name>stromar::CVariants</name>
+    <message>
+        <source>&amp;Nine Others</source>
+        <translation>&amp;Девять других</translation>
+    </message>
+    <message>
+        <source>Throw nine other seeds</source>
+        <translation>Бросить девять других зёрен</translation>
+    </message>
+    <message>
+        <source>Liked seeds</source>
+        <translation>Любимые зёрна</translation>
+    </message>
+    <message>
+        <source>♥ Like</source>
+        <translation>♥ Нравится</translation>
+    </message>
+    <message>
+        <source>Keep the seed of the tree in the window in its file</source>
+        <translation>Сохранить зерно дерева из окна в его файле</translation>
+    </message>
+    <message>
+        <source>The tree as a whole</source>
+        <translation>Дерево в целом</translation>
+    </message>
+    <message>
+        <source>Trunk</source>
+        <translation>Ствол</translation>
+    </message>
+    <message>
+        <source>Branches 1</source>
+        <translation>Ветви 1</translation>
+    </message>
+    <message>
+        <source>Branches 2</source>
+        <translation>Ветви 2</translation>
+    </message>
+    <message>
+        <source>Branches 3</source>
+        <translation>Ветви 3</translation>
+    </message>
+    <message>
+        <source>Leaves</source>
+        <translation>Листья</translation>
+    </message>
+    <message>
+        <source>Everything</source>
+        <translation>Всё</translation>
+    </message>
+    <message>
+        <source>&amp;Randomise</source>
+        <translation>&amp;Перемешать</translation>
+    </message>
+    <message>
+        <source>Move the values by chance; locked ones stay (right click a parameter to lock it)</source>
+        <translation>Случайно сдвигает значения; закреплённые остаются (закрепить — правый щелчок по параметру)</translation>
+    </message>
+    <message>
+        <source>Random values</source>
+        <translation>Случайные значения</translation>
+    </message>
+    <message>
+        <source>&amp;Values of</source>
+        <translation>&amp;Значения</translation>
+    </message>
+    <message>
+        <source>&amp;At most</source>
+        <translation>&amp;Не более</translation>
+    </message>
+    <message>
+        <source>Seed %1</source>
+        <translation>Зерно %1</translation>
+    </message>
+</context>
+<context>
+    <name>stromar::CViewDesk</name>
+    <message>
+        <source>Trunk</source>
+        <translation>Ствол</translation>
+    </message>
+    <message>
+        <source>Branches %1</source>
+        <translation>Ветви %1</translation>
+    </message>
+    <message>
+        <source>Drag %1</source>
+        <translation>Перетаскивание: %1</translation>
+    </message>
+    <message>
+        <source>%1, stem %2 of %3</source>
+        <translation>%1, № %2 из %3</translation>
+    </message>
+    <message>
+        <source>Length %1, radius %2</source>
+        <translation>Длина %1, радиус %2</translation>
+    </message>
+    <message>
+        <source>On %1, stem %2, at %3</source>
+        <translation>На: %1, № %2, на расстоянии %3</translation>
+    </message>
+    <message numerus="yes">
+        <source>Split into %n path(s)</source>
+        <translation>
+            <numerusform>Делится на %n путь</numerusform>
+            <numerusform>Делится на %n пути</numerusform>
+            <numerusform>Делится на %n путей</numerusform>
+        </translation>
+    </message>
+    <message>
+        <source>Leaf %1 of %2
+Length %3, width %4
+On %5, stem %6</source>
+        <translation>Лист %1 из %2
+Длина %3, ширина %4
+На: %5, № %6</translation>
+    </message>
+    <message>
+        <source>Height %1, width %2</source>
+        <translation>Высота %1, ширина %2</translation>
+    </message>
+    <message>
+        <source>%1: %2 stems, %3 triangles</source>
+        <translation>%1: %2 шт., треугольников: %3</translation>
+    </message>
+    <message>
+        <source>Leaves: %1, %2 triangles</source>
+        <translation>Листья: %1, треугольников: %2</translation>
+    </message>
+    <message>
+        <source>Structure %1 ms, mesh %2 ms</source>
+        <translation>Структура %1 мс, сетка %2 мс</translation>
+    </message>
+    <message>
+        <source>Writing pictures</source>
+        <translation>Запись картинок</translation>
+    </message>
+    <message>
+        <source>Cancel</source>
+        <translation>Отмена</translation>
+    </message>
+    <message>
+        <source>Cannot save the picture</source>
+        <translation>Не удаётся сохранить картинку</translation>
+    </message>
+    <message>
+        <source>%1 cannot be written.</source>
+        <translation>%1 не удаётся записать.</translation>
+    </message>
+    <message>
+        <source>Saved %1</source>
+        <translation>Сохранено: %1</translation>
+    </message>
+    <message numerus="yes">
+        <source>Saved %n frame(s) of a turntable</source>
+        <translation>
+            <numerusform>Сохранён %n кадр вращения</numerusform>
+            <numerusform>Сохранены %n кадра вращения</numerusform>
+            <numerusform>Сохранено %n кадров вращения</numerusform>
+        </translation>
+    </message>
+</context>
+<context>
+    <name>stromar::CViewport</name>
+    <message>
+        <source>OpenGL 2.1 is needed to show the tree; this display has %1.%2. Files can still be edited and exported.</source>
+        <translation>Для показа дерева нужен OpenGL 2.1; на этом дисплее %1.%2. Файлы по-прежнему можно править и экспортировать.</translation>
+    </message>
+    <message>
+        <source>There is no OpenGL on this display, so the tree cannot be shown. Install your graphics driver. Files can still be edited and exported.</source>
+        <translation>На этом дисплее нет OpenGL, поэтому дерево показать нельзя. Установите драйвер видеокарты. Файлы по-прежнему можно править и экспортировать.</translation>
+    </message>
+    <message>
+        <source>Picture of the tree</source>
+        <translation>Картинка дерева</translation>
+    </message>
+</context>
+</TS>

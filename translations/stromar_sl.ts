@@ -1,0 +1,2107 @@
+<?xml version="1.0" encoding="utf-8"?>
+<!DOCTYPE TS>
+<TS version="2.1" language="sl">
+<context>
+    <name>Commands</name>
+    <message>
+        <source>&amp;New</source>
+        <translation>&amp;Novo</translation>
+    </message>
+    <message>
+        <source>Start with a plain tree</source>
+        <translation>Začni s preprostim drevesom</translation>
+    </message>
+    <message>
+        <source>&amp;Open…</source>
+        <translation>&amp;Odpri…</translation>
+    </message>
+    <message>
+        <source>Open a .tree file</source>
+        <translation>Odpri datoteko .tree</translation>
+    </message>
+    <message>
+        <source>&amp;Save</source>
+        <translation>&amp;Shrani</translation>
+    </message>
+    <message>
+        <source>Save the tree</source>
+        <translation>Shrani drevo</translation>
+    </message>
+    <message>
+        <source>Save &amp;As…</source>
+        <translation>Shrani &amp;kot…</translation>
+    </message>
+    <message>
+        <source>Save the tree in another file</source>
+        <translation>Shrani drevo v drugo datoteko</translation>
+    </message>
+    <message>
+        <source>Save as &amp;Preset…</source>
+        <translation>Shrani kot &amp;predlogo…</translation>
+    </message>
+    <message>
+        <source>Keep the tree among your own presets</source>
+        <translation>Uvrsti drevo med lastne predloge</translation>
+    </message>
+    <message>
+        <source>&amp;Export…</source>
+        <translation>&amp;Izvozi…</translation>
+    </message>
+    <message>
+        <source>Write the tree for another program</source>
+        <translation>Zapiši drevo za drug program</translation>
+    </message>
+    <message>
+        <source>Save P&amp;icture…</source>
+        <translation>Shrani s&amp;liko…</translation>
+    </message>
+    <message>
+        <source>A picture of the tree, or the frames of a turntable</source>
+        <translation>Slika drevesa ali posnetki vrtečega se drevesa</translation>
+    </message>
+    <message>
+        <source>Load &amp;Bark Texture…</source>
+        <translation>Naloži teksturo &amp;lubja…</translation>
+    </message>
+    <message>
+        <source>Choose the picture on the stems</source>
+        <translation>Izberi sliko na deblu in vejah</translation>
+    </message>
+    <message>
+        <source>Load &amp;Leaf Texture…</source>
+        <translation>Naloži teksturo lis&amp;ta…</translation>
+    </message>
+    <message>
+        <source>Choose the picture on the leaves</source>
+        <translation>Izberi sliko na listih</translation>
+    </message>
+    <message>
+        <source>&amp;Quit</source>
+        <translation>&amp;Končaj</translation>
+    </message>
+    <message>
+        <source>Leave Stromar</source>
+        <translation>Zapusti Stromar</translation>
+    </message>
+    <message>
+        <source>&amp;Undo</source>
+        <translation>&amp;Razveljavi</translation>
+    </message>
+    <message>
+        <source>Take the last change back</source>
+        <translation>Vzemi zadnjo spremembo nazaj</translation>
+    </message>
+    <message>
+        <source>&amp;Redo</source>
+        <translation>&amp;Uveljavi</translation>
+    </message>
+    <message>
+        <source>Make the change again</source>
+        <translation>Ponovi spremembo</translation>
+    </message>
+    <message>
+        <source>&amp;Find Parameter</source>
+        <translation>&amp;Najdi parameter</translation>
+    </message>
+    <message>
+        <source>Look for a parameter by its name</source>
+        <translation>Poišči parameter po imenu</translation>
+    </message>
+    <message>
+        <source>&amp;Preferences…</source>
+        <translation>N&amp;astavitve…</translation>
+    </message>
+    <message>
+        <source>Theme, language, mouse, units</source>
+        <translation>Tema, jezik, miška, enote</translation>
+    </message>
+    <message>
+        <source>&amp;Another Seed</source>
+        <translation>&amp;Drugo seme</translation>
+    </message>
+    <message>
+        <source>Another tree of the same kind</source>
+        <translation>Drugo drevo iste vrste</translation>
+    </message>
+    <message>
+        <source>&amp;Generate</source>
+        <translation>&amp;Ustvari znova</translation>
+    </message>
+    <message>
+        <source>Build the tree again from scratch</source>
+        <translation>Zgradi drevo od začetka</translation>
+    </message>
+    <message>
+        <source>&amp;Full Model</source>
+        <translation>Polni &amp;model</translation>
+    </message>
+    <message>
+        <source>Show the full model now</source>
+        <translation>Pokaži polni model takoj</translation>
+    </message>
+    <message>
+        <source>&amp;Stop Growing</source>
+        <translation>U&amp;stavi rast</translation>
+    </message>
+    <message>
+        <source>Give up the tree that is growing, and let go of what is selected</source>
+        <translation>Opusti drevo, ki raste, in izbiro</translation>
+    </message>
+    <message>
+        <source>&amp;Recentre</source>
+        <translation>&amp;Na sredino</translation>
+    </message>
+    <message>
+        <source>See the whole tree from the front</source>
+        <translation>Celo drevo od spredaj</translation>
+    </message>
+    <message>
+        <source>&amp;Frame the Tree</source>
+        <translation>Celo &amp;drevo</translation>
+    </message>
+    <message>
+        <source>See the whole tree from where you are</source>
+        <translation>Celo drevo od tam, kjer ste</translation>
+    </message>
+    <message>
+        <source>From the Fr&amp;ont</source>
+        <translation>Od s&amp;predaj</translation>
+    </message>
+    <message>
+        <source>Look along the Y axis</source>
+        <translation>Pogled vzdolž osi Y</translation>
+    </message>
+    <message>
+        <source>From the S&amp;ide</source>
+        <translation>Od s&amp;trani</translation>
+    </message>
+    <message>
+        <source>Look along the X axis</source>
+        <translation>Pogled vzdolž osi X</translation>
+    </message>
+    <message>
+        <source>From A&amp;bove</source>
+        <translation>Od z&amp;goraj</translation>
+    </message>
+    <message>
+        <source>Look down</source>
+        <translation>Pogled navzdol</translation>
+    </message>
+    <message>
+        <source>Ort&amp;hographic</source>
+        <translation>&amp;Vzporedna projekcija</translation>
+    </message>
+    <message>
+        <source>Without perspective</source>
+        <translation>Brez perspektive</translation>
+    </message>
+    <message>
+        <source>Turn &amp;Freely</source>
+        <translation>Vrti pr&amp;osto</translation>
+    </message>
+    <message>
+        <source>Roll the tree in all directions instead of keeping it upright</source>
+        <translation>Vrti drevo v vse smeri, ne le pokonci</translation>
+    </message>
+    <message>
+        <source>&amp;Wired</source>
+        <translation>Ž&amp;ični</translation>
+    </message>
+    <message>
+        <source>Show the wire frame</source>
+        <translation>Pokaži žični model</translation>
+    </message>
+    <message>
+        <source>Wires &amp;over the Tree</source>
+        <translation>Žice če&amp;z drevo</translation>
+    </message>
+    <message>
+        <source>Show the wire frame on the shaded tree</source>
+        <translation>Pokaži žični model na senčenem drevesu</translation>
+    </message>
+    <message>
+        <source>&amp;Bare</source>
+        <translation>&amp;Golo</translation>
+    </message>
+    <message>
+        <source>Hide the leaves</source>
+        <translation>Skrij liste</translation>
+    </message>
+    <message>
+        <source>&amp;Grid and Person</source>
+        <translation>&amp;Mreža in oseba</translation>
+    </message>
+    <message>
+        <source>Show a grid of metres and a person beside the tree</source>
+        <translation>Pokaži metrsko mrežo in osebo ob drevesu</translation>
+    </message>
+    <message>
+        <source>&amp;Statistics</source>
+        <translation>&amp;Statistika</translation>
+    </message>
+    <message>
+        <source>Show sizes and counts in the picture</source>
+        <translation>Pokaži mere in števila v sliki</translation>
+    </message>
+    <message>
+        <source>Before the S&amp;ky</source>
+        <translation>Pred &amp;nebom</translation>
+    </message>
+    <message>
+        <source>Sky and ground behind the tree</source>
+        <translation>Nebo in tla za drevesom</translation>
+    </message>
+    <message>
+        <source>Before &amp;Light Grey</source>
+        <translation>Pred sv&amp;etlo sivino</translation>
+    </message>
+    <message>
+        <source>A light, plain backdrop</source>
+        <translation>Svetlo enobarvno ozadje</translation>
+    </message>
+    <message>
+        <source>Before &amp;Dark Grey</source>
+        <translation>Pred te&amp;mno sivino</translation>
+    </message>
+    <message>
+        <source>A dark, plain backdrop</source>
+        <translation>Temno enobarvno ozadje</translation>
+    </message>
+    <message>
+        <source>&amp;Reset Layout</source>
+        <translation>&amp;Ponastavi razporeditev</translation>
+    </message>
+    <message>
+        <source>Put all docks back to where they were at first</source>
+        <translation>Vrni vse plošče na prvotna mesta</translation>
+    </message>
+    <message>
+        <source>&amp;Manual</source>
+        <translation>&amp;Priročnik</translation>
+    </message>
+    <message>
+        <source>Read how Stromar works</source>
+        <translation>Preberi, kako deluje Stromar</translation>
+    </message>
+    <message>
+        <source>Mouse and &amp;Keys</source>
+        <translation>Miška in &amp;tipke</translation>
+    </message>
+    <message>
+        <source>How to move about, and all shortcuts</source>
+        <translation>Kako se premikati in vse bližnjice</translation>
+    </message>
+    <message>
+        <source>&amp;About Stromar</source>
+        <translation>&amp;O programu Stromar</translation>
+    </message>
+    <message>
+        <source>Version and origin</source>
+        <translation>Različica in izvor</translation>
+    </message>
+    <message>
+        <source>&amp;File</source>
+        <translation>&amp;Datoteka</translation>
+    </message>
+    <message>
+        <source>&amp;Edit</source>
+        <translation>&amp;Uredi</translation>
+    </message>
+    <message>
+        <source>&amp;Tree</source>
+        <translation>Dr&amp;evo</translation>
+    </message>
+    <message>
+        <source>&amp;View</source>
+        <translation>Po&amp;gled</translation>
+    </message>
+    <message>
+        <source>&amp;Window</source>
+        <translation>&amp;Okno</translation>
+    </message>
+    <message>
+        <source>&amp;Help</source>
+        <translation>&amp;Pomoč</translation>
+    </message>
+</context>
+<context>
+    <name>stromar</name>
+    <message>
+        <source>Full model</source>
+        <translation>Polni model</translation>
+    </message>
+    <message>
+        <source>Simple model</source>
+        <translation>Preprosti model</translation>
+    </message>
+    <message>
+        <source>No</source>
+        <translation>Ne</translation>
+    </message>
+    <message>
+        <source>In one file</source>
+        <translation>V eni datoteki</translation>
+    </message>
+    <message>
+        <source>A file for each</source>
+        <translation>Vsaka v svoji datoteki</translation>
+    </message>
+    <message>
+        <source>As usual in the format</source>
+        <translation>Kot je v formatu običajno</translation>
+    </message>
+    <message>
+        <source>Y</source>
+        <translation>Y</translation>
+    </message>
+    <message>
+        <source>Z</source>
+        <translation>Z</translation>
+    </message>
+    <message>
+        <source>Inside the file</source>
+        <translation>Znotraj datoteke</translation>
+    </message>
+    <message>
+        <source>Copies beside it</source>
+        <translation>Kopije ob njej</translation>
+    </message>
+    <message>
+        <source>Where they are</source>
+        <translation>Kjer so</translation>
+    </message>
+    <message>
+        <source>Model</source>
+        <translation>Model</translation>
+    </message>
+    <message>
+        <source>Which model: the full one, or the simple one of the preview.</source>
+        <translation>Kateri model: polni ali preprosti iz predogleda.</translation>
+    </message>
+    <message>
+        <source>Level of detail</source>
+        <translation>Raven podrobnosti</translation>
+    </message>
+    <message>
+        <source>Of the full model: 0 is the finest, 1 to 3 have about 50, 25 and 10 % of its triangles.</source>
+        <translation>Pri polnem modelu: 0 je najfinejša, 1 do 3 imajo približno 50, 25 in 10 % njegovih trikotnikov.</translation>
+    </message>
+    <message>
+        <source>All levels of detail</source>
+        <translation>Vse ravni podrobnosti</translation>
+    </message>
+    <message>
+        <source>All four levels of detail: inside one file, or a file for each, named after it.</source>
+        <translation>Vse štiri ravni podrobnosti: znotraj ene datoteke ali vsaka v svoji, poimenovani po njej.</translation>
+    </message>
+    <message>
+        <source>Scale</source>
+        <translation>Merilo</translation>
+    </message>
+    <message>
+        <source>The model&apos;s metres are multiplied by this: 100 writes centimetres.</source>
+        <translation>Metri modela se množijo s tem številom: 100 zapiše centimetre.</translation>
+    </message>
+    <message>
+        <source>Up axis</source>
+        <translation>Navpična os</translation>
+    </message>
+    <message>
+        <source>Which axis points up. &apos;format&apos; takes what programs expect of the format.</source>
+        <translation>Katera os kaže navzgor. »format« vzame, kar programi od formata pričakujejo.</translation>
+    </message>
+    <message>
+        <source>Textures</source>
+        <translation>Teksture</translation>
+    </message>
+    <message>
+        <source>Pictures inside the file, as copies beside it, or where they lie now. &apos;format&apos; takes what is usual.</source>
+        <translation>Slike znotraj datoteke, kot kopije ob njej ali tam, kjer so zdaj. »format« vzame običajno.</translation>
+    </message>
+    <message>
+        <source>%1 cannot hold levels of detail; choose a file for each</source>
+        <translation>%1 ne more hraniti ravni podrobnosti; izberite za vsako svojo datoteko</translation>
+    </message>
+    <message>
+        <source>levels of detail belong to the full model; the simple model has none</source>
+        <translation>ravni podrobnosti spadajo k polnemu modelu; preprosti jih nima</translation>
+    </message>
+    <message>
+        <source>in %1 files y is always up</source>
+        <translation>v datotekah %1 kaže navzgor vedno y</translation>
+    </message>
+    <message>
+        <source>in %1 files z is always up</source>
+        <translation>v datotekah %1 kaže navzgor vedno z</translation>
+    </message>
+    <message>
+        <source>%1 cannot hold pictures; choose copies</source>
+        <translation>%1 ne more hraniti slik; izberite kopije</translation>
+    </message>
+    <message>
+        <source>glTF, one file</source>
+        <translation>glTF, ena datoteka</translation>
+    </message>
+    <message>
+        <source>nothing</source>
+        <translation>nič</translation>
+    </message>
+    <message>
+        <source>glTF, with its buffer and pictures beside it</source>
+        <translation>glTF, podatki in slike ob njem</translation>
+    </message>
+    <message>
+        <source>Wavefront OBJ</source>
+        <translation>Wavefront OBJ</translation>
+    </message>
+    <message>
+        <source>occlusion and tangents; two-sided leaves are up to the program</source>
+        <translation>zasenčenost in tangente; dvostranski listi so odvisni od programa</translation>
+    </message>
+    <message>
+        <source>COLLADA</source>
+        <translation>COLLADA</translation>
+    </message>
+    <message>
+        <source>Stanford PLY, binary</source>
+        <translation>Stanford PLY, binarni</translation>
+    </message>
+    <message>
+        <source>materials and pictures; all stems and leaves are one mesh</source>
+        <translation>materiali in slike; ves les in listi so ena mreža</translation>
+    </message>
+    <message>
+        <source>STL, binary</source>
+        <translation>STL, binarni</translation>
+    </message>
+    <message>
+        <source>materials, pictures, texture coordinates and smooth normals</source>
+        <translation>materiali, slike, koordinate tekstur in gladke normale</translation>
+    </message>
+    <message>
+        <source>3D Studio</source>
+        <translation>3D Studio</translation>
+    </message>
+    <message>
+        <source>normals (programs make their own), names beyond ten letters; large meshes are cut into parts</source>
+        <translation>normale (programi naredijo svoje), imena nad deset črk; velike mreže so razrezane na dele</translation>
+    </message>
+    <message>
+        <source>LightWave object</source>
+        <translation>Objekt LightWave</translation>
+    </message>
+    <message>
+        <source>normals (the program makes its own), transparency of the leaf picture</source>
+        <translation>normale (program naredi svoje), prosojnost slike lista</translation>
+    </message>
+    <message>
+        <source>POV-Ray scene</source>
+        <translation>Prizor POV-Ray</translation>
+    </message>
+    <message>
+        <source>nothing a picture shows; a camera, lights and ground are added</source>
+        <translation>nič, kar bi se videlo; dodani so kamera, luči in tla</translation>
+    </message>
+    <message>
+        <source>OpenSceneGraph binary</source>
+        <translation>OpenSceneGraph, binarni</translation>
+    </message>
+    <message>
+        <source>occlusion and tangents</source>
+        <translation>zasenčenost in tangente</translation>
+    </message>
+    <message>
+        <source>OpenSceneGraph text</source>
+        <translation>OpenSceneGraph, besedilni</translation>
+    </message>
+    <message>
+        <source>OpenSceneGraph, old text form</source>
+        <translation>OpenSceneGraph, stara besedilna oblika</translation>
+    </message>
+    <message>
+        <source>Width and widest place</source>
+        <translation>Širina in najširše mesto</translation>
+    </message>
+    <message>
+        <source>Curve above</source>
+        <translation>Krivulja zgoraj</translation>
+    </message>
+    <message>
+        <source>Curve below</source>
+        <translation>Krivulja spodaj</translation>
+    </message>
+    <message>
+        <source>Bare trunk</source>
+        <translation>Golo deblo</translation>
+    </message>
+    <message>
+        <source>Length of the branches</source>
+        <translation>Dolžina vej</translation>
+    </message>
+    <message>
+        <source>Stromar: left turns, right zooms, middle moves</source>
+        <translation>Stromar: leva vrti, desna približa, srednja premika</translation>
+    </message>
+    <message>
+        <source>Blender: middle button with Shift and Ctrl</source>
+        <translation>Blender: srednja tipka s Shift in Ctrl</translation>
+    </message>
+    <message>
+        <source>Maya: all buttons with Alt</source>
+        <translation>Maya: vse tipke z Alt</translation>
+    </message>
+    <message>
+        <source>left</source>
+        <translation>levo</translation>
+    </message>
+    <message>
+        <source>middle</source>
+        <translation>srednjo</translation>
+    </message>
+    <message>
+        <source>right</source>
+        <translation>desno</translation>
+    </message>
+    <message>
+        <source>%1 drag</source>
+        <translation>Vlečenje z %1 tipko</translation>
+    </message>
+    <message>
+        <source>Turn</source>
+        <translation>Vrtenje</translation>
+    </message>
+    <message>
+        <source>Move</source>
+        <translation>Premik</translation>
+    </message>
+    <message>
+        <source>Nearer and farther</source>
+        <translation>Bliže in dlje</translation>
+    </message>
+    <message>
+        <source>As the system</source>
+        <translation>Kot sistem</translation>
+    </message>
+    <message>
+        <source>Light</source>
+        <translation>Svetla</translation>
+    </message>
+    <message>
+        <source>Dark</source>
+        <translation>Temna</translation>
+    </message>
+    <message>
+        <source>Metres</source>
+        <translation>Metri</translation>
+    </message>
+    <message>
+        <source>Feet</source>
+        <translation>Čevlji</translation>
+    </message>
+    <message>
+        <source>Theme</source>
+        <translation>Tema</translation>
+    </message>
+    <message>
+        <source>Light or dark windows.</source>
+        <translation>Svetla ali temna okna.</translation>
+    </message>
+    <message>
+        <source>Language</source>
+        <translation>Jezik</translation>
+    </message>
+    <message>
+        <source>The language of menus, parameters and help.</source>
+        <translation>Jezik menijev, parametrov in pomoči.</translation>
+    </message>
+    <message>
+        <source>Mouse in the picture</source>
+        <translation>Miška v sliki</translation>
+    </message>
+    <message>
+        <source>Which buttons turn, move and zoom. The wheel always zooms.</source>
+        <translation>Katere tipke vrtijo, premikajo in približajo. Kolesce vedno približa.</translation>
+    </message>
+    <message>
+        <source>Lengths in</source>
+        <translation>Dolžine v</translation>
+    </message>
+    <message>
+        <source>The unit of lengths in the window. Files are always in metres.</source>
+        <translation>Enota dolžin v oknu. Datoteke so vedno v metrih.</translation>
+    </message>
+    <message>
+        <source>Full model after</source>
+        <translation>Polni model po</translation>
+    </message>
+    <message>
+        <source>How long the hand rests before the full model follows the simple one.</source>
+        <translation>Kako dolgo mora roka počivati, preden preprostemu modelu sledi polni.</translation>
+    </message>
+    <message>
+        <source> ms</source>
+        <translation> ms</translation>
+    </message>
+    <message>
+        <source>Threads</source>
+        <translation>Niti</translation>
+    </message>
+    <message>
+        <source>How many processors grow the tree; 0 takes all.</source>
+        <translation>Koliko procesorjev goji drevo; 0 vzame vse.</translation>
+    </message>
+    <message>
+        <source>Autosave every</source>
+        <translation>Samodejno shrani vsakih</translation>
+    </message>
+    <message>
+        <source>How often changes are kept aside against a crash; 0 never.</source>
+        <translation>Kako pogosto se spremembe hranijo za primer sesutja; 0 nikoli.</translation>
+    </message>
+    <message>
+        <source> s</source>
+        <translation> s</translation>
+    </message>
+    <message>
+        <source>conical</source>
+        <translation>stožčasta</translation>
+    </message>
+    <message>
+        <source>spherical</source>
+        <translation>krogelna</translation>
+    </message>
+    <message>
+        <source>hemispherical</source>
+        <translation>polkrogelna</translation>
+    </message>
+    <message>
+        <source>cylindrical</source>
+        <translation>valjasta</translation>
+    </message>
+    <message>
+        <source>tapered-cylindrical</source>
+        <translation>zožena valjasta</translation>
+    </message>
+    <message>
+        <source>flame</source>
+        <translation>plamen</translation>
+    </message>
+    <message>
+        <source>inverse-conical</source>
+        <translation>obrnjeni stožec</translation>
+    </message>
+    <message>
+        <source>tend-flame</source>
+        <translation>blagi plamen</translation>
+    </message>
+    <message>
+        <source>envelope</source>
+        <translation>ovojnica</translation>
+    </message>
+    <message>
+        <source>oval</source>
+        <translation>ovalen</translation>
+    </message>
+    <message>
+        <source>triangle</source>
+        <translation>trikotnik</translation>
+    </message>
+    <message>
+        <source>three-lobe-oak</source>
+        <translation>trokrpi hrastov</translation>
+    </message>
+    <message>
+        <source>three-lobe-maple</source>
+        <translation>trokrpi javorov</translation>
+    </message>
+    <message>
+        <source>five-lobe-maple</source>
+        <translation>petkrpi javorov</translation>
+    </message>
+    <message>
+        <source>three-leaflets</source>
+        <translation>trije lističi</translation>
+    </message>
+    <message>
+        <source>square</source>
+        <translation>kvadrat</translation>
+    </message>
+    <message>
+        <source>needles</source>
+        <translation>iglice</translation>
+    </message>
+    <message>
+        <source>card</source>
+        <translation>karta</translation>
+    </message>
+    <message>
+        <source>outline</source>
+        <translation>obris</translation>
+    </message>
+    <message>
+        <source>off</source>
+        <translation>izklopljeno</translation>
+    </message>
+    <message>
+        <source>on</source>
+        <translation>vklopljeno</translation>
+    </message>
+    <message>
+        <source>The tree is a bare trunk: Levels of stems is 1.</source>
+        <translation>Drevo je golo deblo: število ravni je 1.</translation>
+    </message>
+    <message>
+        <source>It acts on stems of level 2 and deeper, and there are none.</source>
+        <translation>Deluje na veje ravni 2 in globlje, teh pa ni.</translation>
+    </message>
+    <message>
+        <source>The trunk has no lobes.</source>
+        <translation>Deblo nima krp.</translation>
+    </message>
+    <message>
+        <source>The trunk has no lobes, or they have no depth.</source>
+        <translation>Deblo nima krp ali pa te nimajo globine.</translation>
+    </message>
+    <message>
+        <source>The trunk has only one segment, so there is no joint to split at.</source>
+        <translation>Deblo ima le en člen, zato se nima kje deliti.</translation>
+    </message>
+    <message>
+        <source>These stems never split.</source>
+        <translation>Te veje se nikoli ne delijo.</translation>
+    </message>
+    <message>
+        <source>Nothing in this tree splits.</source>
+        <translation>V tem drevesu se nič ne deli.</translation>
+    </message>
+    <message>
+        <source>A negative curve variation winds these stems into a helix instead.</source>
+        <translation>Negativno odstopanje krivine jih namesto tega zvije v vijačnico.</translation>
+    </message>
+    <message>
+        <source>A card shows what its texture shows: set Form to outline.</source>
+        <translation>Karta kaže svojo teksturo: nastavite obliko na obris.</translation>
+    </message>
+    <message>
+        <source>Nothing is pruned: Strength is 0.</source>
+        <translation>Nič se ne obrezuje: moč je 0.</translation>
+    </message>
+    <message>
+        <source>Nothing is pruned, and the crown shape is not the envelope.</source>
+        <translation>Nič se ne obrezuje in oblika krošnje ni ovojnica.</translation>
+    </message>
+    <message>
+        <source>Crown shape</source>
+        <translation>Oblika krošnje</translation>
+    </message>
+    <message>
+        <source>Crown</source>
+        <translation>Krošnja</translation>
+    </message>
+    <message>
+        <source>The outline of the crown: how long the branches are from its bottom to its top. &apos;envelope&apos; takes the outline of the pruning tab.</source>
+        <translation>Obris krošnje: kako dolge so veje od spodaj do vrha. »ovojnica« vzame obris z zavihka obrezovanja.</translation>
+    </message>
+    <message>
+        <source>The part of the tree&apos;s height, from the ground, that bears no branches.</source>
+        <translation>Del višine drevesa od tal, ki ne nosi vej.</translation>
+    </message>
+    <message>
+        <source>Height</source>
+        <translation>Višina</translation>
+    </message>
+    <message>
+        <source>Size</source>
+        <translation>Velikost</translation>
+    </message>
+    <message>
+        <source>The height of the tree.</source>
+        <translation>Višina drevesa.</translation>
+    </message>
+    <message>
+        <source>Height variation</source>
+        <translation>Odstopanje višine</translation>
+    </message>
+    <message>
+        <source>How much taller or smaller a tree of another seed may be.</source>
+        <translation>Koliko višje ali nižje je lahko drevo z drugim semenom.</translation>
+    </message>
+    <message>
+        <source>Z scale</source>
+        <translation>Merilo Z</translation>
+    </message>
+    <message>
+        <source>Printed in the paper&apos;s tables but used by none of its formulas. Kept in files, without effect.</source>
+        <translation>Je v tabelah članka, a ga nobena njegova formula ne rabi. Ostane v datotekah, brez učinka.</translation>
+    </message>
+    <message>
+        <source>Z scale variation</source>
+        <translation>Odstopanje merila Z</translation>
+    </message>
+    <message>
+        <source>Levels of stems</source>
+        <translation>Ravni vejitve</translation>
+    </message>
+    <message>
+        <source>1 grows a bare trunk, 2 adds branches, 3 branches on branches. The leaves sit on the last level.</source>
+        <translation>1 zraste golo deblo, 2 doda veje, 3 veje na vejah. Listi so na zadnji ravni.</translation>
+    </message>
+    <message>
+        <source>Thickness</source>
+        <translation>Debelina</translation>
+    </message>
+    <message>
+        <source>The radius of the trunk divided by its length.</source>
+        <translation>Polmer debla, deljen z njegovo dolžino.</translation>
+    </message>
+    <message>
+        <source>Thinning</source>
+        <translation>Tanjšanje</translation>
+    </message>
+    <message>
+        <source>How much thinner than its parent a shorter branch is. Higher values make finer branches.</source>
+        <translation>Koliko tanjša od starša je krajša veja. Višje vrednosti naredijo finejše veje.</translation>
+    </message>
+    <message>
+        <source>Least radius</source>
+        <translation>Najmanjši polmer</translation>
+    </message>
+    <message>
+        <source>No stem is drawn thinner than this, so that fine twigs stay visible.</source>
+        <translation>Nič se ne nariše tanjše, da fine vejice ostanejo vidne.</translation>
+    </message>
+    <message>
+        <source>Attraction up</source>
+        <translation>Vzravnavanje</translation>
+    </message>
+    <message>
+        <source>Growth</source>
+        <translation>Rast</translation>
+    </message>
+    <message>
+        <source>How strongly branches of level 2 and deeper bend up to the light. Negative values let them hang.</source>
+        <translation>Kako močno se veje ravni 2 in globlje upogibajo navzgor k svetlobi. Negativne vrednosti jih pustijo viseti.</translation>
+    </message>
+    <message>
+        <source>Halve splitting</source>
+        <translation>Razpolovi delitve</translation>
+    </message>
+    <message>
+        <source>On: a stem that has split, and its clones, split half as often from then on.</source>
+        <translation>Vklopljeno: veja, ki se je razdelila, in njeni kloni se odtlej delijo pol manj.</translation>
+    </message>
+    <message>
+        <source>Seed</source>
+        <translation>Seme</translation>
+    </message>
+    <message>
+        <source>Every seed gives another tree of the same kind. The same seed always grows the same tree.</source>
+        <translation>Vsako seme da drugo drevo iste vrste. Isto seme vedno zraste isto drevo.</translation>
+    </message>
+    <message>
+        <source>Radius factor</source>
+        <translation>Faktor polmera</translation>
+    </message>
+    <message>
+        <source>Makes the trunk thicker or thinner than Thickness says, and the branches with it.</source>
+        <translation>Naredi deblo debelejše ali tanjše, kot pravi debelina, in veje z njim.</translation>
+    </message>
+    <message>
+        <source>Radius factor variation</source>
+        <translation>Odstopanje faktorja polmera</translation>
+    </message>
+    <message>
+        <source>How much the radius factor differs from seed to seed.</source>
+        <translation>Koliko se faktor polmera razlikuje od semena do semena.</translation>
+    </message>
+    <message>
+        <source>Flare</source>
+        <translation>Koreničnik</translation>
+    </message>
+    <message>
+        <source>How much the trunk widens at the ground. 1 makes it twice as thick there.</source>
+        <translation>Koliko se deblo razširi pri tleh. 1 ga tam naredi dvakrat debelejše.</translation>
+    </message>
+    <message>
+        <source>Lobes</source>
+        <translation>Krpe</translation>
+    </message>
+    <message>
+        <source>The number of bulges around the trunk. Odd numbers look natural, even ones symmetric.</source>
+        <translation>Število izboklin okoli debla. Liha števila so videti naravna, soda somerna.</translation>
+    </message>
+    <message>
+        <source>Lobe depth</source>
+        <translation>Globina krp</translation>
+    </message>
+    <message>
+        <source>How far the bulges stand out, as a part of the radius.</source>
+        <translation>Kako daleč izbokline štrlijo, kot del polmera.</translation>
+    </message>
+    <message>
+        <source>Lobes fade</source>
+        <translation>Pojemanje krp</translation>
+    </message>
+    <message>
+        <source>1 lets the lobes end a little above the ground, 0 lets them run up the whole trunk.</source>
+        <translation>1 konča krpe malo nad tlemi, 0 jih pelje po vsem deblu.</translation>
+    </message>
+    <message>
+        <source>Splits at the base</source>
+        <translation>Delitve pri dnu</translation>
+    </message>
+    <message>
+        <source>Splitting</source>
+        <translation>Delitev</translation>
+    </message>
+    <message>
+        <source>So many more trunks grow out of the end of the trunk&apos;s first segment.</source>
+        <translation>Toliko dodatnih debel zraste iz konca prvega člena debla.</translation>
+    </message>
+    <message>
+        <source>Number</source>
+        <translation>Število</translation>
+    </message>
+    <message>
+        <source>Placement</source>
+        <translation>Razmestitev</translation>
+    </message>
+    <message>
+        <source>The most branches of this level that one parent can bear.</source>
+        <translation>Največ vej te ravni, kolikor jih lahko nosi en starš.</translation>
+    </message>
+    <message>
+        <source>Spread along segments</source>
+        <translation>Razpored po členih</translation>
+    </message>
+    <message>
+        <source>1 spaces the branches evenly, 0 gathers them at the lower end of each segment of the parent, as whorls.</source>
+        <translation>1 razmesti veje enakomerno, 0 jih zbere na spodnjem koncu vsakega člena starša kot vretenca.</translation>
+    </message>
+    <message>
+        <source>Place variation</source>
+        <translation>Odstopanje mesta</translation>
+    </message>
+    <message>
+        <source>How far each branch is moved along its parent, as a part of the spacing.</source>
+        <translation>Kako daleč se vsaka veja premakne vzdolž starša, kot del razmika.</translation>
+    </message>
+    <message>
+        <source>Down angle</source>
+        <translation>Kot odklona</translation>
+    </message>
+    <message>
+        <source>Direction</source>
+        <translation>Smer</translation>
+    </message>
+    <message>
+        <source>The angle between a branch and its parent. 90 stands off at a right angle.</source>
+        <translation>Kot med vejo in njenim staršem. 90 stoji pravokotno.</translation>
+    </message>
+    <message>
+        <source>Down angle variation</source>
+        <translation>Odstopanje kota odklona</translation>
+    </message>
+    <message>
+        <source>How much the down angle differs from branch to branch. Negative values are not random: they grade the angle along the parent, more at its base, less at its tip.</source>
+        <translation>Koliko se kot odklona razlikuje od veje do veje. Negativne vrednosti niso naključne: kot stopnjujejo vzdolž starša, več pri dnu, manj pri vrhu.</translation>
+    </message>
+    <message>
+        <source>Rotation</source>
+        <translation>Zasuk</translation>
+    </message>
+    <message>
+        <source>The turn about the parent from one branch to the next. Negative values put the branches on alternate sides.</source>
+        <translation>Zasuk okoli starša od ene veje do naslednje. Negativne vrednosti postavijo veje izmenično na obe strani.</translation>
+    </message>
+    <message>
+        <source>Rotation variation</source>
+        <translation>Odstopanje zasuka</translation>
+    </message>
+    <message>
+        <source>How much the rotation differs from branch to branch.</source>
+        <translation>Koliko se zasuk razlikuje od veje do veje.</translation>
+    </message>
+    <message>
+        <source>Length</source>
+        <translation>Dolžina</translation>
+    </message>
+    <message>
+        <source>The length as a part of the parent&apos;s length; for the trunk, of the tree&apos;s height.</source>
+        <translation>Dolžina kot del dolžine starša; pri deblu višine drevesa.</translation>
+    </message>
+    <message>
+        <source>Length variation</source>
+        <translation>Odstopanje dolžine</translation>
+    </message>
+    <message>
+        <source>How much the length differs from stem to stem.</source>
+        <translation>Koliko se dolžina razlikuje od veje do veje.</translation>
+    </message>
+    <message>
+        <source>Taper</source>
+        <translation>Oženje</translation>
+    </message>
+    <message>
+        <source>The form of the stem: 0 a cylinder, 1 a cone, 2 a cylinder with a round end, 3 a chain of spheres.</source>
+        <translation>Oblika lesa: 0 valj, 1 stožec, 2 valj z okroglim koncem, 3 niz krogel.</translation>
+    </message>
+    <message>
+        <source>Segments</source>
+        <translation>Členi</translation>
+    </message>
+    <message>
+        <source>Curvature</source>
+        <translation>Krivina</translation>
+    </message>
+    <message>
+        <source>The number of segments a stem consists of. More segments bend and split more finely.</source>
+        <translation>Iz koliko členov je veja. Več členov se upogiba in deli finejše.</translation>
+    </message>
+    <message>
+        <source>Curve</source>
+        <translation>Upogib</translation>
+    </message>
+    <message>
+        <source>How much the stem bends from base to tip. Positive values bend down, negative ones up.</source>
+        <translation>Koliko se veja upogne od dna do vrha. Pozitivne vrednosti upogibajo navzdol, negativne navzgor.</translation>
+    </message>
+    <message>
+        <source>Curve back</source>
+        <translation>Povratni upogib</translation>
+    </message>
+    <message>
+        <source>Unless 0, the lower half bends by Curve and the upper half by this: S-shaped stems.</source>
+        <translation>Če ni 0, se spodnja polovica upogiba po upogibu, zgornja pa po tej vrednosti: veje v obliki S.</translation>
+    </message>
+    <message>
+        <source>Curve variation</source>
+        <translation>Odstopanje upogiba</translation>
+    </message>
+    <message>
+        <source>Random bending, shared out over the segments. Negative values wind the stem into a helix of that angle.</source>
+        <translation>Naključno upogibanje, razdeljeno po členih. Negativne vrednosti zvijejo vejo v vijačnico tega kota.</translation>
+    </message>
+    <message>
+        <source>Splits per segment</source>
+        <translation>Delitve na člen</translation>
+    </message>
+    <message>
+        <source>How many clones split off at the end of each segment, on average. 1 forks at every one.</source>
+        <translation>Koliko klonov se odcepi na koncu vsakega člena, povprečno. 1 se razcepi pri vsakem.</translation>
+    </message>
+    <message>
+        <source>Split angle</source>
+        <translation>Kot delitve</translation>
+    </message>
+    <message>
+        <source>How far each part leans away from the vertical after a split. Towards its tip it turns back again.</source>
+        <translation>Kako daleč se po delitvi vsak del nagne od navpičnice. Proti vrhu se spet vrne.</translation>
+    </message>
+    <message>
+        <source>Split angle variation</source>
+        <translation>Odstopanje kota delitve</translation>
+    </message>
+    <message>
+        <source>How much the split angle differs from fork to fork.</source>
+        <translation>Koliko se kot delitve razlikuje od rogovile do rogovile.</translation>
+    </message>
+    <message>
+        <source>The most leaves that a stem of the last level bears. Negative values put them in a fan at its tip.</source>
+        <translation>Največ listov, kolikor jih nosi veja zadnje ravni. Negativne vrednosti jih postavijo v pahljačo na vrhu.</translation>
+    </message>
+    <message>
+        <source>Density</source>
+        <translation>Gostota</translation>
+    </message>
+    <message>
+        <source>Fewer but larger leaves below 1, more and smaller ones above: the leaf area stays.</source>
+        <translation>Pod 1 manj, a večjih listov, nad 1 več manjših: površina listov ostane.</translation>
+    </message>
+    <message>
+        <source>Turn to the light</source>
+        <translation>Obračanje k svetlobi</translation>
+    </message>
+    <message>
+        <source>How far the leaves turn outwards and up to the light.</source>
+        <translation>Kako daleč se listi obračajo navzven in navzgor k svetlobi.</translation>
+    </message>
+    <message>
+        <source>Shape</source>
+        <translation>Oblika</translation>
+    </message>
+    <message>
+        <source>Blade</source>
+        <translation>Ploskev</translation>
+    </message>
+    <message>
+        <source>The kind of leaf: its outline where the form is &apos;outline&apos;. A card shows what its texture shows.</source>
+        <translation>Vrsta lista: njegov obris, kjer je podoba »obris«. Karta kaže svojo teksturo.</translation>
+    </message>
+    <message>
+        <source>Form</source>
+        <translation>Podoba</translation>
+    </message>
+    <message>
+        <source>A card is a rectangle with the leaf texture. An outline is cut to the shape and needs no transparency.</source>
+        <translation>Karta je pravokotnik s teksturo lista. Obris je izrezan po obliki in ne potrebuje prosojnosti.</translation>
+    </message>
+    <message>
+        <source>The length of a leaf.</source>
+        <translation>Dolžina lista.</translation>
+    </message>
+    <message>
+        <source>Width</source>
+        <translation>Širina</translation>
+    </message>
+    <message>
+        <source>The width of a leaf as a part of its length.</source>
+        <translation>Širina lista kot del njegove dolžine.</translation>
+    </message>
+    <message>
+        <source>Stalk</source>
+        <translation>Pecelj</translation>
+    </message>
+    <message>
+        <source>The length of the stalk between stem and blade, as a part of the leaf&apos;s length.</source>
+        <translation>Dolžina peclja med vejo in ploskvijo kot del dolžine lista.</translation>
+    </message>
+    <message>
+        <source>Fold</source>
+        <translation>Pregib</translation>
+    </message>
+    <message>
+        <source>How far each half of a leaf is folded up along its midrib.</source>
+        <translation>Koliko je vsaka polovica lista pregnjena navzgor ob glavni žili.</translation>
+    </message>
+    <message>
+        <source>Rounding</source>
+        <translation>Zaobljenost</translation>
+    </message>
+    <message>
+        <source>Shading</source>
+        <translation>Senčenje</translation>
+    </message>
+    <message>
+        <source>Shades the leaves as if they were the surface of one round crown: softer light on dense crowns.</source>
+        <translation>Senči liste, kot bi bili površina ene okrogle krošnje: mehkejša svetloba na gostih krošnjah.</translation>
+    </message>
+    <message>
+        <source>Strength</source>
+        <translation>Moč</translation>
+    </message>
+    <message>
+        <source>Envelope</source>
+        <translation>Ovojnica</translation>
+    </message>
+    <message>
+        <source>0 leaves the branches alone, 1 shortens them until they stay inside the envelope.</source>
+        <translation>0 pusti veje pri miru, 1 jih krajša, dokler ne ostanejo v ovojnici.</translation>
+    </message>
+    <message>
+        <source>The radius of the envelope at its widest place, as a part of the tree&apos;s height.</source>
+        <translation>Polmer ovojnice na najširšem mestu kot del višine drevesa.</translation>
+    </message>
+    <message>
+        <source>Widest place</source>
+        <translation>Najširše mesto</translation>
+    </message>
+    <message>
+        <source>Where the envelope is widest, from 0 at its bottom to 1 at its top.</source>
+        <translation>Kje je ovojnica najširša, od 0 spodaj do 1 na vrhu.</translation>
+    </message>
+    <message>
+        <source>The envelope below its widest place: under 1 it bulges, 1 is straight, above 1 it is hollow.</source>
+        <translation>Ovojnica pod najširšim mestom: pod 1 je izbočena, 1 ravna, nad 1 vbočena.</translation>
+    </message>
+    <message>
+        <source>The envelope above its widest place: under 1 it bulges, 1 is straight, above 1 it is hollow.</source>
+        <translation>Ovojnica nad najširšim mestom: pod 1 je izbočena, 1 ravna, nad 1 vbočena.</translation>
+    </message>
+    <message>
+        <source>Bark repeats around</source>
+        <translation>Ponovitve lubja okoli</translation>
+    </message>
+    <message>
+        <source>Bark</source>
+        <translation>Lubje</translation>
+    </message>
+    <message>
+        <source>How often the bark picture goes around the trunk; branches follow. Whole numbers leave no seam.</source>
+        <translation>Kolikokrat slika lubja obkroži deblo; veje sledijo. Cela števila ne pustijo šiva.</translation>
+    </message>
+    <message>
+        <source>Bark repeats along</source>
+        <translation>Ponovitve lubja vzdolž</translation>
+    </message>
+    <message>
+        <source>How often the bark picture repeats from the trunk&apos;s base to its tip. Branches show it at the same scale.</source>
+        <translation>Kolikokrat se slika lubja ponovi od dna debla do vrha. Veje jo kažejo v istem merilu.</translation>
+    </message>
+    <message>
+        <source>Species</source>
+        <translation>Vrsta</translation>
+    </message>
+    <message>
+        <source>About</source>
+        <translation>O drevesu</translation>
+    </message>
+    <message>
+        <source>The name of the kind of tree.</source>
+        <translation>Ime vrste drevesa.</translation>
+    </message>
+    <message>
+        <source>Author</source>
+        <translation>Avtor</translation>
+    </message>
+    <message>
+        <source>Who made the file.</source>
+        <translation>Kdo je naredil datoteko.</translation>
+    </message>
+    <message>
+        <source>Description</source>
+        <translation>Opis</translation>
+    </message>
+    <message>
+        <source>What the tree is like.</source>
+        <translation>Kakšno je drevo.</translation>
+    </message>
+    <message>
+        <source>Method</source>
+        <translation>Metoda</translation>
+    </message>
+    <message>
+        <source>How the tree is grown: weber-penn.</source>
+        <translation>Kako drevo raste: weber-penn.</translation>
+    </message>
+    <message>
+        <source>Liked seeds</source>
+        <translation>Priljubljena semena</translation>
+    </message>
+    <message>
+        <source>Seeds worth finding again, separated by blanks.</source>
+        <translation>Semena, ki jih je vredno znova najti, ločena s presledki.</translation>
+    </message>
+    <message>
+        <source>Bark texture</source>
+        <translation>Tekstura lubja</translation>
+    </message>
+    <message>
+        <source>The picture on the stems; its path starts at the file&apos;s folder. Empty takes the built-in one.</source>
+        <translation>Slika na lesu; pot se začne v mapi datoteke. Prazno vzame vgrajeno.</translation>
+    </message>
+    <message>
+        <source>Leaf texture</source>
+        <translation>Tekstura lista</translation>
+    </message>
+    <message>
+        <source>Leaves</source>
+        <translation>Listi</translation>
+    </message>
+    <message>
+        <source>The picture on the leaves, transparent outside the blade. Empty takes the built-in one.</source>
+        <translation>Slika na listih, prosojna zunaj ploskve. Prazno vzame vgrajeno.</translation>
+    </message>
+    <message>
+        <source>The tree has no stems of this level: see Levels of stems.</source>
+        <translation>Drevo nima vej te ravni: glejte Ravni vejitve.</translation>
+    </message>
+    <message>
+        <source>The tree has no stems of this level: a Number of branches is 0.</source>
+        <translation>Drevo nima vej te ravni: neko število vej je 0.</translation>
+    </message>
+    <message>
+        <source>This level would place the leaves, and the tree has none.</source>
+        <translation>Ta raven bi razmestila liste, drevo pa jih nima.</translation>
+    </message>
+    <message>
+        <source>Leaves grow on branches, and the tree is a bare trunk.</source>
+        <translation>Listi rastejo na vejah, drevo pa je golo deblo.</translation>
+    </message>
+    <message>
+        <source>The tree has no leaves: their Number is 0.</source>
+        <translation>Drevo nima listov: njihovo število je 0.</translation>
+    </message>
+    <message>
+        <source>Tree</source>
+        <translation>Drevo</translation>
+    </message>
+    <message>
+        <source>Trunk</source>
+        <translation>Deblo</translation>
+    </message>
+    <message>
+        <source>Branches</source>
+        <translation>Veje</translation>
+    </message>
+    <message>
+        <source>Pruning</source>
+        <translation>Obrezovanje</translation>
+    </message>
+</context>
+<context>
+    <name>stromar::CDocument</name>
+    <message>
+        <source>new.tree</source>
+        <translation>novo.tree</translation>
+    </message>
+    <message>
+        <source>Open preset %1</source>
+        <translation>Odpri predlogo %1</translation>
+    </message>
+    <message>
+        <source>Restore</source>
+        <translation>Obnovi</translation>
+    </message>
+    <message>
+        <source>Change %1</source>
+        <translation>Sprememba %1</translation>
+    </message>
+</context>
+<context>
+    <name>stromar::CExportDialog</name>
+    <message>
+        <source>Export</source>
+        <translation>Izvoz</translation>
+    </message>
+    <message>
+        <source>Lost in this format</source>
+        <translation>V tem formatu se izgubi</translation>
+    </message>
+    <message>
+        <source>Size, about</source>
+        <translation>Velikost približno</translation>
+    </message>
+    <message>
+        <source>Format</source>
+        <translation>Format</translation>
+    </message>
+    <message>
+        <source>Browse…</source>
+        <translation>Prebrskaj…</translation>
+    </message>
+    <message>
+        <source>File</source>
+        <translation>Datoteka</translation>
+    </message>
+    <message>
+        <source>Where to export</source>
+        <translation>Kam izvoziti</translation>
+    </message>
+    <message>
+        <source>The file&apos;s name has to end in %1</source>
+        <translation>Ime datoteke se mora končati na %1</translation>
+    </message>
+    <message>
+        <source>%1 is there already. Replace it?</source>
+        <translation>%1 že obstaja. Zamenjam?</translation>
+    </message>
+</context>
+<context>
+    <name>stromar::CHelpWindow</name>
+    <message>
+        <source>Stromar Manual</source>
+        <translation>Priročnik za Stromar</translation>
+    </message>
+    <message>
+        <source>Pages</source>
+        <translation>Strani</translation>
+    </message>
+    <message>
+        <source>Back</source>
+        <translation>Nazaj</translation>
+    </message>
+    <message>
+        <source>Forward</source>
+        <translation>Naprej</translation>
+    </message>
+    <message>
+        <source>Contents</source>
+        <translation>Vsebina</translation>
+    </message>
+</context>
+<context>
+    <name>stromar::CMainWindow</name>
+    <message>
+        <source>Parameters</source>
+        <translation>Parametri</translation>
+    </message>
+    <message>
+        <source>Presets</source>
+        <translation>Predloge</translation>
+    </message>
+    <message>
+        <source>Variants</source>
+        <translation>Različice</translation>
+    </message>
+    <message>
+        <source>As opened</source>
+        <translation>Kot odprto</translation>
+    </message>
+    <message>
+        <source>History</source>
+        <translation>Zgodovina</translation>
+    </message>
+    <message>
+        <source>Messages of the file</source>
+        <translation>Sporočila o datoteki</translation>
+    </message>
+    <message>
+        <source>Messages</source>
+        <translation>Sporočila</translation>
+    </message>
+    <message>
+        <source>Tools</source>
+        <translation>Orodja</translation>
+    </message>
+    <message>
+        <source>Open &amp;Recent</source>
+        <translation>Odpri &amp;nedavne</translation>
+    </message>
+    <message>
+        <source>The tree is growing; Esc gives it up</source>
+        <translation>Drevo raste; Esc ga opusti</translation>
+    </message>
+    <message>
+        <source>Autosave: %1</source>
+        <translation>Samodejno shranjevanje: %1</translation>
+    </message>
+    <message>
+        <source>Randomise</source>
+        <translation>Premešaj</translation>
+    </message>
+    <message>
+        <source>The graphics driver has started again</source>
+        <translation>Grafični gonilnik se je znova zagnal</translation>
+    </message>
+    <message>
+        <source>%1 = %2 fits</source>
+        <translation>%1 = %2 ustreza</translation>
+    </message>
+    <message>
+        <source>Grow it anyway</source>
+        <translation>Vseeno zrasti</translation>
+    </message>
+    <message>
+        <source>Undo</source>
+        <translation>Razveljavi</translation>
+    </message>
+    <message>
+        <source>This tree may have up to %1 stems, %2 leaves and %3 million vertices; the limit is %4 million.</source>
+        <translation>To drevo ima lahko do %1 vej, %2 listov in %3 milijonov oglišč; meja je %4 milijonov.</translation>
+    </message>
+    <message>
+        <source>%1   %2 stems   %3 leaves   %4 vertices   %5 triangles   %6 ms</source>
+        <translation>%1   %2 vej   %3 listov   %4 oglišč   %5 trikotnikov   %6 ms</translation>
+    </message>
+    <message>
+        <source>Simple model</source>
+        <translation>Preprosti model</translation>
+    </message>
+    <message>
+        <source>Full model</source>
+        <translation>Polni model</translation>
+    </message>
+    <message>
+        <source>Another program has changed %1. Opening it again loses your changes.</source>
+        <translation>Drug program je spremenil %1. Z novim odpiranjem izgubite svoje spremembe.</translation>
+    </message>
+    <message>
+        <source>Another program has changed %1.</source>
+        <translation>Drug program je spremenil %1.</translation>
+    </message>
+    <message>
+        <source>Open it again</source>
+        <translation>Odpri znova</translation>
+    </message>
+    <message>
+        <source>Keep mine</source>
+        <translation>Obdrži moje</translation>
+    </message>
+    <message>
+        <source>Stopped; F6 grows the full model</source>
+        <translation>Ustavljeno; F6 zraste polni model</translation>
+    </message>
+    <message>
+        <source>No manual</source>
+        <translation>Ni priročnika</translation>
+    </message>
+    <message>
+        <source>The pages of the manual are not installed.</source>
+        <translation>Strani priročnika niso nameščene.</translation>
+    </message>
+    <message>
+        <source>In the picture</source>
+        <translation>V sliki</translation>
+    </message>
+    <message>
+        <source>Wheel</source>
+        <translation>Kolesce</translation>
+    </message>
+    <message>
+        <source>Nearer and farther</source>
+        <translation>Bliže in dlje</translation>
+    </message>
+    <message>
+        <source>Click</source>
+        <translation>Klik</translation>
+    </message>
+    <message>
+        <source>Tell about the stem or leaf</source>
+        <translation>Povej o veji ali listu</translation>
+    </message>
+    <message>
+        <source>In the parameters</source>
+        <translation>V parametrih</translation>
+    </message>
+    <message>
+        <source>Scroll; changes an editor only after a click into it</source>
+        <translation>Drsi; vrednost spremeni šele po kliku vanjo</translation>
+    </message>
+    <message>
+        <source>Shift</source>
+        <translation>Shift</translation>
+    </message>
+    <message>
+        <source>Finer steps of a slider</source>
+        <translation>Finejši koraki drsnika</translation>
+    </message>
+    <message>
+        <source>Ctrl</source>
+        <translation>Ctrl</translation>
+    </message>
+    <message>
+        <source>Larger steps of a slider</source>
+        <translation>Večji koraki drsnika</translation>
+    </message>
+    <message>
+        <source>Double click on a name</source>
+        <translation>Dvojni klik na ime</translation>
+    </message>
+    <message>
+        <source>Back to the default</source>
+        <translation>Nazaj na privzeto</translation>
+    </message>
+    <message>
+        <source>Right click on a name</source>
+        <translation>Desni klik na ime</translation>
+    </message>
+    <message>
+        <source>Copy, paste, lock</source>
+        <translation>Kopiraj, prilepi, zakleni</translation>
+    </message>
+    <message>
+        <source>Keys</source>
+        <translation>Tipke</translation>
+    </message>
+    <message>
+        <source>Mouse and keys</source>
+        <translation>Miška in tipke</translation>
+    </message>
+    <message>
+        <source>About Stromar</source>
+        <translation>O programu Stromar</translation>
+    </message>
+    <message>
+        <source>&lt;p&gt;&lt;b&gt;Stromar %1&lt;/b&gt;&lt;/p&gt;&lt;p&gt;Grows trees by the model of Weber and Penn, “Creation and Rendering of Realistic Trees”, SIGGRAPH ’95.&lt;/p&gt;</source>
+        <translation>&lt;p&gt;&lt;b&gt;Stromar %1&lt;/b&gt;&lt;/p&gt;&lt;p&gt;Goji drevesa po modelu Webra in Penna, »Creation and Rendering of Realistic Trees«, SIGGRAPH ’95.&lt;/p&gt;</translation>
+    </message>
+    <message>
+        <source>Trees (*.tree);;All files (*)</source>
+        <translation>Drevesa (*.tree);;Vse datoteke (*)</translation>
+    </message>
+    <message>
+        <source>Cannot open the tree</source>
+        <translation>Drevesa ni mogoče odpreti</translation>
+    </message>
+    <message>
+        <source>Cannot open the preset</source>
+        <translation>Predloge ni mogoče odpreti</translation>
+    </message>
+    <message>
+        <source>Cannot save the tree</source>
+        <translation>Drevesa ni mogoče shraniti</translation>
+    </message>
+    <message>
+        <source>Saved %1</source>
+        <translation>Shranjeno %1</translation>
+    </message>
+    <message>
+        <source>Open a tree</source>
+        <translation>Odpri drevo</translation>
+    </message>
+    <message>
+        <source>Save the tree</source>
+        <translation>Shrani drevo</translation>
+    </message>
+    <message>
+        <source>Save as Preset</source>
+        <translation>Shrani kot predlogo</translation>
+    </message>
+    <message>
+        <source>Name of the preset</source>
+        <translation>Ime predloge</translation>
+    </message>
+    <message>
+        <source>Replace the preset “%1”?</source>
+        <translation>Zamenjam predlogo »%1«?</translation>
+    </message>
+    <message>
+        <source>Cannot save the preset</source>
+        <translation>Predloge ni mogoče shraniti</translation>
+    </message>
+    <message>
+        <source>Writing %1</source>
+        <translation>Zapisovanje %1</translation>
+    </message>
+    <message>
+        <source>Cancel</source>
+        <translation>Prekliči</translation>
+    </message>
+    <message>
+        <source>Cannot export the tree</source>
+        <translation>Drevesa ni mogoče izvoziti</translation>
+    </message>
+    <message>
+        <source>Export cancelled; no file was changed</source>
+        <translation>Izvoz preklican; nobena datoteka ni spremenjena</translation>
+    </message>
+    <message>
+        <source>Exported %1</source>
+        <translation>Izvoženo %1</translation>
+    </message>
+    <message>
+        <source>Pictures (*.png *.jpg *.jpeg *.tga *.tif *.tiff *.bmp);;All files (*)</source>
+        <translation>Slike (*.png *.jpg *.jpeg *.tga *.tif *.tiff *.bmp);;Vse datoteke (*)</translation>
+    </message>
+    <message>
+        <source>As the &amp;bark</source>
+        <translation>Kot &amp;lubje</translation>
+    </message>
+    <message>
+        <source>As the &amp;leaf</source>
+        <translation>Kot lis&amp;t</translation>
+    </message>
+    <message>
+        <source>A tree that was never saved</source>
+        <translation>Drevo, ki ni bilo nikoli shranjeno</translation>
+    </message>
+    <message>
+        <source>Restore unsaved changes</source>
+        <translation>Obnovi neshranjene spremembe</translation>
+    </message>
+    <message>
+        <source>Stromar ended without saving these changes of %1:
+%2</source>
+        <translation>Stromar se je končal, ne da bi shranil te spremembe z dne %1:
+%2</translation>
+    </message>
+    <message>
+        <source>&amp;Restore</source>
+        <translation>&amp;Obnovi</translation>
+    </message>
+    <message>
+        <source>&amp;Discard</source>
+        <translation>&amp;Zavrzi</translation>
+    </message>
+    <message>
+        <source>Ask &amp;Later</source>
+        <translation>Vprašaj &amp;pozneje</translation>
+    </message>
+    <message>
+        <source>Cannot restore</source>
+        <translation>Ni mogoče obnoviti</translation>
+    </message>
+    <message>
+        <source>Unsaved changes</source>
+        <translation>Neshranjene spremembe</translation>
+    </message>
+    <message>
+        <source>Save the changes of %1?</source>
+        <translation>Shranim spremembe v %1?</translation>
+    </message>
+</context>
+<context>
+    <name>stromar::CMessageBar</name>
+    <message>
+        <source>Dismiss</source>
+        <translation>Zapri</translation>
+    </message>
+</context>
+<context>
+    <name>stromar::CParamEditor</name>
+    <message>
+        <source>Another tree of the same kind</source>
+        <translation>Drugo drevo iste vrste</translation>
+    </message>
+    <message>
+        <source>Random seed</source>
+        <translation>Naključno seme</translation>
+    </message>
+</context>
+<context>
+    <name>stromar::CParamPanel</name>
+    <message>
+        <source>Find a parameter</source>
+        <translation>Najdi parameter</translation>
+    </message>
+    <message>
+        <source>Parameters</source>
+        <translation>Parametri</translation>
+    </message>
+    <message>
+        <source>built in</source>
+        <translation>vgrajena</translation>
+    </message>
+    <message>
+        <source>Load…</source>
+        <translation>Naloži…</translation>
+    </message>
+    <message>
+        <source>Choose a picture</source>
+        <translation>Izberi sliko</translation>
+    </message>
+</context>
+<context>
+    <name>stromar::CParamRow</name>
+    <message>
+        <source>Trunk</source>
+        <translation>Deblo</translation>
+    </message>
+    <message>
+        <source>Branches %1</source>
+        <translation>Veje %1</translation>
+    </message>
+    <message>
+        <source>Without effect: %1</source>
+        <translation>Brez učinka: %1</translation>
+    </message>
+    <message>
+        <source>Reset %1</source>
+        <translation>Privzeto %1</translation>
+    </message>
+    <message>
+        <source>Paste %1</source>
+        <translation>Prilepi %1</translation>
+    </message>
+    <message>
+        <source>&amp;Paste</source>
+        <translation>&amp;Prilepi</translation>
+    </message>
+    <message>
+        <source>Give to &amp;Level</source>
+        <translation>Daj &amp;ravni</translation>
+    </message>
+    <message>
+        <source>&amp;Reset to Default</source>
+        <translation>P&amp;rivzeta vrednost</translation>
+    </message>
+    <message>
+        <source>Back to the &amp;Saved Value</source>
+        <translation>Nazaj na &amp;shranjeno vrednost</translation>
+    </message>
+    <message>
+        <source>Saved %1</source>
+        <translation>Shranjeno %1</translation>
+    </message>
+    <message>
+        <source>&amp;Copy</source>
+        <translation>&amp;Kopiraj</translation>
+    </message>
+    <message>
+        <source>&amp;Lock against Randomise</source>
+        <translation>&amp;Zakleni pred mešanjem</translation>
+    </message>
+</context>
+<context>
+    <name>stromar::CPictureDialog</name>
+    <message>
+        <source>&amp;Transparent background</source>
+        <translation>&amp;Prosojno ozadje</translation>
+    </message>
+    <message>
+        <source>Save a Picture</source>
+        <translation>Shrani sliko</translation>
+    </message>
+    <message>
+        <source>One picture</source>
+        <translation>Ena slika</translation>
+    </message>
+    <message>
+        <source> frames</source>
+        <translation> posnetkov</translation>
+    </message>
+    <message>
+        <source>More than one: the tree turns once around, each frame a numbered PNG file</source>
+        <translation>Več kot ena: drevo se enkrat zavrti, vsak posnetek je oštevilčena datoteka PNG</translation>
+    </message>
+    <message>
+        <source>&amp;Width</source>
+        <translation>Ši&amp;rina</translation>
+    </message>
+    <message>
+        <source>&amp;Height</source>
+        <translation>&amp;Višina</translation>
+    </message>
+    <message>
+        <source>T&amp;urntable</source>
+        <translation>Vr&amp;tenje</translation>
+    </message>
+    <message>
+        <source>Pictures (*.png *.jpg *.webp)</source>
+        <translation>Slike (*.png *.jpg *.webp)</translation>
+    </message>
+</context>
+<context>
+    <name>stromar::CPreferencesDialog</name>
+    <message>
+        <source>Preferences</source>
+        <translation>Nastavitve</translation>
+    </message>
+</context>
+<context>
+    <name>stromar::CPresetBrowser</name>
+    <message>
+        <source>Find a tree</source>
+        <translation>Najdi drevo</translation>
+    </message>
+    <message>
+        <source>All</source>
+        <translation>Vse</translation>
+    </message>
+    <message>
+        <source>Stromar&apos;s</source>
+        <translation>Stromarjeve</translation>
+    </message>
+    <message>
+        <source>My own</source>
+        <translation>Moje</translation>
+    </message>
+    <message>
+        <source>Folder of presets</source>
+        <translation>Mapa predlog</translation>
+    </message>
+    <message>
+        <source>Save…</source>
+        <translation>Shrani…</translation>
+    </message>
+    <message>
+        <source>Keep the tree in the window as a preset of your own</source>
+        <translation>Ohrani drevo v oknu kot lastno predlogo</translation>
+    </message>
+    <message>
+        <source>Presets</source>
+        <translation>Predloge</translation>
+    </message>
+    <message>
+        <source>By %1</source>
+        <translation>Avtor: %1</translation>
+    </message>
+    <message>
+        <source>&amp;Open</source>
+        <translation>&amp;Odpri</translation>
+    </message>
+    <message>
+        <source>&amp;Remove…</source>
+        <translation>O&amp;dstrani…</translation>
+    </message>
+    <message>
+        <source>Remove a preset</source>
+        <translation>Odstrani predlogo</translation>
+    </message>
+    <message>
+        <source>Move “%1” to the waste bin?</source>
+        <translation>Premaknem »%1« v smetnjak?</translation>
+    </message>
+    <message>
+        <source>%1 cannot be removed.</source>
+        <translation>%1 ni mogoče odstraniti.</translation>
+    </message>
+</context>
+<context>
+    <name>stromar::CThumbnails</name>
+    <message>
+        <source>There is no OpenGL to draw it.</source>
+        <translation>Ni OpenGL, ki bi ga narisal.</translation>
+    </message>
+</context>
+<context>
+    <name>stromar::CVariants</name>
+    <message>
+        <source>&amp;Nine Others</source>
+        <translation>&amp;Devet drugih</translation>
+    </message>
+    <message>
+        <source>Throw nine other seeds</source>
+        <translation>Vrzi devet drugih semen</translation>
+    </message>
+    <message>
+        <source>Liked seeds</source>
+        <translation>Priljubljena semena</translation>
+    </message>
+    <message>
+        <source>♥ Like</source>
+        <translation>♥ Všeč</translation>
+    </message>
+    <message>
+        <source>Keep the seed of the tree in the window in its file</source>
+        <translation>Ohrani seme drevesa v oknu v njegovi datoteki</translation>
+    </message>
+    <message>
+        <source>The tree as a whole</source>
+        <translation>Drevo kot celota</translation>
+    </message>
+    <message>
+        <source>Trunk</source>
+        <translation>Deblo</translation>
+    </message>
+    <message>
+        <source>Branches 1</source>
+        <translation>Veje 1</translation>
+    </message>
+    <message>
+        <source>Branches 2</source>
+        <translation>Veje 2</translation>
+    </message>
+    <message>
+        <source>Branches 3</source>
+        <translation>Veje 3</translation>
+    </message>
+    <message>
+        <source>Leaves</source>
+        <translation>Listi</translation>
+    </message>
+    <message>
+        <source>Everything</source>
+        <translation>Vse</translation>
+    </message>
+    <message>
+        <source>&amp;Randomise</source>
+        <translation>&amp;Premešaj</translation>
+    </message>
+    <message>
+        <source>Move the values by chance; locked ones stay (right click a parameter to lock it)</source>
+        <translation>Naključno premakne vrednosti; zaklenjene ostanejo (zaklene jih desni klik na parameter)</translation>
+    </message>
+    <message>
+        <source>Random values</source>
+        <translation>Naključne vrednosti</translation>
+    </message>
+    <message>
+        <source>&amp;Values of</source>
+        <translation>&amp;Vrednosti</translation>
+    </message>
+    <message>
+        <source>&amp;At most</source>
+        <translation>&amp;Največ</translation>
+    </message>
+    <message>
+        <source>Seed %1</source>
+        <translation>Seme %1</translation>
+    </message>
+</context>
+<context>
+    <name>stromar::CViewDesk</name>
+    <message>
+        <source>Trunk</source>
+        <translation>Deblo</translation>
+    </message>
+    <message>
+        <source>Branches %1</source>
+        <translation>Veje %1</translation>
+    </message>
+    <message>
+        <source>Drag %1</source>
+        <translation>Vlečenje: %1</translation>
+    </message>
+    <message>
+        <source>%1, stem %2 of %3</source>
+        <translation>%1, št. %2 od %3</translation>
+    </message>
+    <message>
+        <source>Length %1, radius %2</source>
+        <translation>Dolžina %1, polmer %2</translation>
+    </message>
+    <message>
+        <source>On %1, stem %2, at %3</source>
+        <translation>Na: %1, št. %2, pri %3</translation>
+    </message>
+    <message numerus="yes">
+        <source>Split into %n path(s)</source>
+        <translation>
+            <numerusform>Deli se na %n pot</numerusform>
+            <numerusform>Deli se na %n poti</numerusform>
+            <numerusform>Deli se na %n poti</numerusform>
+            <numerusform>Deli se na %n poti</numerusform>
+        </translation>
+    </message>
+    <message>
+        <source>Leaf %1 of %2
+Length %3, width %4
+On %5, stem %6</source>
+        <translation>List %1 od %2
+Dolžina %3, širina %4
+Na: %5, št. %6</translation>
+    </message>
+    <message>
+        <source>Height %1, width %2</source>
+        <translation>Višina %1, širina %2</translation>
+    </message>
+    <message>
+        <source>%1: %2 stems, %3 triangles</source>
+        <translation>%1: število %2, %3 trikotnikov</translation>
+    </message>
+    <message>
+        <source>Leaves: %1, %2 triangles</source>
+        <translation>Listi: %1, %2 trikotnikov</translation>
+    </message>
+    <message>
+        <source>Structure %1 ms, mesh %2 ms</source>
+        <translation>Struktura %1 ms, mreža %2 ms</translation>
+    </message>
+    <message>
+        <source>Writing pictures</source>
+        <translation>Zapisovanje slik</translation>
+    </message>
+    <message>
+        <source>Cancel</source>
+        <translation>Prekliči</translation>
+    </message>
+    <message>
+        <source>Cannot save the picture</source>
+        <translation>Slike ni mogoče shraniti</translation>
+    </message>
+    <message>
+        <source>%1 cannot be written.</source>
+        <translation>%1 ni mogoče zapisati.</translation>
+    </message>
+    <message>
+        <source>Saved %1</source>
+        <translation>Shranjeno %1</translation>
+    </message>
+    <message numerus="yes">
+        <source>Saved %n frame(s) of a turntable</source>
+        <translation>
+            <numerusform>Shranjen %n posnetek vrtenja</numerusform>
+            <numerusform>Shranjena %n posnetka vrtenja</numerusform>
+            <numerusform>Shranjeni %n posnetki vrtenja</numerusform>
+            <numerusform>Shranjenih %n posnetkov vrtenja</numerusform>
+        </translation>
+    </message>
+</context>
+<context>
+    <name>stromar::CViewport</name>
+    <message>
+        <source>OpenGL 2.1 is needed to show the tree; this display has %1.%2. Files can still be edited and exported.</source>
+        <translation>Za prikaz drevesa je potreben OpenGL 2.1; ta zaslon ima %1.%2. Datoteke je še vedno mogoče urejati in izvažati.</translation>
+    </message>
+    <message>
+        <source>There is no OpenGL on this display, so the tree cannot be shown. Install your graphics driver. Files can still be edited and exported.</source>
+        <translation>Na tem zaslonu ni OpenGL, zato drevesa ni mogoče pokazati. Namestite gonilnik za grafiko. Datoteke je še vedno mogoče urejati in izvažati.</translation>
+    </message>
+    <message>
+        <source>Picture of the tree</source>
+        <translation>Slika drevesa</translation>
+    </message>
+</context>
+</TS>
