@@ -1,4 +1,5 @@
 #include "Commands.h"
+#include "Description.h"
 #include <CLI/CLI.hpp>
 #include <csignal>
 #include <iostream>
@@ -101,6 +102,8 @@ int run(const CLI::App& app, Options& options) {
     if (name == "export") exportTree(options.common, options.exported, options.output, progress);
     if (name == "params") printParams(options.style(), std::cout);
     if (name == "formats") printFormats(options.style(), std::cout);
+    if (name == "man") printManPage(app, std::cout);
+    if (name == "completion") printCompletion(app, std::cout);
     if (!std::cout.flush()) throw CError("cannot write to standard output");
     g_running = nullptr;
     return sound ? kDone : kFailed;
@@ -122,6 +125,9 @@ void setUp(CLI::App& app, Options& options) {
         CLI::Option* markdown = list->add_flag("--markdown", options.markdown, "As a page of the manual");
         list->add_flag("--json", options.json, "As JSON")->excludes(markdown);
     }
+    // For packages: made when the program is built.
+    app.add_subcommand("man", "The manual page")->group("");
+    app.add_subcommand("completion", "Completion for bash")->group("");
 }
 } // namespace
 

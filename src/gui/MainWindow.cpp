@@ -58,6 +58,7 @@ CMainWindow::CMainWindow(double mostVertices, std::shared_ptr<CDocument> documen
       m_thread(std::make_unique<CTreeCreatorThread>(std::make_unique<CTreeCreator>(true, mostVertices))) {
     initResources();
     setAcceptDrops(true);
+    setWindowIcon(QIcon(QStringLiteral(":/icons/stromar.svg")));
     makeCentre();
     makeDocks();
     makeActions();
@@ -72,6 +73,8 @@ CMainWindow::CMainWindow(double mostVertices, std::shared_ptr<CDocument> documen
 }
 
 CMainWindow::~CMainWindow() = default;
+
+bool CMainWindow::busy() const { return m_thumbnails->busy() || m_thread->progress(); }
 
 void CMainWindow::makeCentre() {
     auto* centre = new QWidget;

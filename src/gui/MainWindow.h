@@ -59,6 +59,8 @@ public:
     CVariants& variants() { return *m_variants; }
     CMessageBar& bar() { return *m_bar; }
     CAutosave& autosave() { return *m_autosave; }
+    /// Whether a tree grows or a thumbnail is still to come.
+    bool busy() const;
     /// What the viewport shows; null before the first tree.
     const ViewModel* shown() const { return m_shown.get(); }
 

@@ -332,6 +332,11 @@ void CParamPanel::showGeneration(int generation) {
 
 void CParamPanel::showLeaves() { m_tabs->setCurrentIndex(tabOf(Group::Leaves)); }
 
+void CParamPanel::showParam(const ParamRef& ref) {
+    m_tabs->setCurrentIndex(tabOf(ref.group(), ref.level));
+    if (QWidget* first = editor(ref)->findChild<QWidget*>()) first->setFocus();
+}
+
 bool CParamPanel::eventFilter(QObject* watched, QEvent* event) {
     if (event->type() == QEvent::Enter || event->type() == QEvent::Leave) {
         auto* row = static_cast<CParamRow*>(watched);

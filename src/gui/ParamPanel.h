@@ -37,6 +37,8 @@ public:
     /// Opens the tab of a generation of stems, or of the leaves.
     void showGeneration(int generation);
     void showLeaves();
+    /// Opens the tab of a value and gives it the focus.
+    void showParam(const ParamRef& ref);
 
 signals:
     void edited(const stromar::ParamRef& ref, double value, int gesture);

@@ -21,6 +21,8 @@ public:
 
     /// ready() or failed() follows; `id` comes back with it. Pictures that lie on the disk come first.
     void request(const QString& id, const CParams& params, const std::filesystem::path& folder, const QSize& pixels);
+    /// Whether pictures are still to come.
+    bool busy() const { return !m_drawing.empty(); }
     /// Forgets what was asked for with ids that start with this.
     void drop(const QString& idStart);
 

@@ -1,6 +1,8 @@
+#include "Commands.h"
 #include "HelpPictures.h"
 #include "Languages.h"
 #include "MainWindow.h"
+#include "ParamPanel.h"
 #include "QtText.h"
 #include "SceneRenderer.h"
 #include "Settings.h"
@@ -11,6 +13,7 @@
 #include <QDir>
 #include <QFileInfo>
 #include <QTimer>
+#include <algorithm>
 #include <cstdio>
 
 namespace {
@@ -19,6 +22,8 @@ using namespace stromar;
 /// What the command line asks for.
 struct Options {
     QString file, screenshot, helpPictures;
+    QStringList commands;
+    std::optional<ParamRef> shown;
     QSize size;
     Model model = Model::Full;
     bool wired = false;
@@ -50,7 +55,11 @@ QString read(const QApplication& app, Options& options) {
     const QCommandLineOption pictures(
         QStringLiteral("help-pictures"),
         QStringLiteral("Writes the pictures of the parameters for the manual and leaves."), QStringLiteral("FOLDER"));
-    parser.addOptions({screenshot, size, model, wired, most, pictures});
+    const QCommandLineOption commands(QStringLiteral("do"),
+                                      QStringLiteral("Runs commands of the menus at the start, by their names."),
+                                      QStringLiteral("NAME,…"));
+    const QCommandLineOption shown(QStringLiteral("show"), QStringLiteral("Goes to a parameter."), QStringLiteral("KEY"));
+    parser.addOptions({screenshot, size, model, wired, most, pictures, commands, shown});
     parser.process(app);
     const QStringList files = parser.positionalArguments();
     if (files.size() > 1) return QStringLiteral("only one file can be opened");
@@ -58,6 +67,16 @@ QString read(const QApplication& app, Options& options) {
     options.screenshot = parser.value(screenshot);
     options.wired = parser.isSet(wired);
     options.helpPictures = parser.value(pictures);
+    options.commands = parser.value(commands).split(QLatin1Char(','), Qt::SkipEmptyParts);
+    for (const QString& name : std::as_const(options.commands))
+        if (std::ranges::none_of(commandTable(), [&](const Command& c) { return name == QLatin1String(c.name); }))
+            return QStringLiteral("--do: there is no command %1").arg(name);
+    if (parser.isSet(shown)) {
+        const auto target = findParam(parser.value(shown).toStdString());
+        if (!target || !std::holds_alternative<ParamRef>(*target))
+            return QStringLiteral("--show: there is no parameter %1").arg(parser.value(shown));
+        options.shown = std::get<ParamRef>(*target);
+    }
     if (parser.isSet(size)) {
         const QStringList sides = parser.value(size).split(QLatin1Char('x'));
         options.size = QSize(sides.value(0).toInt(), sides.value(1).toInt());
@@ -75,26 +94,27 @@ QString read(const QApplication& app, Options& options) {
     return {};
 }
 
-/// Waits until the wanted model is drawn, saves the window's picture and leaves.
+/// Waits until the wanted model is drawn and nothing is left to do, saves the window's picture and leaves.
 void takeScreenshot(CMainWindow& window, const Options& options) {
-    QObject::connect(&window, &CMainWindow::modelShown, &window, [&window, options] {
-        if (window.shown()->model->detail->model != options.model ||
-            window.shown()->model->params != window.document().params())
+    auto* poll = new QTimer(&window);
+    QObject::connect(poll, &QTimer::timeout, &window, [&window, options] {
+        const ViewModel* shown = window.shown();
+        if (window.busy() || !shown || shown->model->detail->model != options.model ||
+            shown->model->params != window.document().params())
             return;
-        // Later, so that the bars are laid out and the viewport has drawn.
-        QTimer::singleShot(50, &window, [&window, options] {
-            const bool done = window.grab().save(options.screenshot);
-            if (!done) std::fprintf(stderr, "stromar: cannot write %s\n", qPrintable(options.screenshot));
-            QApplication::exit(done ? 0 : 1);
-        });
+        const bool done = window.grab().save(options.screenshot);
+        if (!done) std::fprintf(stderr, "stromar: cannot write %s\n", qPrintable(options.screenshot));
+        QApplication::exit(done ? 0 : 1);
     });
+    poll->start(100);
 }
-/// One PNG for each parameter that does something, by its key; of levels only 0 and 1, where the others are shown too.
+
+/// One PNG for each parameter that changes a shape, by its key; level 1 stands for all levels.
 bool writeHelpPictures(const QString& folder) {
     applyTheme(QStringLiteral("light"));
     bool fine = QDir().mkpath(folder);
     for (const ParamRef& ref : allParams())
-        if (ref.level <= std::max(1, ref.info->firstLevel)) {
+        if (ref.level == (ref.info->perLevel() ? 1 : 0)) {
             const QImage image = helpPicture(ref, QApplication::palette(), 1);
             if (image.isNull()) continue;
             fine = fine && image.save(QDir(folder).filePath(toQString(ref.key()) + QStringLiteral(".png")));
@@ -150,6 +170,8 @@ int main(int argc, char** argv) {
         window.show();
         if (!options.screenshot.isEmpty()) window.showOnly(options.model);
         if (!options.file.isEmpty() && !window.open(options.file) && !options.screenshot.isEmpty()) return 1;
+        for (const QString& name : std::as_const(options.commands)) window.findChild<QAction*>(name)->trigger();
+        if (options.shown) window.panel().showParam(*options.shown);
         if (options.wired) window.findChild<QAction*>(QStringLiteral("wired"))->trigger();
         if (options.screenshot.isEmpty())
             QTimer::singleShot(0, &window, &CMainWindow::offerRestore);

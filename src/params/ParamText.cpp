@@ -135,6 +135,21 @@ std::string valueText(const CParams& params, const ParamTarget& target) {
     return textValue(params.text.*std::get<const TextInfo*>(target)->field);
 }
 
+namespace {
+/// The pictures that `stromar --help-pictures` draws, two in a row.
+std::string pictureTable(Group group) {
+    std::string rows;
+    int count = 0;
+    for (const ParamInfo& p : paramTable()) {
+        if (p.group != group || p.unused() || group == Group::Textures) continue;
+        const std::string cell = "| " + std::string(p.label) + "<br>![](images/parameters/" + p.keyOf(1) + ".png) ";
+        rows += cell + (++count % 2 == 0 ? "|\n" : "");
+    }
+    if (count % 2 == 1) rows += "| |\n";
+    return rows.empty() ? rows : "\n| | |\n|---|---|\n" + rows;
+}
+} // namespace
+
 std::string paramsAsMarkdown() {
     std::string page =
         "# Parameters\n\n"
@@ -152,6 +167,7 @@ std::string paramsAsMarkdown() {
             if (t.group == group)
                 page += "| `" + std::string(t.key) + "` | " + std::string(t.label) + " | | text | | " +
                         std::string(t.help) + " |\n";
+        page += pictureTable(group);
     });
     return page;
 }

@@ -1,0 +1,49 @@
+#!/usr/bin/env bash
+# The installed program: everything is in its place, describes itself as it is, and works from there.
+# Usage: packaging-test.sh BUILD-FOLDER SOURCE-FOLDER
+set -euo pipefail
+build=$1 source=$2
+root=$(mktemp -d)
+trap 'rm -rf "$root"' EXIT
+fail() { echo "packaging: $*" >&2; exit 1; }
+
+cmake --install "$build" --prefix "$root" >/dev/null
+share=$root/share
+for file in bin/stromar bin/stromar-cli share/man/man1/stromar.1 share/man/man1/stromar-cli.1 \
+  share/applications/org.stromar.Stromar.desktop share/mime/packages/org.stromar.Stromar.xml \
+  share/icons/hicolor/scalable/apps/org.stromar.Stromar.svg share/stromar/docs/manual.md; do
+  [ -s "$root/$file" ] || fail "$file is missing"
+done
+
+# It takes its data from where it is installed.
+env -u STROMAR_DATA "$root/bin/stromar-cli" export "$share/stromar/presets/quaking_aspen.tree" -o "$root/a.obj" --quiet --lod 3
+cmp "$share/stromar/textures/bark.png" "$root/a_bark.png" || fail "not its own bark"
+
+# The manual pages know every option.
+for option in $("$root/bin/stromar" --help | grep -o -- '--[a-z-]*' | sort -u); do
+  case $option in --help-all | --version | --help) continue ;; esac
+  grep -q -- "${option//-/\\\\-}" "$share/man/man1/stromar.1" || fail "stromar.1 does not know $option"
+done
+for command in info structure check export params formats; do
+  grep -q "^.SS $command" "$share/man/man1/stromar-cli.1" || fail "stromar-cli.1 does not know $command"
+done
+
+# Completion works in bash.
+bash -c "source '$share/bash-completion/completions/stromar-cli'
+  complete_words() { COMP_WORDS=(\"\$@\"); COMP_CWORD=\$((\${#COMP_WORDS[@]} - 1)); _stromar_cli 2>/dev/null; echo \"\${COMPREPLY[*]}\"; }
+  [ \"\$(complete_words stromar-cli exp)\" = export ] || exit 1
+  [ \"\$(complete_words stromar-cli info --model s)\" = simple ] || exit 2
+  [ \"\$(complete_words stromar-cli info --lo)\" = --lod ] || exit 3
+  case \$(complete_words stromar-cli info --set 1Down) in *1DownAngle=*1DownAngleV=*) ;; *) exit 4 ;; esac" ||
+  fail "completion fails ($?)"
+
+if command -v appstreamcli >/dev/null; then
+  appstreamcli validate --no-net "$share/metainfo/org.stromar.Stromar.metainfo.xml" || fail "the metainfo is not valid"
+else
+  echo "packaging: no appstreamcli, the metainfo is not checked"
+fi
+if command -v desktop-file-validate >/dev/null; then
+  desktop-file-validate "$share/applications/org.stromar.Stromar.desktop" || fail "the desktop file is not valid"
+else
+  echo "packaging: no desktop-file-validate, the desktop file is not checked"
+fi
