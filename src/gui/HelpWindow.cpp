@@ -11,12 +11,28 @@
 namespace stromar {
 
 namespace {
+constexpr int kPageWidth = 860, kMargin = 18;
+
 QString fileOf(const QString& page) { return fromPath(dataFolder() / "docs") + QStringLiteral("/%1.md").arg(page); }
+
+/// Pictures are at most as wide as the text.
+class CPages : public QTextBrowser {
+public:
+    CPages() { document()->setDocumentMargin(kMargin); }
+    QVariant loadResource(int type, const QUrl& name) override {
+        if (type != QTextDocument::ImageResource) return QTextBrowser::loadResource(type, name);
+        QImage image(source().resolved(name).toLocalFile());
+        const int room = static_cast<int>((kPageWidth - 3 * kMargin) * devicePixelRatioF());
+        if (image.width() > room) image = image.scaledToWidth(room, Qt::SmoothTransformation);
+        image.setDevicePixelRatio(image.width() == room ? devicePixelRatioF() : 1);
+        return image;
+    }
+};
 } // namespace
 
 bool CHelpWindow::available() { return QFileInfo::exists(fileOf(QStringLiteral("manual"))); }
 
-CHelpWindow::CHelpWindow(QWidget* parent) : QMainWindow(parent), m_browser(new QTextBrowser) {
+CHelpWindow::CHelpWindow(QWidget* parent) : QMainWindow(parent), m_browser(new CPages) {
     setWindowTitle(tr("Stromar Manual"));
     setCentralWidget(m_browser);
     m_browser->setOpenLinks(false);
@@ -36,7 +52,7 @@ CHelpWindow::CHelpWindow(QWidget* parent) : QMainWindow(parent), m_browser(new Q
         else if (!whole.isLocalFile())
             QDesktopServices::openUrl(whole);
     });
-    resize(860, 760);
+    resize(kPageWidth, 780);
 }
 
 void CHelpWindow::open(const QString& page) {

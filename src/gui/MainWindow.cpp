@@ -34,6 +34,7 @@
 #include <QUndoView>
 #include <QVBoxLayout>
 #include <limits>
+#include <utility>
 
 /// Resources of a static library are only there when asked for.
 static void initResources() { Q_INIT_RESOURCE(stromar); }
@@ -74,7 +75,7 @@ CMainWindow::CMainWindow(double mostVertices, std::shared_ptr<CDocument> documen
 
 CMainWindow::~CMainWindow() = default;
 
-bool CMainWindow::busy() const { return m_thumbnails->busy() || m_thread->progress(); }
+bool CMainWindow::busy() const { return !m_started || m_thumbnails->busy() || m_thread->progress(); }
 
 void CMainWindow::makeCentre() {
     auto* centre = new QWidget;
@@ -377,6 +378,7 @@ void CMainWindow::onCreated(const std::shared_ptr<const ViewModel>& view) {
         m_recentreNext = false;
     }
     updateCounts(*view->model);
+    if (!std::exchange(m_started, true)) m_presets->refresh(); // the first tree comes before the thumbnails
     emit modelShown();
 }
 

@@ -13,7 +13,6 @@
 #include <QMessageBox>
 #include <QPainter>
 #include <QStandardPaths>
-#include <QTimer>
 #include <QToolButton>
 #include <algorithm>
 
@@ -83,7 +82,6 @@ CPresetBrowser::CPresetBrowser(CThumbnails& thumbnails, QWidget* parent)
         item->setToolTip(why);
     });
     connect(&m_watcher, &QFileSystemWatcher::directoryChanged, this, &CPresetBrowser::refresh);
-    QTimer::singleShot(0, this, &CPresetBrowser::refresh); // the first tree of the window comes first
 }
 
 QString CPresetBrowser::ownFolder() {

@@ -1,12 +1,11 @@
 #include "Commands.h"
 #include "HelpPictures.h"
-#include "Languages.h"
-#include "MainWindow.h"
 #include "ParamPanel.h"
 #include "QtText.h"
 #include "SceneRenderer.h"
 #include "Settings.h"
 #include "Theme.h"
+#include "WindowKeeper.h"
 #include <QAction>
 #include <QApplication>
 #include <QCommandLineParser>
@@ -122,29 +121,6 @@ bool writeHelpPictures(const QString& folder) {
     if (!fine) std::fprintf(stderr, "stromar: cannot write into %s\n", qPrintable(folder));
     return fine;
 }
-
-/// Texts and units are laid down when a window is made: a new one takes over the document.
-class CWindowKeeper : public QObject {
-public:
-    explicit CWindowKeeper(double mostVertices) : m_mostVertices(mostVertices) { make(nullptr); }
-    CMainWindow& window() { return *m_window; }
-
-private:
-    void make(std::shared_ptr<CDocument> document) {
-        speak(chosenLanguage(CSettings::instance().text("language")));
-        m_window = std::make_unique<CMainWindow>(m_mostVertices, std::move(document));
-        connect(m_window.get(), &CMainWindow::rebuildWanted, this, &CWindowKeeper::rebuild, Qt::QueuedConnection);
-    }
-    void rebuild() {
-        const std::unique_ptr<CMainWindow> old = std::move(m_window);
-        old->keepLayout();
-        make(old->sharedDocument());
-        m_window->show();
-    }
-
-    double m_mostVertices;
-    std::unique_ptr<CMainWindow> m_window;
-};
 } // namespace
 
 int main(int argc, char** argv) {

@@ -127,7 +127,7 @@ constexpr ParamInfo kParams[] = {
     {.key = "CloneHalving", .label = N_("Halve splitting"), .group = Group::Tree, .section = N_("Growth"), .field = &G::cloneHalving,
      .range = {0, 1}, .useful = {0, 1}, .step = 1, .defaults = {1}, .obsolete = kFromTrunk,
      .help = N_("On: a stem that has split, and its clones, split half as often from then on."), .words = kSwitch,
-     .idle = kNeedsAnySplits, .shown = {"Levels=1 0CurveRes=6 0SegSplits=1 0SplitAngle=30"}},
+     .idle = kNeedsAnySplits, .shown = {"Levels=2 1Branches=4 1Length=0.7 1DownAngle=12 1CurveRes=6 1SegSplits=1 1SplitAngle=35"}},
     {.key = "Seed", .label = N_("Seed"), .group = Group::Tree, .section = N_("Growth"), .field = &G::seed,
      .range = {-2147483647, 2147483647}, .useful = {0, 999}, .step = 1, .defaults = {13}, .obsolete = kFromTrunk,
      .help = N_("Every seed gives another tree of the same kind. The same seed always grows the same tree.")},

@@ -136,17 +136,24 @@ std::string valueText(const CParams& params, const ParamTarget& target) {
 }
 
 namespace {
-/// The pictures that `stromar --help-pictures` draws, two in a row.
+/// The pictures that `stromar --help-pictures` draws, two in a row below their names.
 std::string pictureTable(Group group) {
-    std::string rows;
-    int count = 0;
-    for (const ParamInfo& p : paramTable()) {
-        if (p.group != group || p.unused() || group == Group::Textures) continue;
-        const std::string cell = "| " + std::string(p.label) + "<br>![](images/parameters/" + p.keyOf(1) + ".png) ";
-        rows += cell + (++count % 2 == 0 ? "|\n" : "");
+    std::vector<const ParamInfo*> shown;
+    for (const ParamInfo& p : paramTable())
+        if (p.group == group && !p.unused() && group != Group::Textures) shown.push_back(&p);
+    if (shown.empty()) return {};
+    std::string rows = "\n| | |\n|---|---|\n";
+    for (std::size_t i = 0; i < shown.size(); i += 2) {
+        std::string names = "|", pictures = "|";
+        for (std::size_t k = i; k < i + 2; ++k) {
+            names += k < shown.size() ? " **" + std::string(shown[k]->label) + "** |" : " |";
+            pictures += k < shown.size() ? " ![" + std::string(shown[k]->label) + "](images/parameters/" +
+                                               shown[k]->keyOf(1) + ".png) |"
+                                         : " |";
+        }
+        rows += names + "\n" + pictures + "\n";
     }
-    if (count % 2 == 1) rows += "| |\n";
-    return rows.empty() ? rows : "\n| | |\n|---|---|\n" + rows;
+    return rows;
 }
 } // namespace
 

@@ -7,6 +7,7 @@
 #include "Theme.h"
 #include "Variants.h"
 #include "WindowFixture.h"
+#include "WindowKeeper.h"
 #include "stromar/params/TreeFile.h"
 #include "stromar/util/FileSet.h"
 #include <QAccessible>
@@ -338,6 +339,28 @@ TEST_F(DeskTest, UnitsAndLanguageAskForANewWindowWithTheSameDocument) {
         EXPECT_EQ(value("Scale"), 17);
     }
     CSettings::instance().set("units", QStringLiteral("m"));
+}
+
+TEST(WindowKeeper, AnotherLanguageKeepsDocumentAndHistory) {
+    CWindowKeeper keeper;
+    keeper.window().show();
+    ASSERT_TRUE(keeper.window().open(presetPath("quaking_aspen")));
+    keeper.window().document().setValue(paramRef("Scale"), 17, 0);
+    CSettings::instance().set("language", QStringLiteral("cs"));
+    ASSERT_TRUE(waitFor([&] {
+        return keeper.window().findChild<QAction*>(QStringLiteral("save"))->text() == QStringLiteral("&Uložit");
+    }));
+    EXPECT_TRUE(keeper.window().isVisible());
+    EXPECT_TRUE(keeper.window().isWindowModified());
+    EXPECT_EQ(keeper.window().document().path(), presetPath("quaking_aspen"));
+    EXPECT_EQ(keeper.window().panel().tabs().tabText(1), QStringLiteral("Kmen"));
+    keeper.window().findChild<QAction*>(QStringLiteral("undo"))->trigger();
+    EXPECT_EQ(paramRef("Scale").get(keeper.window().document().params()), 13);
+    ASSERT_TRUE(waitFor([&] { return keeper.window().shown() != nullptr; }));
+    CSettings::instance().set("language", QStringLiteral("en"));
+    EXPECT_TRUE(waitFor([&] {
+        return keeper.window().findChild<QAction*>(QStringLiteral("save"))->text() == QStringLiteral("&Save");
+    }));
 }
 
 TEST_F(DeskTest, HistoryIsListed) {

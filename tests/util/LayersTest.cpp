@@ -4,6 +4,7 @@
 #include <cctype>
 #include <gtest/gtest.h>
 #include <map>
+#include <regex>
 #include <set>
 #include <sstream>
 #include <string_view>
@@ -171,6 +172,27 @@ TEST(Layers, TheCheckAcceptsWhatIsAllowed) {
         {"src/tree/Tree.cpp", "#include \"Draw.h\""},
         {"include/stromar/util/Text.h", "#include <queue>"}};
     for (const auto& [path, line] : good) EXPECT_EQ(problemsOf(path, line), 0u) << path << ": " << line;
+}
+
+/// Markdown links and pictures of a page; pictures have a text, without which the help window leaves them out.
+TEST(Docs, LinksLeadSomewhereAndPicturesHaveATitle) {
+    const std::regex link(R"((!?)\[([^\]]*)\]\(([^)#]+)[^)]*\))");
+    int count = 0;
+    std::vector<fs::path> pages{fs::path(STROMAR_SOURCE) / "README.md"};
+    for (const auto& entry : fs::directory_iterator(fs::path(STROMAR_SOURCE) / "docs"))
+        if (entry.path().extension() == ".md") pages.push_back(entry.path());
+    for (const fs::path& page : pages) {
+        const std::string text = readFile(page);
+        for (std::sregex_iterator at(text.begin(), text.end(), link), end; at != end; ++at, ++count) {
+            const std::string target = (*at)[3];
+            if (target.starts_with("http")) continue;
+            EXPECT_TRUE(fs::exists(page.parent_path() / target)) << page.filename() << ": " << target;
+            if ((*at)[1].length() > 0) {
+                EXPECT_GT((*at)[2].length(), 0) << page.filename() << ": " << target;
+            }
+        }
+    }
+    EXPECT_GT(count, 60);
 }
 
 } // namespace

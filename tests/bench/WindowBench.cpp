@@ -1,0 +1,91 @@
+#include "MainWindow.h"
+#include "ParamPanel.h"
+#include "SceneRenderer.h"
+#include "stromar/params/ParamText.h"
+#include <QApplication>
+#include <QEventLoop>
+#include <QTemporaryDir>
+#include <benchmark/benchmark.h>
+
+namespace {
+using namespace stromar;
+
+QString preset(const char* name) { return QStringLiteral(STROMAR_SOURCE "/presets/%1.tree").arg(QLatin1String(name)); }
+
+/// Until the viewport has drawn the next model.
+void waitForPicture(CMainWindow& window) {
+    QEventLoop loop;
+    QObject::connect(&window, &CMainWindow::modelShown, &loop, [&] {
+        QObject::connect(&window.viewport(), &CViewport::drawn, &loop, &QEventLoop::quit);
+        window.viewport().update();
+    });
+    loop.exec();
+}
+
+/// From nothing to the first picture of a tree. The program itself takes the time of loading its libraries besides.
+void BM_FirstTree(benchmark::State& state) {
+    for (auto _ : state) {
+        CMainWindow window;
+        window.show();
+        window.open(preset("quaking_aspen"));
+        waitForPicture(window);
+    }
+}
+BENCHMARK(BM_FirstTree)->Name("Window/FirstTree")->Unit(benchmark::kMillisecond)->UseRealTime();
+
+/// One step of a dragged slider: the simple model grown, meshed and drawn.
+void BM_SliderStep(benchmark::State& state, const char* name) {
+    CMainWindow window;
+    window.show();
+    window.open(preset(name));
+    window.showOnly(Model::Simple);
+    waitForPicture(window);
+    const ParamRef down = std::get<ParamRef>(*findParam("1DownAngle"));
+    double angle = 30;
+    while (window.busy()) QCoreApplication::processEvents();
+    for (auto _ : state) {
+        window.document().setValue(down, angle = angle < 60 ? angle + 1 : 30, 1);
+        waitForPicture(window);
+    }
+}
+BENCHMARK_CAPTURE(BM_SliderStep, quaking_aspen, "quaking_aspen")
+    ->Name("Window/SliderStep/quaking_aspen")
+    ->Unit(benchmark::kMillisecond)
+    ->UseRealTime();
+BENCHMARK_CAPTURE(BM_SliderStep, weeping_willow, "weeping_willow")
+    ->Name("Window/SliderStep/weeping_willow")
+    ->Unit(benchmark::kMillisecond)
+    ->UseRealTime();
+
+/// One frame of a turned tree.
+void BM_Frame(benchmark::State& state, const char* name) {
+    CMainWindow window;
+    window.show();
+    window.open(preset(name));
+    window.showOnly(Model::Full);
+    waitForPicture(window);
+    while (window.busy()) QCoreApplication::processEvents();
+    CCamera camera = window.viewport().camera();
+    for (auto _ : state) {
+        camera.turn(3, 0);
+        benchmark::DoNotOptimize(window.viewport().picture({800, 700}, ViewLook(), camera));
+    }
+}
+BENCHMARK_CAPTURE(BM_Frame, quaking_aspen, "quaking_aspen")
+    ->Name("Window/Frame/quaking_aspen")
+    ->Unit(benchmark::kMillisecond)
+    ->UseRealTime();
+} // namespace
+
+int main(int argc, char** argv) {
+    QTemporaryDir folder; // a user's own settings stay as they are
+    for (const char* kind : {"XDG_CONFIG_HOME", "XDG_CACHE_HOME", "XDG_DATA_HOME"})
+        qputenv(kind, folder.path().toLocal8Bit());
+    QCoreApplication::setOrganizationName(QStringLiteral("Stromar"));
+    QCoreApplication::setApplicationName(QStringLiteral("Bench"));
+    QCoreApplication::setAttribute(Qt::AA_ShareOpenGLContexts);
+    QSurfaceFormat::setDefaultFormat(CSceneRenderer::surfaceFormat(0));
+    QApplication app(argc, argv);
+    benchmark::Initialize(&argc, argv);
+    benchmark::RunSpecifiedBenchmarks();
+}
