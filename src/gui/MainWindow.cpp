@@ -34,6 +34,7 @@
 #include <QUndoView>
 #include <QVBoxLayout>
 #include <limits>
+#include <unistd.h>
 #include <utility>
 
 /// Resources of a static library are only there when asked for.
@@ -45,6 +46,12 @@ namespace {
 constexpr int kMostSeed = 9999;
 constexpr const char* kAboutSize = "size";
 constexpr const char* kAboutFile = "file";
+
+/// What this machine could hold: a vertex takes about so many bytes, with its triangles, here and on the graphics card.
+double mostVerticesInMemory() {
+    constexpr double kBytesPerVertex = 160;
+    return double(sysconf(_SC_PHYS_PAGES)) * double(sysconf(_SC_PAGESIZE)) / kBytesPerVertex;
+}
 
 QString tr2(const char* text) { return QCoreApplication::translate("Commands", text); }
 QString switchKey(const QString& name) { return QStringLiteral("view/") + name; }
@@ -343,10 +350,11 @@ void CMainWindow::offerSmaller(double vertices) {
         choices.push_back({tr("%1 = %2 fits").arg(toQString(ref.key()), QLocale().toString(value, 'g', 6)),
                            [this, ref, value] { m_document->setValue(ref, value, 0); }});
     }
-    choices.push_back({tr("Grow it anyway"), [this] {
-                           m_allowed = m_document->params();
-                           onChanged();
-                       }});
+    if (vertices < mostVerticesInMemory())
+        choices.push_back({tr("Grow it anyway"), [this] {
+                               m_allowed = m_document->params();
+                               onChanged();
+                           }});
     choices.push_back({tr("Undo"), [this] { m_document->history().undo(); }});
     const Prediction size = predictSize(params, detailOf(Model::Full));
     const QLocale numbers;
@@ -405,7 +413,11 @@ void CMainWindow::onSetting(const QString& key) {
     if (key == QLatin1String("fullModelDelay")) m_pause.setInterval(settings.number("fullModelDelay"));
     if (key == QLatin1String("autosave")) m_autosave->setInterval(settings.number("autosave"));
     if (key == QLatin1String("theme")) applyTheme(settings.text("theme"));
-    if (key == QLatin1String("language") || key == QLatin1String("units")) emit rebuildWanted();
+    if (key != QLatin1String("language") && key != QLatin1String("units")) return;
+    if (m_preferencesOpen)
+        m_rebuildLater = true; // the window must outlive its dialog
+    else
+        emit rebuildWanted();
 }
 
 void CMainWindow::onFileChanged() {
@@ -449,7 +461,10 @@ void CMainWindow::findParameter() {
 
 void CMainWindow::showPreferences() {
     CPreferencesDialog dialog(this);
+    m_preferencesOpen = true;
     dialog.exec();
+    m_preferencesOpen = false;
+    if (std::exchange(m_rebuildLater, false)) emit rebuildWanted();
 }
 
 void CMainWindow::throwDice() {

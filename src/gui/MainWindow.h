@@ -165,6 +165,7 @@ private:
     CParams m_allowed; ///< may grow although they are large
     CParams m_fitting; ///< the last values that were not too large
     bool m_recentreNext = true;
+    bool m_preferencesOpen = false, m_rebuildLater = false;
     bool m_started = false; ///< a tree was shown
     std::unique_ptr<CTreeCreatorThread> m_thread; ///< last: it stops before anything it reports to is gone
 };

@@ -12,6 +12,7 @@
 #include "stromar/util/FileSet.h"
 #include <QAccessible>
 #include <QComboBox>
+#include <QDialog>
 #include <QDir>
 #include <QDockWidget>
 #include <QDropEvent>
@@ -346,7 +347,15 @@ TEST(WindowKeeper, AnotherLanguageKeepsDocumentAndHistory) {
     keeper.window().show();
     ASSERT_TRUE(keeper.window().open(presetPath("quaking_aspen")));
     keeper.window().document().setValue(paramRef("Scale"), 17, 0);
-    CSettings::instance().set("language", QStringLiteral("cs"));
+    QTimer::singleShot(100, [&] { // as a user: in the dialog, which closes afterwards
+        auto* dialog = QApplication::activeModalWidget();
+        auto* choice = dialog->findChild<QComboBox*>(QStringLiteral("language"));
+        choice->setCurrentIndex(choice->findData(QStringLiteral("cs")));
+        emit choice->activated(choice->currentIndex());
+        QTest::qWait(50);
+        static_cast<QDialog*>(dialog)->accept();
+    });
+    keeper.window().showPreferences();
     ASSERT_TRUE(waitFor([&] {
         return keeper.window().findChild<QAction*>(QStringLiteral("save"))->text() == QStringLiteral("&Uložit");
     }));
