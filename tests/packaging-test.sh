@@ -37,6 +37,13 @@ bash -c "source '$share/bash-completion/completions/stromar-cli'
   case \$(complete_words stromar-cli info --set 1Down) in *1DownAngle=*1DownAngleV=*) ;; *) exit 4 ;; esac" ||
   fail "completion fails ($?)"
 
+# The package knows what it needs.
+(cd "$build" && cpack -B "$root/deb" >"$root/cpack.log" 2>&1) || { cat "$root/cpack.log"; fail "cpack fails"; }
+depends=$(dpkg-deb -f "$root"/deb/*.deb Depends)
+for library in libqt6widgets6 libopenscenegraph161 libassimp5 libqt6svg6; do
+  case $depends in *"$library"*) ;; *) fail "the package does not depend on $library" ;; esac
+done
+
 if command -v appstreamcli >/dev/null; then
   appstreamcli validate --no-net "$share/metainfo/org.stromar.Stromar.metainfo.xml" || fail "the metainfo is not valid"
 else

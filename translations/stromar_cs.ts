@@ -775,10 +775,6 @@
         <translation>V tomto stromu se nic nedělí.</translation>
     </message>
     <message>
-        <source>A negative curve variation winds these stems into a helix instead.</source>
-        <translation>Záporná odchylka zakřivení je místo toho stáčí do šroubovice.</translation>
-    </message>
-    <message>
         <source>A card shows what its texture shows: set Form to outline.</source>
         <translation>Karta ukazuje svou texturu: nastavte tvar listu na obrys.</translation>
     </message>

@@ -775,10 +775,6 @@
         <translation>В этом дереве ничего не делится.</translation>
     </message>
     <message>
-        <source>A negative curve variation winds these stems into a helix instead.</source>
-        <translation>Отрицательный разброс изгиба вместо этого свивает их в спираль.</translation>
-    </message>
-    <message>
         <source>A card shows what its texture shows: set Form to outline.</source>
         <translation>Карточка показывает свою текстуру: задайте вид «контур».</translation>
     </message>

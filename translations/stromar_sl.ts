@@ -775,10 +775,6 @@
         <translation>V tem drevesu se nič ne deli.</translation>
     </message>
     <message>
-        <source>A negative curve variation winds these stems into a helix instead.</source>
-        <translation>Negativno odstopanje krivine jih namesto tega zvije v vijačnico.</translation>
-    </message>
-    <message>
         <source>A card shows what its texture shows: set Form to outline.</source>
         <translation>Karta kaže svojo teksturo: nastavite obliko na obris.</translation>
     </message>

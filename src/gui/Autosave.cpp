@@ -8,6 +8,7 @@
 #include <QJsonObject>
 #include <QStandardPaths>
 #include <QUuid>
+#include <exception>
 
 namespace stromar {
 
@@ -37,7 +38,7 @@ CAutosave::~CAutosave() {
     m_thread.request_stop();
     m_wake.notify_all();
     m_thread.join();
-    removeFiles();
+    if (std::uncaught_exceptions() == 0) removeFiles();
 }
 
 void CAutosave::setInterval(int seconds) {
@@ -71,11 +72,12 @@ void CAutosave::write() {
     m_wake.notify_all();
 }
 
-void CAutosave::flush() {
+bool CAutosave::flush() {
     m_timer.stop();
     write();
     std::unique_lock lock(m_mutex);
     m_wake.wait(lock, [this] { return !m_task && !m_busy; });
+    return m_fine;
 }
 
 void CAutosave::work(const std::stop_token& stop) {
@@ -91,15 +93,19 @@ void CAutosave::work(const std::stop_token& stop) {
             m_task.reset();
             m_busy = true;
         }
+        bool fine = false;
         try {
             if (state)
                 writeFiles(*state);
             else
                 removeFiles();
+            fine = true;
             emit written();
         } catch (const std::exception& e) {
             emit failed(QString::fromUtf8(e.what()));
         }
+        const std::lock_guard lock(m_mutex);
+        m_fine = fine;
     }
 }
 

@@ -31,7 +31,7 @@ public:
     };
 
     explicit CAutosave(const QString& folder, QObject* parent = nullptr);
-    /// Nothing is left behind: closing a window has asked about unsaved changes.
+    /// Nothing is left behind, except when an error ends the program: closing a window has asked about unsaved changes.
     ~CAutosave() override;
 
     static QString standardFolder();
@@ -41,8 +41,8 @@ public:
     void keep(State state);
     /// There are no unsaved changes any more.
     void clear();
-    /// Whatever waits is written now; returns when it is.
-    void flush();
+    /// Whatever waits is written now; returns when it is, and whether the last writing went well.
+    bool flush();
     /// The file it keeps the values in.
     const QString& file() const { return m_file; }
 
@@ -63,10 +63,11 @@ private:
     std::unique_ptr<QLockFile> m_lock;
     QTimer m_timer;
     std::optional<State> m_latest; ///< not yet handed to the thread
-    std::mutex m_mutex;            ///< guards the next two
+    std::mutex m_mutex;            ///< guards the next three
     std::condition_variable_any m_wake;
     std::optional<std::optional<State>> m_task; ///< what to write; an empty state: remove the files
     bool m_busy = false;
+    bool m_fine = true;    ///< the last writing
     std::jthread m_thread; ///< last: it stops first
 };
 

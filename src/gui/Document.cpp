@@ -7,19 +7,36 @@ namespace stromar {
 
 namespace fs = std::filesystem;
 
-/// A step of the history: the values before and after.
+namespace {
+CParams rebased(CParams params, const fs::path& from, const fs::path& to) {
+    if (from == to) return params;
+    for (const TextInfo& text : textTable())
+        if (text.path) params.text.*text.field = rebasedPath(params.text.*text.field, from, to);
+    return params;
+}
+
+/// Pictures by their whole paths, for a document without a folder.
+CParams withWholePaths(CParams params, const fs::path& folder) {
+    for (const TextInfo& text : textTable())
+        if (std::string& picture = params.text.*text.field; text.path && !picture.empty() && !folder.empty())
+            picture = (folder / picture).lexically_normal().generic_string();
+    return params;
+}
+} // namespace
+
+/// A step of the history: the values before and after, and the folder that paths in them start at.
 class CEditCommand : public QUndoCommand {
 public:
     CEditCommand(CDocument& document, const QString& text, CParams after, int gesture, QString subject)
         : QUndoCommand(text), m_document(document), m_before(document.params()), m_after(std::move(after)),
-          m_gesture(gesture), m_subject(std::move(subject)) {}
+          m_folder(document.folder()), m_gesture(gesture), m_subject(std::move(subject)) {}
 
-    void undo() override { m_document.assign(m_before); }
-    void redo() override { m_document.assign(m_after); }
+    void undo() override { m_document.assign(m_before, m_folder); }
+    void redo() override { m_document.assign(m_after, m_folder); }
     int id() const override { return m_gesture > 0 ? 1 : -1; }
     bool mergeWith(const QUndoCommand* next) override {
         const auto* other = static_cast<const CEditCommand*>(next);
-        if (other->m_gesture != m_gesture || other->m_subject != m_subject) return false;
+        if (other->m_gesture != m_gesture || other->m_subject != m_subject || other->m_folder != m_folder) return false;
         m_after = other->m_after;
         setObsolete(m_after == m_before);
         return true;
@@ -28,6 +45,7 @@ public:
 private:
     CDocument& m_document;
     CParams m_before, m_after;
+    fs::path m_folder;
     int m_gesture;
     QString m_subject;
 };
@@ -35,94 +53,108 @@ private:
 /// The step to another file's tree and back.
 class CPresetCommand : public QUndoCommand {
 public:
-    CPresetCommand(CDocument& document, const QString& text, CDocument::Origin after)
-        : QUndoCommand(text), m_document(document), m_before(document.origin()), m_after(std::move(after)),
-          m_params(document.params()) {}
+    CPresetCommand(CDocument& document, const QString& text, CDocument::PlacePtr after)
+        : QUndoCommand(text), m_document(document), m_before(document.m_place), m_after(std::move(after)),
+          m_params(document.params()), m_preset(m_after->file->params()), m_folder(document.folder()) {}
 
-    void undo() override { m_document.assign(m_before, m_params); }
-    void redo() override { m_document.assign(m_after, m_after.file->params()); }
+    void undo() override { m_document.assign(m_before, m_params, m_folder); }
+    void redo() override { m_document.assign(m_after, m_preset, {}); }
 
 private:
     CDocument& m_document;
-    CDocument::Origin m_before, m_after;
-    CParams m_params;
+    CDocument::PlacePtr m_before, m_after;
+    CParams m_params, m_preset;
+    fs::path m_folder;
 };
 
 std::string rebasedPath(const std::string& path, const fs::path& from, const fs::path& to) {
-    if (path.empty() || fs::path(path).is_absolute()) return path;
+    if (path.empty() || from.empty() || fs::path(path).is_absolute()) return path;
     std::error_code problem;
-    const fs::path whole = fs::weakly_canonical(fs::absolute(from) / path, problem);
-    const fs::path relative = fs::relative(whole, fs::absolute(to), problem);
+    const fs::path whole = fs::weakly_canonical(fs::absolute(from, problem) / path, problem);
+    if (problem) return path;
+    if (to.empty()) return whole.generic_string();
+    const fs::path relative = fs::relative(whole, fs::absolute(to, problem), problem);
     return (problem || relative.empty() ? whole : relative).generic_string();
 }
 
-CDocument::CDocument(QObject* parent) : QObject(parent), m_file(std::make_shared<CTreeFile>()) {}
+fs::path CDocument::Place::folder() const { return path.isEmpty() ? fs::path() : toPath(path).parent_path(); }
 
-fs::path CDocument::folder() const { return m_path.isEmpty() ? fs::path() : toPath(m_path).parent_path(); }
+CDocument::CDocument(QObject* parent) : QObject(parent), m_place(newPlace(CTreeFile(), {}, {})) {}
+
+CDocument::PlacePtr CDocument::newPlace(CTreeFile file, const QString& path, const QString& name) {
+    auto place = std::make_shared<Place>(Place{std::make_shared<CTreeFile>(std::move(file)), path, name});
+    std::erase_if(m_places, [](const std::weak_ptr<Place>& known) { return known.expired(); });
+    m_places.push_back(place);
+    return place;
+}
+
+fs::path CDocument::folder() const { return m_place->folder(); }
 
 QString CDocument::displayName() const {
-    if (!m_path.isEmpty()) return QFileInfo(m_path).fileName();
-    return m_name.isEmpty() ? tr("new.tree") : m_name;
+    if (!path().isEmpty()) return QFileInfo(path()).fileName();
+    return m_place->name.isEmpty() ? tr("new.tree") : m_place->name;
 }
 
-void CDocument::startNew() { replace({std::make_shared<CTreeFile>(), {}, {}}); }
+void CDocument::startNew() { replace(newPlace(CTreeFile(), {}, {})); }
 
 void CDocument::open(const QString& path) {
-    replace({std::make_shared<CTreeFile>(CTreeFile::read(toPath(path))), QFileInfo(path).absoluteFilePath(), {}});
+    replace(newPlace(CTreeFile::read(toPath(path)), QFileInfo(path).absoluteFilePath(), {}));
 }
 
-void CDocument::replace(Origin origin) {
+void CDocument::replace(const PlacePtr& place) {
     m_history.clear();
-    m_file = std::move(origin.file);
-    m_path = std::move(origin.path);
-    m_name = std::move(origin.name);
-    m_params = m_file->params();
+    m_place = place;
+    m_params = m_place->file->params();
     emit nameChanged();
     emit replaced();
 }
 
 void CDocument::loadPreset(const QString& path) {
-    auto file = std::make_shared<CTreeFile>(CTreeFile::read(toPath(path)));
-    // Without a folder of its own the document needs whole paths to the textures.
-    CParams params = file->params();
-    for (const TextInfo& text : textTable())
-        if (std::string& picture = params.text.*text.field; text.path && !picture.empty())
-            picture = fromPath(fs::absolute(toPath(path)).parent_path() / picture).toStdString();
-    if (params != file->params())
-        file = std::make_shared<CTreeFile>(CTreeFile::parse(file->text(params), path.toStdString()));
+    CTreeFile file = CTreeFile::read(toPath(path));
+    const CParams whole = withWholePaths(file.params(), toPath(QFileInfo(path).absolutePath()));
+    if (whole != file.params()) file = CTreeFile::parse(file.text(whole), path.toStdString());
     m_history.push(new CPresetCommand(*this, tr("Open preset %1").arg(QFileInfo(path).completeBaseName()),
-                                      {std::move(file), {}, QFileInfo(path).fileName()}));
+                                      newPlace(std::move(file), {}, QFileInfo(path).fileName())));
 }
 
 void CDocument::restore(const QString& path, const CParams& params) {
-    if (QFileInfo(path).isAbsolute() && QFileInfo::exists(path))
+    const bool absolute = QFileInfo(path).isAbsolute();
+    CParams wanted = params;
+    try {
+        if (!absolute || !QFileInfo::exists(path)) throw CError("");
         open(path);
-    else
-        replace({std::make_shared<CTreeFile>(), {}, QFileInfo(path).fileName()});
-    edit(tr("Restore"), [&](CParams& p) { p = params; });
+    } catch (const CError&) { // gone or broken meanwhile: what was kept is still whole
+        replace(newPlace(CTreeFile(), {}, QFileInfo(path).fileName()));
+        if (absolute) wanted = withWholePaths(params, toPath(QFileInfo(path).absolutePath()));
+    }
+    edit(tr("Restore"), [&](CParams& p) { p = wanted; });
 }
 
-/// The values with the paths of the pictures as seen from another file.
+void CDocument::keepAgainstFile() {
+    m_place->diverged = true;
+    emit nameChanged();
+}
+
 CParams CDocument::paramsFor(const QString& target) const {
-    CParams params = m_params;
-    for (const TextInfo& text : textTable())
-        if (text.path)
-            params.text.*text.field = rebasedPath(m_params.text.*text.field, folder(), toPath(target).parent_path());
-    return params;
+    return rebased(m_params, folder(), toPath(target).parent_path());
 }
 
 void CDocument::save(const QString& path) {
     const QString target = QFileInfo(path).absoluteFilePath();
-    m_file = std::make_shared<CTreeFile>(m_file->write(toPath(target), paramsFor(target)));
-    m_params = m_file->params();
-    m_path = target;
+    const auto file = std::make_shared<CTreeFile>(m_place->file->write(toPath(target), paramsFor(target)));
+    for (const std::weak_ptr<Place>& known : m_places) // another one's file was perhaps written over
+        if (const PlacePtr place = known.lock(); place && place->path == target) place->file = file;
+    m_place->file = file;
+    m_place->path = target;
+    m_place->diverged = false;
+    m_params = file->params();
     emit nameChanged();
 }
 
 void CDocument::saveCopy(const QString& path, const QString& species) const {
     CParams params = paramsFor(path);
     params.text.species = species.toStdString();
-    static_cast<void>(m_file->write(toPath(path), params));
+    static_cast<void>(m_place->file->write(toPath(path), params));
 }
 
 void CDocument::edit(const QString& text, const std::function<void(CParams&)>& change, int gesture,
@@ -150,17 +182,15 @@ void CDocument::setText(const TextInfo& text, const QString& value) {
          [&](CParams& p) { setFromText(p, ParamTarget(&text), value.toStdString(), problem); });
 }
 
-void CDocument::assign(const CParams& params) {
-    m_params = params;
+void CDocument::assign(const CParams& params, const fs::path& from) {
+    m_params = rebased(params, from, folder());
     emit changed();
     emit nameChanged();
 }
 
-void CDocument::assign(const Origin& origin, const CParams& params) {
-    m_file = origin.file;
-    m_path = origin.path;
-    m_name = origin.name;
-    m_params = params;
+void CDocument::assign(const PlacePtr& place, const CParams& params, const fs::path& from) {
+    m_place = place;
+    m_params = rebased(params, from, folder());
     emit nameChanged();
     emit replaced();
 }

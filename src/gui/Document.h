@@ -18,17 +18,19 @@ public:
 
     const CParams& params() const { return m_params; }
     /// Empty for a new document.
-    const QString& path() const { return m_path; }
+    const QString& path() const { return m_place->path; }
     /// The folder that texture paths start at.
     std::filesystem::path folder() const;
     QString displayName() const;
-    const Messages& warnings() const { return m_file->warnings(); }
+    const Messages& warnings() const { return m_place->file->warnings(); }
     /// The values as they are in the file; of a new document the defaults.
-    const CParams& savedParams() const { return m_file->params(); }
-    bool isModified() const { return m_params != savedParams(); }
+    const CParams& savedParams() const { return m_place->file->params(); }
+    bool isModified() const { return m_params != savedParams() || m_place->diverged; }
+    /// The file has other values now, by another program, and these are to stay: they count as changes.
+    void keepAgainstFile();
     QUndoStack& history() { return m_history; }
     /// What a crash must not take.
-    CAutosave::State kept() const { return {m_file, m_params, m_path.isEmpty() ? m_name : m_path}; }
+    CAutosave::State kept() const { return {m_place->file, m_params, path().isEmpty() ? m_place->name : path()}; }
 
     void startNew();
     /// Throws CError; then nothing has changed.
@@ -61,20 +63,25 @@ signals:
 private:
     friend class CEditCommand;
     friend class CPresetCommand;
-    /// What a step of the history can bring back beside the values.
-    struct Origin {
+    /// Where a tree comes from and is saved to. Steps of the history share it, so that saving is not undone.
+    struct Place {
         std::shared_ptr<const CTreeFile> file;
-        QString path, name; ///< the name is shown while there is no path
+        QString path, name;    ///< the name is shown while there is no path
+        bool diverged = false; ///< the file on the disk is another one
+        std::filesystem::path folder() const;
     };
-    void assign(const CParams& params);
-    void assign(const Origin& origin, const CParams& params);
-    void replace(Origin origin);
-    CParams paramsFor(const QString& target) const;
-    Origin origin() const { return {m_file, m_path, m_name}; }
+    using PlacePtr = std::shared_ptr<Place>;
 
-    std::shared_ptr<const CTreeFile> m_file;
+    /// Paths of pictures in `params` start at `folder`.
+    void assign(const CParams& params, const std::filesystem::path& folder);
+    void assign(const PlacePtr& place, const CParams& params, const std::filesystem::path& folder);
+    PlacePtr newPlace(CTreeFile file, const QString& path, const QString& name);
+    void replace(const PlacePtr& place);
+    CParams paramsFor(const QString& target) const;
+
+    std::vector<std::weak_ptr<Place>> m_places; ///< all that the history may come back to
+    PlacePtr m_place;
     CParams m_params;
-    QString m_path, m_name;
     QUndoStack m_history;
 };
 

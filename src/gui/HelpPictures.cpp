@@ -1,5 +1,6 @@
 #include "HelpPictures.h"
 #include "QtText.h"
+#include "Settings.h"
 #include "stromar/app/Demonstration.h"
 #include "stromar/app/TreeCreator.h"
 #include <QBuffer>
@@ -76,8 +77,11 @@ void addFaces(Picture& picture, const CMesh& mesh, const QColor& colour, const T
 QString captionOf(const ParamInfo& info, double value) {
     if (!info.words.empty())
         return trText(info.words[static_cast<std::size_t>(value)]).replace(QLatin1Char('-'), QLatin1Char(' '));
-    const QString unit = trText(unitName(info.unit));
-    return QLocale().toString(value, 'g', 4) + (info.unit == Unit::Metre ? QStringLiteral(" ") + unit : unit);
+    if (info.unit == Unit::Metre) {
+        const LengthUnit unit = lengthUnit();
+        return QLocale().toString(value * unit.perMetre, 'g', 3) + QLatin1Char(' ') + unit.name;
+    }
+    return QLocale().toString(value, 'g', 4) + trText(unitName(info.unit));
 }
 
 Picture makePicture(const ParamRef& ref, const Demonstration& shown, const QPalette& palette) {
@@ -150,9 +154,10 @@ QImage helpPicture(const ParamRef& ref, const QPalette& palette, qreal ratio) {
 
 QString helpPictureHtml(const ParamRef& ref, const QPalette& palette, qreal ratio) {
     static QHash<QString, QString> drawn;
-    const QString key = QStringLiteral("%1 %2 %3 %4")
-                            .arg(toQString(ref.key()), palette.color(QPalette::ToolTipText).name(), QLocale().name())
-                            .arg(ratio);
+    const QString key =
+        QStringLiteral("%1 %2 %3 %4 %5")
+            .arg(toQString(ref.key()), palette.color(QPalette::ToolTipText).name(), QLocale().name(), lengthUnit().name)
+            .arg(ratio);
     if (const auto known = drawn.constFind(key); known != drawn.constEnd()) return *known;
     const QImage image = helpPicture(ref, palette, ratio);
     QString html;

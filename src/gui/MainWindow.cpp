@@ -14,10 +14,14 @@
 #include "Variants.h"
 #include "stromar/app/Prediction.h"
 #include "stromar/app/Randomise.h"
+#include <QAbstractButton>
+#include <QAbstractItemView>
 #include <QAction>
 #include <QActionGroup>
 #include <QApplication>
+#include <QComboBox>
 #include <QDockWidget>
+#include <QKeyEvent>
 #include <QLabel>
 #include <QLineEdit>
 #include <QListWidget>
@@ -66,6 +70,7 @@ CMainWindow::CMainWindow(double mostVertices, std::shared_ptr<CDocument> documen
       m_thread(std::make_unique<CTreeCreatorThread>(std::make_unique<CTreeCreator>(true, mostVertices))) {
     initResources();
     setAcceptDrops(true);
+    qApp->installEventFilter(this);
     setWindowIcon(QIcon(QStringLiteral(":/icons/stromar.svg")));
     makeCentre();
     makeDocks();
@@ -203,6 +208,7 @@ void CMainWindow::makeStatusBar() {
     m_notice = new QLabel;
     m_notice->setObjectName(QStringLiteral("notice"));
     m_notice->setTextFormat(Qt::PlainText);
+    m_notice->setSizePolicy(QSizePolicy::Ignored, QSizePolicy::Preferred); // a long one gives way to the counts
     m_counts = new QLabel;
     m_counts->setObjectName(QStringLiteral("counts"));
     m_progress = new QProgressBar;
@@ -295,6 +301,20 @@ void CMainWindow::onContextLost() {
     m_notice->setText(tr("The graphics driver has started again"));
 }
 
+/// Keys without Ctrl belong to the widget that has the focus when it has a use for them, else to the commands.
+bool CMainWindow::eventFilter(QObject* watched, QEvent* event) {
+    if (event->type() != QEvent::ShortcutOverride) return QMainWindow::eventFilter(watched, event);
+    const auto* key = static_cast<QKeyEvent*>(event);
+    const bool plain = !(key->modifiers() & ~(Qt::ShiftModifier | Qt::KeypadModifier)) && !key->text().isEmpty();
+    const bool presses = qobject_cast<QAbstractButton*>(watched) && key->key() == Qt::Key_Space;
+    const bool searches = qobject_cast<QComboBox*>(watched) || qobject_cast<QAbstractItemView*>(watched);
+    if (plain && key->key() != Qt::Key_Escape && (presses || searches)) {
+        event->accept();
+        return true;
+    }
+    return QMainWindow::eventFilter(watched, event);
+}
+
 // From the document to the picture
 
 void CMainWindow::showOnly(Model model) {
@@ -334,6 +354,7 @@ bool CMainWindow::mayGrow() {
     }
     m_pause.stop();
     offerSmaller(vertices);
+    showPresets();
     return false;
 }
 
@@ -347,7 +368,8 @@ void CMainWindow::offerSmaller(double vertices) {
     if (changed.size() == 1) {
         const ParamRef ref = changed.front();
         const double value = nearestThatFits(params, ref, ref.get(m_fitting), detailOf(Model::Full), m_mostVertices);
-        choices.push_back({tr("%1 = %2 fits").arg(toQString(ref.key()), QLocale().toString(value, 'g', 6)),
+        const QString shown = ref.info->unit == Unit::Metre ? lengthText(value) : QLocale().toString(value, 'g', 6);
+        choices.push_back({tr("%1 = %2 fits").arg(trText(ref.info->label), shown),
                            [this, ref, value] { m_document->setValue(ref, value, 0); }});
     }
     if (vertices < mostVerticesInMemory())
@@ -365,10 +387,17 @@ void CMainWindow::offerSmaller(double vertices) {
                choices);
 }
 
+double CMainWindow::vertexLimit() const {
+    return m_document->params() == m_allowed ? std::numeric_limits<double>::infinity() : m_mostVertices;
+}
+
+/// The first tree comes before the thumbnails.
+void CMainWindow::showPresets() {
+    if (!std::exchange(m_started, true)) m_presets->refresh();
+}
+
 void CMainWindow::request(Model model, bool anew) {
-    const bool allowed = m_document->params() == m_allowed;
-    m_thread->request(m_document->params(), detailOf(model), anew,
-                      allowed ? std::numeric_limits<double>::infinity() : m_mostVertices);
+    m_thread->request(m_document->params(), detailOf(model), anew, vertexLimit());
     m_progressTimer.start();
 }
 
@@ -386,7 +415,7 @@ void CMainWindow::onCreated(const std::shared_ptr<const ViewModel>& view) {
         m_recentreNext = false;
     }
     updateCounts(*view->model);
-    if (!std::exchange(m_started, true)) m_presets->refresh(); // the first tree comes before the thumbnails
+    showPresets();
     emit modelShown();
 }
 
@@ -402,6 +431,7 @@ void CMainWindow::updateCounts(const TreeModel& model) {
 }
 
 void CMainWindow::onFailed(const QString& why) {
+    showPresets();
     m_notice->setText(why);
     m_notice->setToolTip(why);
 }
@@ -426,7 +456,10 @@ void CMainWindow::onFileChanged() {
                              ? tr("Another program has changed %1. Opening it again loses your changes.")
                              : tr("Another program has changed %1.");
     m_bar->ask(QLatin1String(kAboutFile), text.arg(m_document->displayName()),
-               {{tr("Open it again"), [this, path] { open(path); }}, {tr("Keep mine"), [] {}}});
+               {{tr("Open it again"), [this, path] { open(path); }}, {tr("Keep mine"), [this] {
+                                                                          m_document->keepAgainstFile();
+                                                                          updateAutosave();
+                                                                      }}});
 }
 
 void CMainWindow::updateProgress() {

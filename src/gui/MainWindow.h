@@ -93,6 +93,7 @@ signals:
     void rebuildWanted();
 
 protected:
+    bool eventFilter(QObject* watched, QEvent* event) override;
     void closeEvent(QCloseEvent* event) override;
     void dragEnterEvent(QDragEnterEvent* event) override;
     void dropEvent(QDropEvent* event) override;
@@ -135,6 +136,10 @@ private:
     bool mayLoseChanges();
     void tellError(const QString& title, const QString& text);
     bool saveOrChoose();
+    void takeTyped();
+    /// For the tree as it is: none where the user let a large one grow.
+    double vertexLimit() const;
+    void showPresets();
 
     std::shared_ptr<CDocument> m_document;
     CThumbnails* m_thumbnails;
@@ -166,7 +171,7 @@ private:
     CParams m_fitting; ///< the last values that were not too large
     bool m_recentreNext = true;
     bool m_preferencesOpen = false, m_rebuildLater = false;
-    bool m_started = false; ///< a tree was shown
+    bool m_started = false;                       ///< a tree was shown
     std::unique_ptr<CTreeCreatorThread> m_thread; ///< last: it stops before anything it reports to is gone
 };
 

@@ -51,7 +51,7 @@ QString droppedFile(const QMimeData& data) {
 bool CMainWindow::open(const QString& path) {
     try {
         m_document->open(path);
-    } catch (const CError& e) {
+    } catch (const std::exception& e) {
         tellError(tr("Cannot open the tree"), QString::fromUtf8(e.what()));
         return false;
     }
@@ -60,9 +60,10 @@ bool CMainWindow::open(const QString& path) {
 }
 
 bool CMainWindow::openPreset(const QString& path) {
+    if (!mayLoseChanges()) return false;
     try {
         m_document->loadPreset(path);
-    } catch (const CError& e) {
+    } catch (const std::exception& e) {
         tellError(tr("Cannot open the preset"), QString::fromUtf8(e.what()));
         return false;
     }
@@ -72,7 +73,7 @@ bool CMainWindow::openPreset(const QString& path) {
 bool CMainWindow::save(const QString& path) {
     try {
         m_document->save(path);
-    } catch (const CError& e) {
+    } catch (const std::exception& e) {
         tellError(tr("Cannot save the tree"), QString::fromUtf8(e.what()));
         return false;
     }
@@ -97,13 +98,23 @@ void CMainWindow::chooseAndOpen() {
 
 void CMainWindow::saveAgain() { saveOrChoose(); }
 
+/// What is typed but not yet taken counts.
+void CMainWindow::takeTyped() {
+    if (QWidget* editor = focusWidget()) {
+        editor->clearFocus();
+        editor->setFocus();
+    }
+}
+
 bool CMainWindow::saveOrChoose() {
+    takeTyped();
     if (!m_document->path().isEmpty()) return save(m_document->path());
     chooseAndSave();
     return !m_document->isModified();
 }
 
 void CMainWindow::chooseAndSave() {
+    takeTyped();
     const QString start = m_document->path().isEmpty() ? m_document->displayName() : m_document->path();
     QFileDialog dialog(this, tr("Save the tree"), start, treeFilter());
     dialog.setAcceptMode(QFileDialog::AcceptSave);
@@ -113,6 +124,7 @@ void CMainWindow::chooseAndSave() {
 }
 
 void CMainWindow::savePreset() {
+    takeTyped();
     const QString suggestion = toQString(m_document->params().text.species);
     bool wanted = false;
     const QString name = QInputDialog::getText(this, tr("Save as Preset"), tr("Name of the preset"), QLineEdit::Normal,
@@ -120,7 +132,8 @@ void CMainWindow::savePreset() {
                              .trimmed();
     if (!wanted || name.isEmpty()) return;
     QString file = name;
-    file.replace(QRegularExpression(QStringLiteral("[^\\w-]+")), QStringLiteral("_"));
+    file.replace(QRegularExpression(QStringLiteral("[^\\w-]+"), QRegularExpression::UseUnicodePropertiesOption),
+                 QStringLiteral("_"));
     const QString path = QDir(CPresetBrowser::ownFolder()).filePath(file + QStringLiteral(".tree"));
     if (QFileInfo::exists(path) &&
         QMessageBox::question(this, tr("Save as Preset"), tr("Replace the preset “%1”?").arg(name)) != QMessageBox::Yes)
@@ -129,7 +142,7 @@ void CMainWindow::savePreset() {
         m_document->saveCopy(path, name);
         m_presets->refresh();
         m_notice->setText(tr("Saved %1").arg(path));
-    } catch (const CError& e) {
+    } catch (const std::exception& e) {
         tellError(tr("Cannot save the preset"), QString::fromUtf8(e.what()));
     }
 }
@@ -137,6 +150,7 @@ void CMainWindow::savePreset() {
 // Exports
 
 void CMainWindow::chooseAndExport() {
+    takeTyped();
     const bool full = m_shown && m_shown->model->detail == &detailOf(Model::Full);
     const double vertices = full ? double(m_shown->model->vertexCount())
                                  : predictSize(m_document->params(), detailOf(Model::Full)).vertices;
@@ -149,7 +163,7 @@ void CMainWindow::exportTo(const QString& path, const ExportOptions& options) {
     const bool ready = m_shown && m_shown->model->params == m_document->params();
     m_export =
         std::make_unique<CExportJob>(CExportJob::Task{m_document->params(), ready ? m_shown->model : nullptr, options,
-                                                      m_document->folder(), toPath(path), m_mostVertices});
+                                                      m_document->folder(), toPath(path), vertexLimit()});
     auto* dialog = new QProgressDialog(tr("Writing %1").arg(QFileInfo(path).fileName()), tr("Cancel"), 0, 1000, this);
     dialog->setWindowModality(Qt::WindowModal);
     dialog->setMinimumDuration(300);
@@ -252,9 +266,9 @@ void CMainWindow::offerRestore() {
         if (box.clickedButton() != restore) continue;
         try {
             m_document->restore(leftover.path, CTreeFile::read(toPath(leftover.file)).params());
-            m_autosave->flush(); // it is safe again before the old copy goes
-            CAutosave::remove(leftover);
-        } catch (const CError& e) {
+            updateAutosave();
+            if (m_autosave->flush()) CAutosave::remove(leftover); // it is safe again
+        } catch (const std::exception& e) {
             tellError(tr("Cannot restore"), QString::fromUtf8(e.what()));
         }
         return; // one document per window; the others are offered next time
@@ -262,6 +276,7 @@ void CMainWindow::offerRestore() {
 }
 
 bool CMainWindow::mayLoseChanges() {
+    takeTyped();
     if (!m_document->isModified()) return true;
     const auto answer =
         QMessageBox::question(this, tr("Unsaved changes"), tr("Save the changes of %1?").arg(m_document->displayName()),

@@ -9,6 +9,8 @@
 #include <QEvent>
 #include <QGuiApplication>
 #include <QHBoxLayout>
+#include <QKeyEvent>
+#include <QLineEdit>
 #include <QRandomGenerator>
 #include <QSignalBlocker>
 #include <QSpinBox>
@@ -30,6 +32,14 @@ public:
         setValue(value() + (steps > 0 ? 1 : -1) * std::pow(10, -decimals()));
     }
 };
+
+bool isUndo(const QKeyEvent& key) { return key.matches(QKeySequence::Undo) || key.matches(QKeySequence::Redo); }
+
+/// Whether a box holds letters that are not yet its value.
+bool isTyping(QObject* editor) {
+    const auto* line = editor->findChild<QLineEdit*>();
+    return line && line->isModified();
+}
 
 QString suffixOf(Unit unit) {
     if (unit == Unit::Metre) return QStringLiteral(" ") + lengthUnit().name;
@@ -135,6 +145,10 @@ void CParamEditor::guardWheel(QWidget* editor) {
 bool CParamEditor::eventFilter(QObject* watched, QEvent* event) {
     if (event->type() == QEvent::Wheel && !static_cast<QWidget*>(watched)->hasFocus()) {
         event->ignore(); // the panel behind scrolls
+        return true;
+    }
+    if (event->type() == QEvent::ShortcutOverride && isUndo(*static_cast<QKeyEvent*>(event)) && !isTyping(watched)) {
+        event->ignore(); // it is the document's
         return true;
     }
     if (event->type() == QEvent::MouseButtonPress && watched == m_slider)

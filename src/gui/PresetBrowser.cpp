@@ -119,7 +119,7 @@ void CPresetBrowser::addFolder(const QString& folder, bool own) {
             item->setData(SearchRole, item->text() + QLatin1Char(' ') + file.fileName() + QLatin1Char(' ') +
                                           toQString(text.description) + QLatin1Char(' ') + toQString(text.author));
             m_thumbnails.request(QLatin1String(kIdStart) + file.absoluteFilePath(), tree.params(), toPath(folder),
-                                 QSize(kPictureSize, kPictureSize) * devicePixelRatioF());
+                                 QSize(kPictureSize, kPictureSize) * devicePixelRatioF(), CThumbnails::Keep::OnDisk);
         } catch (const std::exception& e) {
             item->setIcon(placeholder(palette(), true, devicePixelRatioF()));
             item->setToolTip(QString::fromUtf8(e.what()).toHtmlEscaped());

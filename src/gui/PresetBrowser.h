@@ -11,8 +11,8 @@ namespace stromar {
 
 class CThumbnails;
 
-/// The trees that come with the program and the user's own, as pictures. A double click or Enter chooses one. Empty until
-/// the first refresh().
+/// The trees that come with the program and the user's own, as pictures. A double click or Enter chooses one. Empty
+/// until the first refresh().
 class CPresetBrowser : public QWidget {
     Q_OBJECT
 public:

@@ -59,7 +59,8 @@ bool systemIsDark() {
 } // namespace
 
 void applyTheme(const QString& theme) {
-    const bool dark = theme == QLatin1String("dark") || (theme != QLatin1String("light") && systemIsDark());
+    const bool system = systemIsDark(); // asked before the palette is ours
+    const bool dark = theme == QLatin1String("dark") || (theme != QLatin1String("light") && system);
     if (!QApplication::style() || QApplication::style()->name() != QLatin1String("fusion"))
         QApplication::setStyle(QStyleFactory::create(QStringLiteral("Fusion")));
     const QPalette palette = paletteOf(dark);

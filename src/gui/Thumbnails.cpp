@@ -20,7 +20,9 @@ constexpr double kMostVertices = 2e7; // no picture beyond
 /// Where the picture of such a tree is kept.
 QString keptFile(const CParams& params, const QString& bark, const QString& leaf, const QSize& pixels) {
     QCryptographicHash hash(QCryptographicHash::Sha1);
-    hash.addData(QByteArray::fromStdString(CTreeFile().text(params)));
+    CParams seen = params; // words do not show
+    seen.text.species = seen.text.author = seen.text.description = seen.text.likedSeeds = {};
+    hash.addData(QByteArray::fromStdString(CTreeFile().text(seen)));
     for (const QString& picture : {bark, leaf}) {
         const QFileInfo info(picture);
         hash.addData(QStringLiteral("%1 %2 %3")
@@ -50,8 +52,6 @@ std::shared_ptr<const ViewModel> grow(const CParams& params, const CProgress& pr
 CThumbnails::CThumbnails(QObject* parent) : QObject(parent) {
     qRegisterMetaType<std::shared_ptr<const ViewModel>>();
     connect(this, &CThumbnails::grown, this, &CThumbnails::draw, Qt::QueuedConnection);
-    connect(this, &CThumbnails::failed, this,
-            [this](const QString& id) { std::erase_if(m_drawing, [&](const Task& task) { return task.id == id; }); });
     m_thread = std::jthread([this](const std::stop_token& stop) { work(stop); });
 }
 
@@ -66,15 +66,16 @@ CThumbnails::~CThumbnails() {
 }
 
 void CThumbnails::request(const QString& id, const CParams& params, const std::filesystem::path& folder,
-                          const QSize& pixels) {
-    Task task{id,
+                          const QSize& pixels, Keep keep) {
+    Task task{++m_lastNumber,
+              id,
               fromPath(textureOf(params, Surface::Bark, folder)),
               fromPath(textureOf(params, Surface::Leaf, folder)),
-              {},
+              QString(),
               params,
               pixels};
-    task.file = keptFile(params, task.bark, task.leaf, pixels);
-    if (const QImage kept(task.file); !kept.isNull()) {
+    if (keep == Keep::OnDisk) task.file = keptFile(params, task.bark, task.leaf, pixels);
+    if (const QImage kept = task.file.isEmpty() ? QImage() : QImage(task.file); !kept.isNull()) {
         QTimer::singleShot(0, this, [this, id, kept] { emit ready(id, kept); });
         return;
     }
@@ -91,6 +92,7 @@ void CThumbnails::drop(const QString& idStart) {
     std::erase_if(m_drawing, dropped);
     const std::lock_guard lock(m_mutex);
     std::erase_if(m_waiting, dropped);
+    if (m_growing.startsWith(idStart)) m_progress.cancel();
 }
 
 void CThumbnails::work(const std::stop_token& stop) {
@@ -103,31 +105,38 @@ void CThumbnails::work(const std::stop_token& stop) {
             if (stop.stop_requested()) return;
             task = std::move(m_waiting.front());
             m_waiting.pop_front();
+            m_growing = task.id;
             m_progress = CProgress(1); // the tree in the window comes first
             progress = m_progress;
         }
         try {
-            emit grown(task.id, grow(task.params, progress));
+            emit grown(task.number, grow(task.params, progress), {});
         } catch (const CCancelled&) {
-            return;
+            // Dropped, or the end.
         } catch (const std::exception& e) {
-            emit failed(task.id, QString::fromUtf8(e.what()));
+            emit grown(task.number, nullptr, QString::fromUtf8(e.what()));
         }
+        const std::lock_guard lock(m_mutex);
+        m_growing.clear();
     }
 }
 
-void CThumbnails::draw(const QString& id, const std::shared_ptr<const ViewModel>& view) {
-    const auto task = std::ranges::find(m_drawing, id, &Task::id);
-    if (task == m_drawing.end()) return;
+void CThumbnails::draw(quint64 number, const std::shared_ptr<const ViewModel>& view, const QString& why) {
+    const auto task = std::ranges::find(m_drawing, number, &Task::number);
+    if (task == m_drawing.end()) return; // dropped
     const Task found = std::move(*task);
     m_drawing.erase(task);
-    const QImage image = m_painter.paint(view->parts, found.bark, found.leaf, found.pixels, ViewLook());
-    if (image.isNull()) {
-        emit failed(id, tr("There is no OpenGL to draw it."));
+    if (!view) {
+        emit failed(found.id, why);
         return;
     }
-    image.save(found.file);
-    emit ready(id, image);
+    const QImage image = m_painter.paint(view->parts, found.bark, found.leaf, found.pixels, ViewLook());
+    if (image.isNull()) {
+        emit failed(found.id, tr("There is no OpenGL to draw it."));
+        return;
+    }
+    if (!found.file.isEmpty()) image.save(found.file);
+    emit ready(found.id, image);
 }
 
 } // namespace stromar

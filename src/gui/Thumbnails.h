@@ -19,8 +19,11 @@ public:
     /// Cancels and waits.
     ~CThumbnails() override;
 
+    enum class Keep { No, OnDisk };
+
     /// ready() or failed() follows; `id` comes back with it. Pictures that lie on the disk come first.
-    void request(const QString& id, const CParams& params, const std::filesystem::path& folder, const QSize& pixels);
+    void request(const QString& id, const CParams& params, const std::filesystem::path& folder, const QSize& pixels,
+                 Keep keep);
     /// Whether pictures are still to come.
     bool busy() const { return !m_drawing.empty(); }
     /// Forgets what was asked for with ids that start with this.
@@ -29,22 +32,25 @@ public:
 signals:
     void ready(const QString& id, const QImage& image);
     void failed(const QString& id, const QString& why);
-    void grown(const QString& id, std::shared_ptr<const stromar::ViewModel> view); ///< inside
+    void grown(quint64 number, std::shared_ptr<const stromar::ViewModel> view, const QString& why); ///< inside
 
 private:
     struct Task {
-        QString id, bark, leaf, file;
+        quint64 number;
+        QString id, bark, leaf, file; ///< without a file the picture is not kept
         CParams params;
         QSize pixels;
     };
     void work(const std::stop_token& stop);
-    void draw(const QString& id, const std::shared_ptr<const ViewModel>& view);
+    void draw(quint64 number, const std::shared_ptr<const ViewModel>& view, const QString& why);
 
     COffscreenPainter m_painter;
     std::deque<Task> m_drawing; ///< grown or growing, to be drawn; GUI thread
-    std::mutex m_mutex;         ///< guards the next two
+    quint64 m_lastNumber = 0;
+    std::mutex m_mutex; ///< guards the rest but the thread
     std::condition_variable_any m_wake;
     std::deque<Task> m_waiting;
+    QString m_growing; ///< id
     CProgress m_progress;
     std::jthread m_thread; ///< last: it stops first
 };

@@ -201,7 +201,7 @@ void CVariants::requestSheet() {
         CParams params = m_params;
         params.global.seed = m_seeds[i];
         m_thumbnails.request(QStringLiteral("%1%2").arg(QLatin1String(kSheetId)).arg(i), params, m_folder,
-                             pictureSize());
+                             pictureSize(), CThumbnails::Keep::No);
     }
 }
 
@@ -215,7 +215,7 @@ void CVariants::requestLiked() {
         params.global.seed = seed;
         if (isVisible())
             m_thumbnails.request(QStringLiteral("%1%2").arg(QLatin1String(kLikedId)).arg(seed), params, m_folder,
-                                 pictureSize());
+                                 pictureSize(), CThumbnails::Keep::No);
     }
 }
 

@@ -11,6 +11,7 @@ namespace {
 constexpr double kHandleRadius = 6, kGrip = 11; // pixels
 constexpr double kAxisReach = 34, kAxisBall = 8, kAxisMargin = 52;
 constexpr int kRingPoints = 48;
+constexpr double kSteep = 0.94; // of a view that looks down or up: its sine
 const QColor kAccent(255, 150, 40);
 const QColor kGuide(255, 176, 64);
 
@@ -57,14 +58,18 @@ std::optional<QPointF> CViewOverlay::toWidget(const osg::Vec3d& point) const {
     return QPointF((place.x() + 1) / 2 * width(), (1 - place.y()) / 2 * height());
 }
 
-osg::Vec2d CViewOverlay::guidePoint(const QPointF& at) const {
-    // Where the ray meets the upright plane through the trunk's axis that faces the eye.
+osg::Vec2d CViewOverlay::guidePoint(std::size_t handle, const QPointF& at) const {
+    const auto [from, direction] = m_camera.rayAt(toView(at), aspect());
+    const double height = guideHandles()[handle].place(m_model.params, m_model.scaleTree).y();
+    if (std::abs(m_camera.forward().z()) > kSteep) { // the level plane at its height
+        const osg::Vec3d point = from - direction * ((from.z() - height) / direction.z());
+        return {std::hypot(point.x(), point.y()), height};
+    }
+    // The upright plane through the trunk's axis that faces the eye.
     osg::Vec3d ahead = m_camera.forward();
     ahead.z() = 0;
-    if (ahead.normalize() < 1e-6) ahead = osg::Vec3d(0, 1, 0);
-    const auto [from, direction] = m_camera.rayAt(toView(at), aspect());
-    const double slope = direction * ahead;
-    const osg::Vec3d point = std::abs(slope) > 1e-6 ? from - direction * ((from * ahead) / slope) : from;
+    ahead.normalize();
+    const osg::Vec3d point = from - direction * ((from * ahead) / (direction * ahead));
     return {std::hypot(point.x(), point.y()), std::max(point.z(), 0.0)};
 }
 

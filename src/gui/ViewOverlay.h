@@ -31,8 +31,9 @@ public:
     std::optional<std::size_t> handleAt(const QPointF& at) const;
     /// Where a handle is drawn.
     QPointF handlePlace(std::size_t handle) const;
-    /// The place of a handle's dragging: distance from the trunk's axis and height, metres.
-    osg::Vec2d guidePoint(const QPointF& at) const;
+    /// Where a handle is dragged to: distance from the trunk's axis and height, metres. From above or below the height
+    /// stays.
+    osg::Vec2d guidePoint(std::size_t handle, const QPointF& at) const;
     void setHotHandle(std::optional<std::size_t> handle);
     /// Yaw and pitch of the axis under a place of the widget.
     std::optional<std::pair<double, double>> axisAt(const QPointF& at) const;

@@ -4,6 +4,7 @@
 #include <QOpenGLContext>
 #include <QOpenGLFramebufferObject>
 #include <cmath>
+#include <utility>
 
 namespace stromar {
 
@@ -131,6 +132,7 @@ QImage CViewport::picture(const QSize& pixels, const ViewLook& look, const CCame
 }
 
 void CViewport::mousePressEvent(QMouseEvent* event) {
+    if (m_handle) return; // another button does not let go of it
     const QPointF at = event->position();
     m_pressed = m_last = at;
     m_click = event->buttons() == Qt::LeftButton;
@@ -145,7 +147,7 @@ void CViewport::mouseMoveEvent(QMouseEvent* event) {
         return;
     }
     if (m_handle) {
-        emit guideDragged(*m_handle, m_overlay->guidePoint(at), m_gesture);
+        emit guideDragged(*m_handle, m_overlay->guidePoint(*m_handle, at), m_gesture);
         return;
     }
     if (m_click && QLineF(m_pressed, at).length() < kClickPixels) return;
@@ -165,6 +167,11 @@ void CViewport::mouseReleaseEvent(QMouseEvent* event) {
 }
 
 void CViewport::mouseDoubleClickEvent(QMouseEvent* event) { mousePressEvent(event); }
+
+void CViewport::hideEvent(QHideEvent* event) {
+    if (std::exchange(m_handle, {})) emit guideReleased();
+    QOpenGLWidget::hideEvent(event);
+}
 
 void CViewport::leaveEvent(QEvent*) { m_overlay->setHotHandle({}); }
 

@@ -16,12 +16,11 @@ void CWindowKeeper::make(std::shared_ptr<CDocument> document) {
 }
 
 void CWindowKeeper::rebuild() {
-    m_window->keepLayout();
-    const bool shown = m_window->isVisible();
-    const std::shared_ptr<CDocument> document = m_window->sharedDocument();
-    m_window.reset(); // before the new one: both would keep the document's changes aside
-    make(document);
-    m_window->setVisible(shown);
+    const std::unique_ptr<CMainWindow> old = std::move(m_window);
+    old->keepLayout();
+    make(old->sharedDocument());
+    m_window->autosave().flush(); // changes are kept aside by the new window before the old one lets go
+    m_window->setVisible(old->isVisible());
 }
 
 } // namespace stromar

@@ -57,7 +57,8 @@ QString read(const QApplication& app, Options& options) {
     const QCommandLineOption commands(QStringLiteral("do"),
                                       QStringLiteral("Runs commands of the menus at the start, by their names."),
                                       QStringLiteral("NAME,…"));
-    const QCommandLineOption shown(QStringLiteral("show"), QStringLiteral("Goes to a parameter."), QStringLiteral("KEY"));
+    const QCommandLineOption shown(QStringLiteral("show"), QStringLiteral("Goes to a parameter."),
+                                   QStringLiteral("KEY"));
     parser.addOptions({screenshot, size, model, wired, most, pictures, commands, shown});
     parser.process(app);
     const QStringList files = parser.positionalArguments();

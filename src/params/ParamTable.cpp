@@ -60,11 +60,6 @@ constexpr Idle kNeedsAnySplits = [](const CParams& p, int) -> string_view {
     const auto splits = [](const LevelParams& level) { return level.segSplits > 0; };
     return std::ranges::any_of(p.level, splits) ? "" : N_("Nothing in this tree splits.");
 };
-constexpr Idle kNeedsNoHelix = [](const CParams& p, int level) -> string_view {
-    return p.level[static_cast<std::size_t>(level)].curveV >= 0
-               ? ""
-               : N_("A negative curve variation winds these stems into a helix instead.");
-};
 constexpr Idle kNeedsOutline = [](const CParams& p, int) -> string_view {
     return p.global.leafForm != 0 ? "" : N_("A card shows what its texture shows: set Form to outline.");
 };
@@ -224,12 +219,12 @@ constexpr ParamInfo kParams[] = {
      .field = &L::curve, .range = {-3600, 3600}, .useful = {-180, 180}, .step = 1, .decimals = 1, .defaults = {0, 0, 0, 0},
      .obsolete = kFromOwnLevel,
      .help = N_("How much the stem bends from base to tip. Positive values bend down, negative ones up."),
-     .idle = kNeedsNoHelix, .shown = {"nCurveRes=10", {-60, 0, 90}}},
+     .shown = {"nCurveRes=10", {-60, 0, 90}}},
     {.key = "CurveBack", .label = N_("Curve back"), .group = Group::Branches, .section = N_("Curvature"), .unit = Unit::Degree,
      .field = &L::curveBack, .range = {-3600, 3600}, .useful = {-180, 180}, .step = 1, .decimals = 1,
      .defaults = {0, 0, 0, 0}, .obsolete = kFromOwnLevel,
      .help = N_("Unless 0, the lower half bends by Curve and the upper half by this: S-shaped stems."),
-     .idle = kNeedsNoHelix, .shown = {"nCurveRes=12 nCurve=60", {0, -60, -120}}},
+     .shown = {"nCurveRes=12 nCurve=60", {0, -60, -120}}},
     {.key = "CurveV", .label = N_("Curve variation"), .group = Group::Branches, .section = N_("Curvature"), .unit = Unit::Degree,
      .field = &L::curveV, .range = {-89, 3600}, .useful = {-60, 180}, .step = 1, .decimals = 1, .defaults = {0, 0, 0, 0},
      .obsolete = kFromOwnLevel,

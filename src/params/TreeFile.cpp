@@ -258,7 +258,8 @@ std::string newFileText(const CParams& params) {
 } // namespace
 
 CTreeFile CTreeFile::read(const std::filesystem::path& path) {
-    if (std::filesystem::is_directory(path))
+    std::error_code unreadable; // reading says it better
+    if (std::filesystem::is_directory(path, unreadable))
         throw CInputError({{Severity::Error, path.string(), 0, 0, "this is a folder, not a .tree file"}});
     return parse(readFile(path), path.string());
 }

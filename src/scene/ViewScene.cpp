@@ -61,6 +61,17 @@ osg::ref_ptr<osg::Texture2D> makeTexture(osg::Image* image) {
     return texture;
 }
 
+/// The room of what the shader puts at a place: the depth range has to hold it.
+struct BoundsAt : osg::Drawable::ComputeBoundingBoxCallback {
+    explicit BoundsAt(const osg::Uniform* where) : place(where) {}
+    osg::BoundingBox computeBound(const osg::Drawable&) const override {
+        osg::Vec3 at;
+        place->get(at);
+        return {at - osg::Vec3(0.4f, 0.4f, 0), at + osg::Vec3(0.4f, 0.4f, 1.8f)};
+    }
+    osg::ref_ptr<const osg::Uniform> place;
+};
+
 /// A standing person seen from the front, feet at the origin, x and y in metres. Half of the outline, top to bottom.
 constexpr float kPerson[][2] = {{0.00f, 1.750f}, {0.05f, 1.735f}, {0.078f, 1.69f}, {0.085f, 1.63f}, {0.07f, 1.56f},
                                 {0.05f, 1.525f}, {0.055f, 1.48f}, {0.12f, 1.45f},  {0.19f, 1.42f},  {0.225f, 1.36f},
@@ -82,7 +93,7 @@ osg::ref_ptr<osg::Group> makePerson(osg::Uniform* place) {
     person->setUseDisplayList(false);
     person->setUseVertexBufferObjects(true);
     person->setCullingActive(false);
-    person->setComputeBoundingBoxCallback(new NoBounds);
+    person->setComputeBoundingBoxCallback(new BoundsAt(place));
     osg::ref_ptr<osg::Group> group = new osg::Group;
     group->addChild(person);
     osg::StateSet* state = group->getOrCreateStateSet();
@@ -102,9 +113,9 @@ CViewScene::CViewScene()
       m_grid(new osg::Uniform("grid", 0.f)), m_tint(new osg::Uniform("tinted", float(ViewPart::kNone))),
       m_personPlace(new osg::Uniform("place", osg::Vec3())) {
     m_person = makePerson(m_personPlace);
-    for (osg::Node* child : {static_cast<osg::Node*>(makeBackground().release()), static_cast<osg::Node*>(m_tree.get()),
-                             static_cast<osg::Node*>(m_wires.get()), static_cast<osg::Node*>(m_person.get())})
-        m_root->addChild(child);
+    m_root->addChild(makeBackground());
+    m_root->addChild(m_tree);
+    m_root->addChild(m_wires);
     for (osg::Uniform* uniform : {m_crownMiddle.get(), m_crownSize.get(), m_backdrop.get(), m_grid.get(), m_tint.get()})
         m_root->getOrCreateStateSet()->addUniform(uniform);
     osg::StateSet* state = m_tree->getOrCreateStateSet();
@@ -153,7 +164,8 @@ void CViewScene::setLook(const ViewLook& look) {
     const auto show = [](osg::Node& node, bool on) { node.setNodeMask(on ? ~0u : 0u); };
     show(*m_wires, look.wires == Wires::Over);
     show(*m_surfaces[static_cast<std::size_t>(Surface::Leaf)], look.leaves);
-    show(*m_person, look.ground);
+    m_root->removeChild(m_person);
+    if (look.ground) m_root->addChild(m_person); // only then does it take room
 }
 
 void CViewScene::tint(int generation) {
@@ -198,6 +210,7 @@ void CViewScene::updateLight() {
     const osg::Vec3 half = (box._max - box._min) / 2;
     m_crownMiddle->set(box.center());
     m_crownSize->set(osg::Vec3(std::max(half.x(), 0.01f), std::max(half.y(), 0.01f), std::max(half.z(), 0.01f)));
+    m_person->getChild(0)->dirtyBound();
     m_personPlace->set(osg::Vec3(osg::Vec3d(personAt().x(), personAt().y(), 0)));
 }
 

@@ -90,5 +90,43 @@ TEST(Demonstration, ItsTreesDifferAndAreSmall) {
     }
 }
 
+/// All that one sees of a tree.
+bool sameMeshes(const TreeModel& a, const TreeModel& b) {
+    const auto x = a.meshes(), y = b.meshes();
+    return std::ranges::equal(x, y, [](const auto& p, const auto& q) {
+        return std::ranges::equal(p->positions, q->positions) && std::ranges::equal(p->texCoords, q->texCoords) &&
+               std::ranges::equal(p->indices, q->indices) && std::ranges::equal(p->normals, q->normals);
+    });
+}
+
+TEST(WhyIdle, WhatIsGreyedChangesNothing) {
+    std::vector<CParams> trees(6);
+    trees[0].global.levels = 1;
+    trees[1].global.levels = 2;
+    trees[1].global.leaves = 5;
+    trees[2].level[1].curveV = -30;
+    trees[2].level[1].curveRes = 4;
+    trees[3].level[2].branches = 0;
+    trees[4].global.shape = 8;
+    trees[4].global.leaves = 3;
+    trees[5].global.levels = 4;
+    trees[5].level[3].branches = 2;
+    for (CParams& tree : trees) tree.level[1].branches = 4;
+    int greyed = 0;
+    for (const CParams& tree : trees) {
+        const auto before = CTreeCreator().create(tree, detailOf(Model::Full), CProgress(1));
+        for (const ParamRef& ref : allParams()) {
+            if (ref.info->unused() || whyIdle(ref, tree).empty()) continue;
+            CParams other = tree;
+            const Range& useful = ref.info->useful;
+            ref.set(other, ref.get(tree) == useful.max ? useful.min : useful.max);
+            EXPECT_TRUE(sameMeshes(*before, *CTreeCreator().create(other, detailOf(Model::Full), CProgress(1))))
+                << ref.key() << ": " << whyIdle(ref, tree);
+            ++greyed;
+        }
+    }
+    EXPECT_GT(greyed, 100);
+}
+
 } // namespace
 } // namespace stromar

@@ -11,6 +11,7 @@
 #include "stromar/params/TreeFile.h"
 #include "stromar/util/FileSet.h"
 #include <QAccessible>
+#include <QCheckBox>
 #include <QComboBox>
 #include <QDialog>
 #include <QDir>
@@ -212,6 +213,11 @@ TEST_F(PresetTest, AreShownWithPicturesAndFound) {
 TEST_F(PresetTest, OpeningOneCanBeUndone) {
     ASSERT_TRUE(waitFor([&] { return item("Black Tupelo") != nullptr; }));
     window.document().setValue(paramRef("Scale"), 17, 0);
+    answerNext(QMessageBox::Cancel);
+    emit window.presets().list().itemActivated(item("Black Tupelo"));
+    EXPECT_TRUE(asked) << "unsaved changes";
+    EXPECT_EQ(value("Scale"), 17);
+    answerNext(QMessageBox::Discard);
     emit window.presets().list().itemActivated(item("Black Tupelo"));
     EXPECT_EQ(value("Scale"), 23);
     EXPECT_TRUE(window.document().path().isEmpty()) << "saving must not write over the preset";
@@ -290,6 +296,89 @@ TEST_F(DeskTest, AFileChangedByAnotherProgramIsNoticed) {
     window.bar().findChildren<QPushButton*>().front()->click();
     EXPECT_EQ(value("Scale"), 21);
     EXPECT_FALSE(window.bar().isVisible());
+}
+
+TEST_F(DeskTest, KeepingOnesOwnAgainstAChangedFileCountsAsAChange) {
+    QTemporaryDir folder;
+    const QString path = folder.filePath(QStringLiteral("shared.tree"));
+    ASSERT_TRUE(window.save(path));
+    std::string text = readFile(toPath(path));
+    text.replace(text.find("Scale = 13"), 10, "Scale = 21");
+    writeFile(toPath(path), text);
+    ASSERT_TRUE(waitFor([&] { return window.bar().isVisible(); }));
+    EXPECT_FALSE(window.isWindowModified());
+    window.bar().findChildren<QPushButton*>().back()->click();
+    EXPECT_TRUE(window.isWindowModified()) << "closing must ask";
+    ASSERT_TRUE(window.save(path));
+    EXPECT_FALSE(window.isWindowModified());
+    EXPECT_NE(readFile(toPath(path)).find("Scale = 13"), std::string::npos);
+}
+
+TEST_F(DeskTest, WhatIsTypedButNotEnteredIsSaved) {
+    QTemporaryDir folder;
+    const QString path = folder.filePath(QStringLiteral("typed.tree"));
+    ASSERT_TRUE(window.save(path));
+    auto* box = window.panel().editor(paramRef("Scale"))->findChild<QDoubleSpinBox*>();
+    box->setFocus();
+    box->selectAll();
+    QTest::keyClicks(box, QStringLiteral("19"));
+    EXPECT_EQ(value("Scale"), 13) << "not yet entered";
+    action("save")->trigger();
+    EXPECT_EQ(CTreeFile::read(toPath(path)).params().global.scale, 19);
+}
+
+TEST_F(DeskTest, KeysGoToTheWidgetThatUsesThem) {
+    window.panel().tabs().setCurrentIndex(window.panel().tabOf(Group::Tree));
+    window.document().setValue(paramRef("1SegSplits"), 0.5, 0); // else the switch does nothing
+    auto* halve = window.panel().editor(paramRef("CloneHalving"))->findChild<QCheckBox*>();
+    window.viewport().lookFrom(40, 20);
+    const osg::Vec3d eye = window.viewport().camera().eye();
+    halve->setFocus();
+    QTest::keyClick(halve, Qt::Key_Space);
+    EXPECT_EQ(value("CloneHalving"), 0) << "space presses it";
+    EXPECT_LT((window.viewport().camera().eye() - eye).length(), 1e-9) << "and does not recentre";
+    auto* shape = window.panel().editor(paramRef("Shape"))->findChild<QComboBox*>();
+    shape->setFocus();
+    QTest::keyClick(shape, Qt::Key_T);
+    EXPECT_FALSE(action("trackball")->isChecked()) << "a letter looks for a word";
+    window.viewport().setFocus();
+    QTest::keyClick(&window.viewport(), Qt::Key_T);
+    EXPECT_TRUE(action("trackball")->isChecked());
+    action("trackball")->trigger();
+    auto* box = window.panel().editor(paramRef("Scale"))->findChild<QDoubleSpinBox*>();
+    box->setFocus();
+    QTest::keyClick(box, Qt::Key_Up);
+    const double raised = value("Scale");
+    EXPECT_GT(raised, 13);
+    QTest::keyClick(box, Qt::Key_Z, Qt::ControlModifier);
+    EXPECT_EQ(value("Scale"), 13) << "undo is the document's";
+}
+
+TEST_F(DeskTest, ASecondButtonDoesNotLetGoOfAHandle) {
+    window.panel().tabs().setCurrentIndex(window.panel().tabOf(Group::Pruning));
+    const QPoint handle = window.viewport().overlay().handlePlace(0).toPoint();
+    QTest::mousePress(&window.viewport(), Qt::LeftButton, {}, handle);
+    const QPointF to = handle - QPoint(30, 0);
+    QMouseEvent move(QEvent::MouseMove, to, window.viewport().mapToGlobal(to), Qt::NoButton, Qt::LeftButton, {});
+    QCoreApplication::sendEvent(&window.viewport(), &move);
+    EXPECT_TRUE(window.view().held());
+    QTest::mousePress(&window.viewport(), Qt::RightButton, {}, to.toPoint());
+    QTest::mouseRelease(&window.viewport(), Qt::RightButton, {}, to.toPoint());
+    EXPECT_TRUE(window.view().held());
+    QTest::mouseRelease(&window.viewport(), Qt::LeftButton, {}, to.toPoint());
+    EXPECT_FALSE(window.view().held());
+    EXPECT_TRUE(showsNow(Model::Full));
+}
+
+TEST_F(DeskTest, FromAboveAHandleChangesTheWidthAlone) {
+    window.panel().tabs().setCurrentIndex(window.panel().tabOf(Group::Pruning));
+    action("top")->trigger();
+    const double peak = value("PruneWidthPeak"), width = value("PruneWidth");
+    const QPointF handle = window.viewport().overlay().handlePlace(0);
+    drag(handle, handle - QPointF(40, 0));
+    EXPECT_NEAR(value("PruneWidthPeak"), peak, 0.002);
+    EXPECT_LT(value("PruneWidth"), width - 0.02);
+    EXPECT_GT(value("PruneWidth"), 0.1);
 }
 
 TEST_F(DeskTest, ATreeThatIsDroppedIsOpened) {

@@ -1,6 +1,7 @@
 #include "Document.h"
 #include "Support.h"
 #include "stromar/util/FileSet.h"
+#include <QDir>
 #include <QFile>
 #include <QSignalSpy>
 #include <QTemporaryDir>
@@ -94,6 +95,60 @@ TEST(Document, AFailedSaveKeepsFileAndChanges) {
     document.setValue(paramRef("Scale"), 20, 0);
     EXPECT_THROW(document.save(folder.filePath(QStringLiteral("no/such/a.tree"))), CError);
     EXPECT_THROW(document.save(folder.path()), CError);
+    EXPECT_TRUE(document.path().isEmpty());
+    EXPECT_TRUE(document.isModified());
+}
+
+TEST(Document, SavingAPresetOverTheOldFileIsNotUndone) {
+    QTemporaryDir folder;
+    const QString mine = folder.filePath(QStringLiteral("mine.tree"));
+    ASSERT_TRUE(QFile::copy(presetPath("quaking_aspen"), mine));
+    CDocument document;
+    document.open(mine);
+    document.loadPreset(presetPath("black_tupelo"));
+    EXPECT_TRUE(document.path().isEmpty());
+    document.save(mine);
+    EXPECT_FALSE(document.isModified());
+    document.history().undo();
+    EXPECT_EQ(valueOf(document, "Scale"), 13);
+    EXPECT_TRUE(document.isModified()) << "the file holds the tupelo now";
+    document.history().redo();
+    EXPECT_EQ(document.path(), mine) << "what was saved keeps its file";
+    EXPECT_FALSE(document.isModified());
+}
+
+TEST(Document, UndoAfterSavingElsewhereKeepsThePictures) {
+    QTemporaryDir folder;
+    QDir(folder.path()).mkdir(QStringLiteral("sub"));
+    const QString first = folder.filePath(QStringLiteral("a.tree"));
+    CDocument document;
+    document.save(first);
+    const TextInfo& bark = *std::get<const TextInfo*>(*findParam("BarkTexture"));
+    document.setText(bark, QStringLiteral("bark.png"));
+    document.setValue(paramRef("Scale"), 12, 0);
+    document.save(folder.filePath(QStringLiteral("sub/b.tree")));
+    EXPECT_EQ(document.params().text.barkTexture, "../bark.png");
+    document.history().undo();
+    EXPECT_EQ(document.params().text.barkTexture, "../bark.png") << "the same picture as before";
+    EXPECT_EQ(valueOf(document, "Scale"), 10);
+}
+
+TEST(Document, AnUnnamedTreeWithARelativePictureCanBeSaved) {
+    QTemporaryDir folder;
+    CDocument document;
+    document.setText(*std::get<const TextInfo*>(*findParam("BarkTexture")), QStringLiteral("bark.png"));
+    document.save(folder.filePath(QStringLiteral("a.tree")));
+    EXPECT_EQ(document.params().text.barkTexture, "bark.png");
+}
+
+TEST(Document, WhatACrashLeftIsRestoredEvenWhenItsFileIsGone) {
+    CParams kept;
+    kept.global.scale = 17;
+    kept.text.barkTexture = "bark.png";
+    CDocument document;
+    document.restore(QStringLiteral("/no/such/folder/lost.tree"), kept);
+    EXPECT_EQ(valueOf(document, "Scale"), 17);
+    EXPECT_EQ(document.params().text.barkTexture, "/no/such/folder/bark.png");
     EXPECT_TRUE(document.path().isEmpty());
     EXPECT_TRUE(document.isModified());
 }

@@ -77,6 +77,8 @@ TEST_P(LanguageTest, TheWindowSpeaksItAndNothingIsCutOff) {
     EXPECT_EQ(window.panel().tabs().tabText(1) == QLatin1String("Trunk"), GetParam() == std::string("en"))
         << "texts of the tables";
     window.findChild<QDockWidget*>(QStringLiteral("variants"))->raise();
+    ASSERT_TRUE(waitFor([&] { return !window.busy(); }, 60000));
+    QTest::qWait(500); // the full model, too
     for (int tab = 0; tab < window.panel().tabs().count(); ++tab) {
         window.panel().tabs().setCurrentIndex(tab);
         QTest::qWait(20);
