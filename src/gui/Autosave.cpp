@@ -9,6 +9,9 @@
 #include <QStandardPaths>
 #include <QUuid>
 #include <exception>
+#include <fcntl.h>
+#include <sys/file.h>
+#include <unistd.h>
 
 namespace stromar {
 
@@ -18,6 +21,14 @@ QString withEnding(const QString& file, const char* ending) {
 }
 } // namespace
 
+CFileLock::CFileLock(const QString& path)
+    : m_file(::open(QFile::encodeName(path).constData(), O_RDWR | O_CREAT | O_CLOEXEC, 0600)),
+      m_held(m_file >= 0 && ::flock(m_file, LOCK_EX | LOCK_NB) == 0) {}
+
+CFileLock::~CFileLock() {
+    if (m_file >= 0) ::close(m_file);
+}
+
 QString CAutosave::standardFolder() {
     return QStandardPaths::writableLocation(QStandardPaths::AppLocalDataLocation) + QStringLiteral("/autosave");
 }
@@ -25,9 +36,7 @@ QString CAutosave::standardFolder() {
 CAutosave::CAutosave(const QString& folder, QObject* parent) : QObject(parent) {
     QDir().mkpath(folder);
     m_file = QDir(folder).filePath(QUuid::createUuid().toString(QUuid::WithoutBraces) + QStringLiteral(".tree"));
-    m_lock = std::make_unique<QLockFile>(withEnding(m_file, ".lock"));
-    m_lock->setStaleLockTime(0); // however old, as long as its process lives
-    m_lock->tryLock(0);
+    m_lock = std::make_unique<CFileLock>(withEnding(m_file, ".lock"));
     m_timer.setSingleShot(true);
     m_timer.setInterval(30000);
     connect(&m_timer, &QTimer::timeout, this, &CAutosave::write);
@@ -38,7 +47,9 @@ CAutosave::~CAutosave() {
     m_thread.request_stop();
     m_wake.notify_all();
     m_thread.join();
-    if (std::uncaught_exceptions() == 0) removeFiles();
+    if (std::uncaught_exceptions() > 0) return;
+    removeFiles();
+    QFile::remove(withEnding(m_file, ".lock"));
 }
 
 void CAutosave::setInterval(int seconds) {
@@ -123,9 +134,7 @@ void CAutosave::removeFiles() const {
 std::vector<CAutosave::Leftover> CAutosave::leftovers(const QString& folder) {
     std::vector<Leftover> found;
     for (const QFileInfo& file : QDir(folder).entryInfoList({QStringLiteral("*.tree")}, QDir::Files, QDir::Time)) {
-        QLockFile lock(withEnding(file.absoluteFilePath(), ".lock"));
-        lock.setStaleLockTime(0);
-        if (!lock.tryLock(0)) continue; // its program lives
+        if (!CFileLock(withEnding(file.absoluteFilePath(), ".lock")).held()) continue; // its program lives
         QFile about(withEnding(file.absoluteFilePath(), ".json"));
         QJsonObject values;
         if (about.open(QIODevice::ReadOnly)) values = QJsonDocument::fromJson(about.readAll()).object();

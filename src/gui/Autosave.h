@@ -1,7 +1,6 @@
 #pragma once
 #include "stromar/params/TreeFile.h"
 #include <QDateTime>
-#include <QLockFile>
 #include <QObject>
 #include <QTimer>
 #include <condition_variable>
@@ -11,6 +10,21 @@
 #include <thread>
 
 namespace stromar {
+
+/// A lock that the system releases when its program ends, however that happens.
+class CFileLock {
+public:
+    /// Creates the file when it is missing; try held().
+    explicit CFileLock(const QString& path);
+    ~CFileLock();
+    CFileLock(const CFileLock&) = delete;
+    CFileLock& operator=(const CFileLock&) = delete;
+    bool held() const { return m_held; }
+
+private:
+    int m_file;
+    bool m_held;
+};
 
 /// Keeps unsaved changes aside, so that a crash loses at most one interval. Each window has a name of its own in the
 /// folder: `name.tree` the values, `name.json` what they belong to, `name.lock` held while the program lives. Files are
@@ -60,7 +74,7 @@ private:
     void removeFiles() const;
 
     QString m_file;
-    std::unique_ptr<QLockFile> m_lock;
+    std::unique_ptr<CFileLock> m_lock;
     QTimer m_timer;
     std::optional<State> m_latest; ///< not yet handed to the thread
     std::mutex m_mutex;            ///< guards the next three

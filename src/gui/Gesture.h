@@ -1,4 +1,5 @@
 #pragma once
+#include <QRandomGenerator>
 
 namespace stromar {
 
@@ -7,5 +8,8 @@ inline int nextGesture() {
     static int last = 0;
     return ++last;
 }
+
+/// What the dice throws: few digits, easy to tell others.
+inline int thrownSeed() { return QRandomGenerator::global()->bounded(10000); }
 
 } // namespace stromar

@@ -2,6 +2,7 @@
 #include "Autosave.h"
 #include "Commands.h"
 #include "ExportJob.h"
+#include "Gesture.h"
 #include "HelpWindow.h"
 #include "MessageBar.h"
 #include "ParamPanel.h"
@@ -47,7 +48,6 @@ static void initResources() { Q_INIT_RESOURCE(stromar); }
 namespace stromar {
 
 namespace {
-constexpr int kMostSeed = 9999;
 constexpr const char* kAboutSize = "size";
 constexpr const char* kAboutFile = "file";
 
@@ -502,7 +502,7 @@ void CMainWindow::showPreferences() {
 
 void CMainWindow::throwDice() {
     const ParamRef seed = std::get<ParamRef>(*findParam("Seed"));
-    m_document->setValue(seed, QRandomGenerator::global()->bounded(kMostSeed + 1), 0);
+    m_document->setValue(seed, thrownSeed(), 0);
 }
 
 void CMainWindow::generate() { request(m_only.value_or(Model::Full), true); }

@@ -11,7 +11,6 @@
 #include <QHBoxLayout>
 #include <QKeyEvent>
 #include <QLineEdit>
-#include <QRandomGenerator>
 #include <QSignalBlocker>
 #include <QSpinBox>
 #include <QToolButton>
@@ -21,8 +20,7 @@
 namespace stromar {
 
 namespace {
-constexpr int kMostSeed = 9999; // what the dice throws: easy to tell others
-constexpr int kBurstMs = 800;   // changes that follow each other sooner are one step
+constexpr int kBurstMs = 800; // changes that follow each other sooner are one step
 
 /// Shift steps by the last digit that is shown; Ctrl by ten steps is the box's own.
 class CFineSpinBox : public QDoubleSpinBox {
@@ -91,8 +89,7 @@ void CParamEditor::addSeed() {
     layout()->addWidget(makeBox(Form::Whole));
     layout()->addWidget(dice);
     static_cast<QHBoxLayout*>(layout())->addStretch(1);
-    connect(dice, &QToolButton::clicked, this,
-            [this] { emit edited(m_ref, QRandomGenerator::global()->bounded(kMostSeed + 1), 0); });
+    connect(dice, &QToolButton::clicked, this, [this] { emit edited(m_ref, thrownSeed(), 0); });
 }
 
 void CParamEditor::addSlider() {

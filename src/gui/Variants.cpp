@@ -1,4 +1,5 @@
 #include "Variants.h"
+#include "Gesture.h"
 #include "QtText.h"
 #include "Thumbnails.h"
 #include "stromar/util/Text.h"
@@ -8,7 +9,6 @@
 #include <QLabel>
 #include <QListWidget>
 #include <QPushButton>
-#include <QRandomGenerator>
 #include <QSpinBox>
 #include <QToolButton>
 #include <algorithm>
@@ -18,7 +18,6 @@ namespace stromar {
 
 namespace {
 constexpr int kPictureSize = 128, kLikedSize = 64;
-constexpr int kMostSeed = 9999;
 constexpr int kPauseMs = 700; // after a change of the tree
 constexpr const char* kSheetId = "seed:";
 constexpr const char* kLikedId = "liked:";
@@ -157,7 +156,7 @@ void CVariants::randomise() {
 
 void CVariants::throwSheet() {
     for (std::size_t i = 0; i < m_seeds.size(); ++i) {
-        m_seeds[i] = QRandomGenerator::global()->bounded(kMostSeed + 1);
+        m_seeds[i] = thrownSeed();
         m_cells[i]->setText(QString::number(m_seeds[i]));
         m_cells[i]->setAccessibleName(tr("Seed %1").arg(m_seeds[i]));
         m_cells[i]->setIcon({});
