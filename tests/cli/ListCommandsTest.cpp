@@ -32,9 +32,12 @@ TEST(FormatsCommand, MarkdownIsThePageOfTheManual) {
 TEST(ParamsCommand, MarkdownTablesAreWhole) {
     std::istringstream page(cli({"params", "--markdown"}).out);
     std::size_t rows = 0;
+    bool isPictureRow = false; // in a table of two columns
     for (std::string line; std::getline(page, line);) {
+        if (!line.starts_with('|')) isPictureRow = false;
+        if (line == "| | |") isPictureRow = true;
         if (!line.starts_with('|')) continue;
-        EXPECT_EQ(std::ranges::count(line, '|'), 7) << line;
+        EXPECT_EQ(std::ranges::count(line, '|'), isPictureRow ? 3 : 7) << line;
         ++rows;
     }
     EXPECT_GT(rows, paramTable().size() + textTable().size());
