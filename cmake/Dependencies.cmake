@@ -5,6 +5,7 @@ find_package(CLI11 REQUIRED)
 find_package(nlohmann_json REQUIRED)
 find_package(TinyGLTF REQUIRED)
 find_package(assimp REQUIRED)
+find_package(PNG REQUIRED)
 
 if(STROMAR_OSG)
   set(OpenGL_GL_PREFERENCE GLVND)

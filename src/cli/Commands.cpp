@@ -3,6 +3,7 @@
 #include "stromar/app/Formats.h"
 #include "stromar/mesh/MeshCheck.h"
 #include "stromar/params/TreeFile.h"
+#include "stromar/texture/Bark.h"
 #include "stromar/util/Text.h"
 #include <algorithm>
 #include <glm/common.hpp>
@@ -199,6 +200,22 @@ void exportTree(const CommonOptions& common, const ExportOptions& options, const
     for (const auto& lod : lods)
         say(common, path + ": " + std::string(lod->detail->name) + ", " + std::to_string(lod->vertexCount()) +
                         " vertices, " + std::to_string(lod->triangleCount()) + " triangles");
+}
+
+void writeTexture(const std::vector<std::string>& recipe, int size, const std::string& path,
+                  const CProgress& progress) {
+    std::string text;
+    for (const std::string& word : recipe) text += (text.empty() ? "" : " ") + word;
+    if (std::filesystem::path(path).extension() != ".png") throw CUsageError("pictures are written as .png");
+    BarkParams bark;
+    try {
+        bark = barkFromText(text);
+    } catch (const CError& e) {
+        throw CUsageError(e.what());
+    }
+    CFileSet files(progress);
+    writePngs(makeBark(bark, size, progress), path, files);
+    files.commit();
 }
 
 void printParams(ListStyle style, std::ostream& out) {

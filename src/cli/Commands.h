@@ -38,6 +38,8 @@ void printStructure(const CommonOptions& common, std::ostream& out, const CProgr
 bool checkMeshes(const CommonOptions& common, const ModelOptions& model, std::ostream& out, const CProgress& progress);
 void exportTree(const CommonOptions& common, const ExportOptions& options, const std::string& path,
                 const CProgress& progress);
+/// Draws a bark, given as a kind and KEY=VALUE, and writes its pictures.
+void writeTexture(const std::vector<std::string>& recipe, int size, const std::string& path, const CProgress& progress);
 void printParams(ListStyle style, std::ostream& out);
 void printFormats(ListStyle style, std::ostream& out);
 

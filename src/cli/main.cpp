@@ -1,5 +1,6 @@
 #include "Commands.h"
 #include "Description.h"
+#include "stromar/texture/Bark.h"
 #include <CLI/CLI.hpp>
 #include <csignal>
 #include <iostream>
@@ -22,6 +23,8 @@ struct Options {
     ExportOptions exported;
     std::string modelName = "full", variation = "on", output, seed;
     bool seedGiven = false;
+    std::vector<std::string> recipe;
+    int size = 1024;
     bool markdown = false, json = false;
     bool lodGiven = false;
 
@@ -40,6 +43,12 @@ std::string joined(std::span<const std::string_view> words) {
     std::string all;
     for (const std::string_view word : words) all += (all.empty() ? "{" : ",") + std::string(word);
     return all + "}";
+}
+
+std::string barkKeys() {
+    std::string all;
+    for (const BarkParam& row : barkTable()) all += (all.empty() ? "" : ", ") + std::string(row.key);
+    return all;
 }
 
 void addCommon(CLI::App& command, Options& options) {
@@ -100,6 +109,7 @@ int run(const CLI::App& app, Options& options) {
     bool sound = true;
     if (name == "check") sound = checkMeshes(options.common, options.model, std::cout, progress);
     if (name == "export") exportTree(options.common, options.exported, options.output, progress);
+    if (name == "texture") writeTexture(options.recipe, options.size, options.output, progress);
     if (name == "params") printParams(options.style(), std::cout);
     if (name == "formats") printFormats(options.style(), std::cout);
     if (name == "man") printManPage(app, std::cout);
@@ -115,12 +125,22 @@ void setUp(CLI::App& app, Options& options) {
     CLI::App* structure = app.add_subcommand("structure", "Every stem, as JSON lines");
     CLI::App* checker = app.add_subcommand("check", "Looks for faults in the meshes; fails when there are any");
     CLI::App* exporter = app.add_subcommand("export", "Writes a model; the ending of its name says the format");
+    CLI::App* texture = app.add_subcommand("texture", "Draws a bark that can be laid side by side, with its relief");
     CLI::App* params = app.add_subcommand("params", "The table of parameters");
     CLI::App* formats = app.add_subcommand("formats", "What can be written, and what each format loses");
     for (CLI::App* command : {info, structure, checker, exporter}) addCommon(*command, options);
     for (CLI::App* command : {info, checker}) addModel(*command, options);
     addExport(*exporter, options.exported);
     exporter->add_option("-o,--output", options.output, "The model to write")->required()->type_name("OUT.ext");
+    texture
+        ->add_option("recipe", options.recipe,
+                     "A kind, " + joined(barkKinds()) + ", and what differs from it: " + barkKeys())
+        ->required()
+        ->type_name("KIND KEY=VALUE");
+    texture->add_option("--size", options.size, "Pixels of a side")->check(CLI::Range(16, 8192))->capture_default_str();
+    texture->add_option("-o,--output", options.output, "The picture; its relief goes beside it")
+        ->required()
+        ->type_name("OUT.png");
     for (CLI::App* list : {params, formats}) {
         CLI::Option* markdown = list->add_flag("--markdown", options.markdown, "As a page of the manual");
         list->add_flag("--json", options.json, "As JSON")->excludes(markdown);

@@ -24,11 +24,12 @@ struct Layer {
 const std::map<std::string, Layer>& layers() {
     static const std::map<std::string, Layer> all{
         {"util", {{}}},
+        {"texture", {{"util"}}},
         {"params", {{"util"}}},
         {"tree", {{"params"}}},
         {"mesh", {{"tree"}}},
-        {"io", {{"mesh"}}},
-        {"scene", {{"mesh"}, false, true}},
+        {"io", {{"mesh", "texture"}}},
+        {"scene", {{"mesh", "texture"}, false, true}},
         {"app", {{"io", "scene"}}},
         {"gui", {{"app"}, true, true}},
         {"cli", {{"app"}}},
