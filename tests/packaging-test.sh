@@ -17,7 +17,7 @@ done
 
 # It takes its data from where it is installed.
 env -u STROMAR_DATA "$root/bin/stromar-cli" export "$share/stromar/presets/quaking_aspen.tree" -o "$root/a.obj" --quiet --lod 3
-cmp "$share/stromar/textures/bark.png" "$root/a_bark.png" || fail "not its own bark"
+cmp "$share/stromar/textures/leaf.png" "$root/a_leaf.png" || fail "not its own leaf"
 
 # The manual pages know every option.
 for option in $("$root/bin/stromar" --help | grep -o -- '--[a-z-]*' | sort -u); do

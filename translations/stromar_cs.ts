@@ -1283,10 +1283,6 @@
         <translation>Textura kůry</translation>
     </message>
     <message>
-        <source>The picture on the stems; its path starts at the file&apos;s folder. Empty takes the built-in one.</source>
-        <translation>Obrázek na dřevě; cesta začíná ve složce souboru. Prázdné vezme vestavěný.</translation>
-    </message>
-    <message>
         <source>Leaf texture</source>
         <translation>Textura listu</translation>
     </message>
@@ -1333,6 +1329,122 @@
     <message>
         <source>Pruning</source>
         <translation>Prořezávání</translation>
+    </message>
+    <message>
+        <source>The picture on the stems; its path starts at the file&apos;s folder. A recipe as bark:furrowed seed=3 is drawn. Empty takes the built-in one.</source>
+        <translation>Obrázek na dřevě; cesta začíná ve složce souboru. Předpis jako bark:furrowed seed=3 se nakreslí. Prázdné vezme vestavěný.</translation>
+    </message>
+    <message>
+        <source>furrowed</source>
+        <translation>brázditá</translation>
+    </message>
+    <message>
+        <source>plated</source>
+        <translation>šupinatá</translation>
+    </message>
+    <message>
+        <source>smooth</source>
+        <translation>hladká</translation>
+    </message>
+    <message>
+        <source>birch</source>
+        <translation>bříza</translation>
+    </message>
+    <message>
+        <source>willow</source>
+        <translation>vrba</translation>
+    </message>
+    <message>
+        <source>cherry</source>
+        <translation>třešeň</translation>
+    </message>
+    <message>
+        <source>palm</source>
+        <translation>palma</translation>
+    </message>
+    <message>
+        <source>Another bark of the same kind.</source>
+        <translation>Jiná kůra téhož druhu.</translation>
+    </message>
+    <message>
+        <source>Ridges</source>
+        <translation>Hřebeny</translation>
+    </message>
+    <message>
+        <source>How many ridges or plates stand side by side in the picture.</source>
+        <translation>Kolik hřebenů nebo šupin stojí v obrázku vedle sebe.</translation>
+    </message>
+    <message>
+        <source>Length of ridges</source>
+        <translation>Délka hřebenů</translation>
+    </message>
+    <message>
+        <source>How many times longer than wide they are.</source>
+        <translation>Kolikrát jsou delší než širší.</translation>
+    </message>
+    <message>
+        <source>Cracks</source>
+        <translation>Praskliny</translation>
+    </message>
+    <message>
+        <source>How wide the furrows between them are, as a part of a ridge.</source>
+        <translation>Jak široké jsou brázdy mezi nimi, jako část hřebene.</translation>
+    </message>
+    <message>
+        <source>Depth</source>
+        <translation>Hloubka</translation>
+    </message>
+    <message>
+        <source>How deep the relief is.</source>
+        <translation>Jak hluboký je reliéf.</translation>
+    </message>
+    <message>
+        <source>Grain</source>
+        <translation>Zrno</translation>
+    </message>
+    <message>
+        <source>How rough the surface is in detail.</source>
+        <translation>Jak drsný je povrch zblízka.</translation>
+    </message>
+    <message>
+        <source>Wandering</source>
+        <translation>Křivost</translation>
+    </message>
+    <message>
+        <source>How crooked ridges and rings run.</source>
+        <translation>Jak křivě běží hřebeny a prstence.</translation>
+    </message>
+    <message>
+        <source>Rings</source>
+        <translation>Prstence</translation>
+    </message>
+    <message>
+        <source>How many bands run around the stem in the picture.</source>
+        <translation>Kolik pruhů v obrázku obíhá kmen.</translation>
+    </message>
+    <message>
+        <source>Spots</source>
+        <translation>Skvrny</translation>
+    </message>
+    <message>
+        <source>How many pores or eyes there are.</source>
+        <translation>Kolik je pórů nebo očí.</translation>
+    </message>
+    <message>
+        <source>Light colour</source>
+        <translation>Světlá barva</translation>
+    </message>
+    <message>
+        <source>The colour of what stands out.</source>
+        <translation>Barva toho, co vystupuje.</translation>
+    </message>
+    <message>
+        <source>Dark colour</source>
+        <translation>Tmavá barva</translation>
+    </message>
+    <message>
+        <source>The colour of what lies deep.</source>
+        <translation>Barva toho, co leží hluboko.</translation>
     </message>
 </context>
 <context>
@@ -1756,6 +1868,14 @@
     <message>
         <source>Choose a picture</source>
         <translation>Vybrat obrázek</translation>
+    </message>
+    <message>
+        <source>Draw</source>
+        <translation>Nakreslit</translation>
+    </message>
+    <message>
+        <source>A bark that Stromar draws; the words behind its name can be changed</source>
+        <translation>Kůra, kterou Stromar nakreslí; slova za jejím názvem lze měnit</translation>
     </message>
 </context>
 <context>

@@ -1283,10 +1283,6 @@
         <translation>Текстура коры</translation>
     </message>
     <message>
-        <source>The picture on the stems; its path starts at the file&apos;s folder. Empty takes the built-in one.</source>
-        <translation>Картинка на древесине; путь начинается в папке файла. Пусто — встроенная.</translation>
-    </message>
-    <message>
         <source>Leaf texture</source>
         <translation>Текстура листа</translation>
     </message>
@@ -1333,6 +1329,122 @@
     <message>
         <source>Pruning</source>
         <translation>Обрезка</translation>
+    </message>
+    <message>
+        <source>The picture on the stems; its path starts at the file&apos;s folder. A recipe as bark:furrowed seed=3 is drawn. Empty takes the built-in one.</source>
+        <translation>Картинка на древесине; путь начинается в папке файла. Рецепт вроде bark:furrowed seed=3 рисуется. Пусто — встроенная.</translation>
+    </message>
+    <message>
+        <source>furrowed</source>
+        <translation>бороздчатая</translation>
+    </message>
+    <message>
+        <source>plated</source>
+        <translation>пластинчатая</translation>
+    </message>
+    <message>
+        <source>smooth</source>
+        <translation>гладкая</translation>
+    </message>
+    <message>
+        <source>birch</source>
+        <translation>берёза</translation>
+    </message>
+    <message>
+        <source>willow</source>
+        <translation>ива</translation>
+    </message>
+    <message>
+        <source>cherry</source>
+        <translation>вишня</translation>
+    </message>
+    <message>
+        <source>palm</source>
+        <translation>пальма</translation>
+    </message>
+    <message>
+        <source>Another bark of the same kind.</source>
+        <translation>Другая кора того же вида.</translation>
+    </message>
+    <message>
+        <source>Ridges</source>
+        <translation>Гребни</translation>
+    </message>
+    <message>
+        <source>How many ridges or plates stand side by side in the picture.</source>
+        <translation>Сколько гребней или пластин стоит в картинке рядом.</translation>
+    </message>
+    <message>
+        <source>Length of ridges</source>
+        <translation>Длина гребней</translation>
+    </message>
+    <message>
+        <source>How many times longer than wide they are.</source>
+        <translation>Во сколько раз они длиннее своей ширины.</translation>
+    </message>
+    <message>
+        <source>Cracks</source>
+        <translation>Трещины</translation>
+    </message>
+    <message>
+        <source>How wide the furrows between them are, as a part of a ridge.</source>
+        <translation>Как широки борозды между ними, как доля гребня.</translation>
+    </message>
+    <message>
+        <source>Depth</source>
+        <translation>Глубина</translation>
+    </message>
+    <message>
+        <source>How deep the relief is.</source>
+        <translation>Насколько глубок рельеф.</translation>
+    </message>
+    <message>
+        <source>Grain</source>
+        <translation>Зернистость</translation>
+    </message>
+    <message>
+        <source>How rough the surface is in detail.</source>
+        <translation>Насколько шероховата поверхность вблизи.</translation>
+    </message>
+    <message>
+        <source>Wandering</source>
+        <translation>Извилистость</translation>
+    </message>
+    <message>
+        <source>How crooked ridges and rings run.</source>
+        <translation>Насколько криво идут гребни и кольца.</translation>
+    </message>
+    <message>
+        <source>Rings</source>
+        <translation>Кольца</translation>
+    </message>
+    <message>
+        <source>How many bands run around the stem in the picture.</source>
+        <translation>Сколько полос в картинке огибает ствол.</translation>
+    </message>
+    <message>
+        <source>Spots</source>
+        <translation>Пятна</translation>
+    </message>
+    <message>
+        <source>How many pores or eyes there are.</source>
+        <translation>Сколько пор или глазков.</translation>
+    </message>
+    <message>
+        <source>Light colour</source>
+        <translation>Светлый цвет</translation>
+    </message>
+    <message>
+        <source>The colour of what stands out.</source>
+        <translation>Цвет выступающего.</translation>
+    </message>
+    <message>
+        <source>Dark colour</source>
+        <translation>Тёмный цвет</translation>
+    </message>
+    <message>
+        <source>The colour of what lies deep.</source>
+        <translation>Цвет глубокого.</translation>
     </message>
 </context>
 <context>
@@ -1756,6 +1868,14 @@
     <message>
         <source>Choose a picture</source>
         <translation>Выбрать картинку</translation>
+    </message>
+    <message>
+        <source>Draw</source>
+        <translation>Рисовать</translation>
+    </message>
+    <message>
+        <source>A bark that Stromar draws; the words behind its name can be changed</source>
+        <translation>Кора, которую рисует Stromar; слова за её именем можно менять</translation>
     </message>
 </context>
 <context>

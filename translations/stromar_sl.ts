@@ -1283,10 +1283,6 @@
         <translation>Tekstura lubja</translation>
     </message>
     <message>
-        <source>The picture on the stems; its path starts at the file&apos;s folder. Empty takes the built-in one.</source>
-        <translation>Slika na lesu; pot se začne v mapi datoteke. Prazno vzame vgrajeno.</translation>
-    </message>
-    <message>
         <source>Leaf texture</source>
         <translation>Tekstura lista</translation>
     </message>
@@ -1333,6 +1329,122 @@
     <message>
         <source>Pruning</source>
         <translation>Obrezovanje</translation>
+    </message>
+    <message>
+        <source>The picture on the stems; its path starts at the file&apos;s folder. A recipe as bark:furrowed seed=3 is drawn. Empty takes the built-in one.</source>
+        <translation>Slika na lesu; pot se začne v mapi datoteke. Recept, kot je bark:furrowed seed=3, se nariše. Prazno vzame vgrajeno.</translation>
+    </message>
+    <message>
+        <source>furrowed</source>
+        <translation>razbrazdano</translation>
+    </message>
+    <message>
+        <source>plated</source>
+        <translation>luskasto</translation>
+    </message>
+    <message>
+        <source>smooth</source>
+        <translation>gladko</translation>
+    </message>
+    <message>
+        <source>birch</source>
+        <translation>breza</translation>
+    </message>
+    <message>
+        <source>willow</source>
+        <translation>vrba</translation>
+    </message>
+    <message>
+        <source>cherry</source>
+        <translation>češnja</translation>
+    </message>
+    <message>
+        <source>palm</source>
+        <translation>palma</translation>
+    </message>
+    <message>
+        <source>Another bark of the same kind.</source>
+        <translation>Drugo lubje iste vrste.</translation>
+    </message>
+    <message>
+        <source>Ridges</source>
+        <translation>Grebeni</translation>
+    </message>
+    <message>
+        <source>How many ridges or plates stand side by side in the picture.</source>
+        <translation>Koliko grebenov ali lusk stoji v sliki drug ob drugem.</translation>
+    </message>
+    <message>
+        <source>Length of ridges</source>
+        <translation>Dolžina grebenov</translation>
+    </message>
+    <message>
+        <source>How many times longer than wide they are.</source>
+        <translation>Kolikokrat so daljši kot širši.</translation>
+    </message>
+    <message>
+        <source>Cracks</source>
+        <translation>Razpoke</translation>
+    </message>
+    <message>
+        <source>How wide the furrows between them are, as a part of a ridge.</source>
+        <translation>Kako široke so brazde med njimi, kot del grebena.</translation>
+    </message>
+    <message>
+        <source>Depth</source>
+        <translation>Globina</translation>
+    </message>
+    <message>
+        <source>How deep the relief is.</source>
+        <translation>Kako globok je relief.</translation>
+    </message>
+    <message>
+        <source>Grain</source>
+        <translation>Zrnatost</translation>
+    </message>
+    <message>
+        <source>How rough the surface is in detail.</source>
+        <translation>Kako hrapava je površina od blizu.</translation>
+    </message>
+    <message>
+        <source>Wandering</source>
+        <translation>Vijuganje</translation>
+    </message>
+    <message>
+        <source>How crooked ridges and rings run.</source>
+        <translation>Kako krivo tečejo grebeni in obroči.</translation>
+    </message>
+    <message>
+        <source>Rings</source>
+        <translation>Obroči</translation>
+    </message>
+    <message>
+        <source>How many bands run around the stem in the picture.</source>
+        <translation>Koliko pasov v sliki obkroža deblo.</translation>
+    </message>
+    <message>
+        <source>Spots</source>
+        <translation>Pege</translation>
+    </message>
+    <message>
+        <source>How many pores or eyes there are.</source>
+        <translation>Koliko je por ali oči.</translation>
+    </message>
+    <message>
+        <source>Light colour</source>
+        <translation>Svetla barva</translation>
+    </message>
+    <message>
+        <source>The colour of what stands out.</source>
+        <translation>Barva tega, kar štrli.</translation>
+    </message>
+    <message>
+        <source>Dark colour</source>
+        <translation>Temna barva</translation>
+    </message>
+    <message>
+        <source>The colour of what lies deep.</source>
+        <translation>Barva tega, kar leži globoko.</translation>
     </message>
 </context>
 <context>
@@ -1756,6 +1868,14 @@
     <message>
         <source>Choose a picture</source>
         <translation>Izberi sliko</translation>
+    </message>
+    <message>
+        <source>Draw</source>
+        <translation>Nariši</translation>
+    </message>
+    <message>
+        <source>A bark that Stromar draws; the words behind its name can be changed</source>
+        <translation>Lubje, ki ga nariše Stromar; besede za njegovim imenom je mogoče spremeniti</translation>
     </message>
 </context>
 <context>

@@ -1,14 +1,12 @@
 #include "stromar/app/Export.h"
 #include "stromar/app/Formats.h"
 #include "stromar/params/ParamTable.h"
-#include <cstdlib>
 
 namespace stromar {
 
 namespace fs = std::filesystem;
 
 namespace {
-constexpr const char* kBuiltIn[] = {"bark.png", "leaf.png"};
 constexpr const char* kLookNames[] = {"bark", "leaf"};
 
 /// The model's name with only letters that every format and reader takes inside a line, a name or a path.
@@ -77,19 +75,6 @@ void refuseUnless(const ExportOptions& options, const Format* format, const fs::
 }
 } // namespace
 
-fs::path dataFolder() {
-    if (const char* own = std::getenv("STROMAR_DATA")) return own;
-    std::error_code problem;
-    const fs::path program = fs::read_symlink("/proc/self/exe", problem);
-    const fs::path installed = program.parent_path().parent_path() / "share" / "stromar";
-    return fs::exists(installed / "presets", problem) ? installed : fs::path(STROMAR_SOURCE_FOLDER);
-}
-
-fs::path textureOf(const CParams& params, Surface surface, const fs::path& folder) {
-    const std::string& own = surface == Surface::Bark ? params.text.barkTexture : params.text.leafTexture;
-    return own.empty() ? dataFolder() / "textures" / kBuiltIn[static_cast<std::size_t>(surface)] : folder / own;
-}
-
 void exportModels(const std::vector<std::shared_ptr<const TreeModel>>& lods, const ExportOptions& options,
                   const fs::path& treeFolder, const fs::path& path, const CProgress& progress) {
     const Format* format = formatOf(path);
@@ -101,6 +86,7 @@ void exportModels(const std::vector<std::shared_ptr<const TreeModel>>& lods, con
         if (meshes.back().empty()) throw CError("the tree is empty, there is nothing to export");
         vertices += lod->vertexCount();
     }
+    makePictures(lods.front()->params, progress);
     CFileSet files(progress, static_cast<std::uint64_t>(format->bytesPerVertex * double(vertices)));
     const auto looks = looksOf(*lods.front(), options, *format, treeFolder, path, files);
     const auto write = [&](const std::string& suffix, std::size_t first, std::size_t count) {

@@ -15,7 +15,7 @@ constexpr string_view kModelNames[] = {N_("Full model"), N_("Simple model")};
 constexpr string_view kLodNames[] = {N_("No"), N_("In one file"), N_("A file for each")};
 constexpr string_view kUpNames[] = {N_("As usual in the format"), N_("Y"), N_("Z")};
 constexpr string_view kTextureNames[] = {N_("As usual in the format"), N_("Inside the file"), N_("Copies beside it"),
-                                              N_("Where they are")};
+                                         N_("Where they are")};
 
 constexpr ExportChoice kChoices[] = {
     {.key = "model",

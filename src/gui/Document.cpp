@@ -1,5 +1,6 @@
 #include "Document.h"
 #include "QtText.h"
+#include "stromar/app/Pictures.h"
 #include <QFileInfo>
 #include <QUndoCommand>
 
@@ -18,7 +19,8 @@ CParams rebased(CParams params, const fs::path& from, const fs::path& to) {
 /// Pictures by their whole paths, for a document without a folder.
 CParams withWholePaths(CParams params, const fs::path& folder) {
     for (const TextInfo& text : textTable())
-        if (std::string& picture = params.text.*text.field; text.path && !picture.empty() && !folder.empty())
+        if (std::string& picture = params.text.*text.field;
+            text.path && !picture.empty() && !isRecipe(picture) && !folder.empty())
             picture = (folder / picture).lexically_normal().generic_string();
     return params;
 }
@@ -68,7 +70,7 @@ private:
 };
 
 std::string rebasedPath(const std::string& path, const fs::path& from, const fs::path& to) {
-    if (path.empty() || from.empty() || fs::path(path).is_absolute()) return path;
+    if (path.empty() || from.empty() || isRecipe(path) || fs::path(path).is_absolute()) return path;
     std::error_code problem;
     const fs::path whole = fs::weakly_canonical(fs::absolute(from, problem) / path, problem);
     if (problem) return path;

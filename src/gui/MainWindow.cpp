@@ -414,6 +414,7 @@ void CMainWindow::onCreated(const std::shared_ptr<const ViewModel>& view) {
         m_viewport->recentre();
         m_recentreNext = false;
     }
+    updateTextures();
     updateCounts(*view->model);
     showPresets();
     emit modelShown();

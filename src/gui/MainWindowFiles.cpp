@@ -216,7 +216,9 @@ void CMainWindow::setTexture(const TextInfo& text, const QString& path) {
 void CMainWindow::updateTextures() {
     const auto update = [this](Surface surface, QString& shown) {
         const QString file = fromPath(textureOf(m_document->params(), surface, m_document->folder()));
-        if (file == shown) return;
+        const TextParams& text = m_document->params().text;
+        const bool drawn = !isRecipe(surface == Surface::Bark ? text.barkTexture : text.leafTexture);
+        if (file == shown || (!drawn && !QFileInfo::exists(file))) return; // a recipe's picture comes with its tree
         shown = file;
         if (const QString problem = m_viewport->setTexture(surface, file); !problem.isEmpty()) onFailed(problem);
     };

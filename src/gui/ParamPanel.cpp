@@ -2,12 +2,14 @@
 #include "ParamEditor.h"
 #include "ParamRow.h"
 #include "QtText.h"
+#include "stromar/texture/Bark.h"
 #include <QAbstractButton>
 #include <QApplication>
 #include <QFrame>
 #include <QHBoxLayout>
 #include <QLabel>
 #include <QLineEdit>
+#include <QMenu>
 #include <QScrollArea>
 #include <QSettings>
 #include <QStyleOptionFocusRect>
@@ -257,6 +259,18 @@ QWidget* CParamPanel::makePathEditor(const TextInfo& text, QLineEdit* line) {
     layout->addWidget(line, 1);
     layout->addWidget(choose);
     connect(choose, &QToolButton::clicked, this, [this, &text] { emit pathWanted(&text); });
+    if (text.field == &TextParams::barkTexture) {
+        auto* drawn = new QToolButton;
+        drawn->setText(tr("Draw"));
+        drawn->setToolTip(tr("A bark that Stromar draws; the words behind its name can be changed"));
+        drawn->setPopupMode(QToolButton::InstantPopup);
+        auto* menu = new QMenu(drawn);
+        for (const std::string_view kind : barkKinds())
+            menu->addAction(trText(kind), this,
+                            [this, &text, kind] { emit textEdited(&text, QStringLiteral("bark:") + toQString(kind)); });
+        drawn->setMenu(menu);
+        layout->addWidget(drawn);
+    }
     return row;
 }
 

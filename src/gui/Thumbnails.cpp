@@ -40,6 +40,7 @@ QString keptFile(const CParams& params, const QString& bark, const QString& leaf
 std::shared_ptr<const ViewModel> grow(const CParams& params, const CProgress& progress) {
     const bool small = predictSize(params, detailOf(Model::Full, 1)).vertices < kFewVertices;
     CTreeCreator creator(true, kMostVertices);
+    makePictures(params, progress);
     auto view = std::make_shared<ViewModel>();
     view->model = creator.create(params, detailOf(Model::Full, small ? 1 : 3), progress);
     view->model->visitMeshes([&](const std::shared_ptr<const CMesh>& mesh, int generation) {

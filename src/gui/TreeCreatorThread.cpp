@@ -1,4 +1,5 @@
 #include "TreeCreatorThread.h"
+#include "stromar/app/Pictures.h"
 #include "stromar/scene/OsgGeometry.h"
 #include <algorithm>
 
@@ -90,6 +91,7 @@ void CTreeCreatorThread::run() {
 std::shared_ptr<const ViewModel> CTreeCreatorThread::create(const Request& request, const CProgress& progress) {
     if (request.anew) m_creator->forget();
     m_creator->setMostVertices(request.mostVertices);
+    makePictures(request.params, progress);
     auto view = std::make_shared<ViewModel>();
     view->model = m_creator->create(request.params, *request.detail, progress);
     std::vector<std::pair<std::shared_ptr<const CMesh>, ViewPart>> parts;

@@ -332,7 +332,7 @@ constexpr TextInfo kTexts[] = {
     {"LikedSeeds", N_("Liked seeds"), &TextParams::likedSeeds, Group::Tree, N_("Growth"), Stage::None,
      N_("Seeds worth finding again, separated by blanks."), false, false}, // the window has a list of its own
     {"BarkTexture", N_("Bark texture"), &TextParams::barkTexture, Group::Textures, N_("Bark"), Stage::Material,
-     N_("The picture on the stems; its path starts at the file's folder. Empty takes the built-in one."), true},
+     N_("The picture on the stems; its path starts at the file's folder. A recipe as bark:furrowed seed=3 is drawn. Empty takes the built-in one."), true},
     {"LeafTexture", N_("Leaf texture"), &TextParams::leafTexture, Group::Textures, N_("Leaves"), Stage::Material,
      N_("The picture on the leaves, transparent outside the blade. Empty takes the built-in one."), true},
 };

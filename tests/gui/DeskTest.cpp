@@ -280,6 +280,28 @@ TEST_F(DeskTest, RandomiseMovesWhatIsNotLocked) {
     EXPECT_EQ(window.document().history().count(), 1) << "one step";
 }
 
+// Barks
+
+TEST_F(DeskTest, ABarkIsDrawnFromItsRecipe) {
+    const TextInfo& bark = *std::get<const TextInfo*>(*findParam("BarkTexture"));
+    action("bare")->trigger();
+    window.document().setText(bark, QStringLiteral("bark:birch"));
+    ASSERT_TRUE(showsNow(Model::Full));
+    QTest::qWait(50);
+    const QImage birch = picture();
+    window.document().setText(bark, QStringLiteral("bark:cherry"));
+    ASSERT_TRUE(showsNow(Model::Full));
+    QTest::qWait(50);
+    EXPECT_NE(picture(), birch);
+    window.document().setText(bark, QStringLiteral("bark:chery"));
+    EXPECT_TRUE(waitFor([&] { return notice().contains(QLatin1String("did you mean 'cherry'")); }));
+    action("undo")->trigger();
+    EXPECT_TRUE(showsNow(Model::Full));
+    QTemporaryDir folder;
+    ASSERT_TRUE(window.save(folder.filePath(QStringLiteral("a.tree"))));
+    EXPECT_EQ(window.document().params().text.barkTexture, "bark:cherry") << "no path to be moved";
+}
+
 // Files
 
 TEST_F(DeskTest, AFileChangedByAnotherProgramIsNoticed) {

@@ -1,16 +1,10 @@
 #pragma once
 #include "stromar/app/ExportOptions.h"
+#include "stromar/app/Pictures.h"
 #include "stromar/app/TreeCreator.h"
 #include <filesystem>
 
 namespace stromar {
-
-/// The folder of the presets and textures that come with the program.
-std::filesystem::path dataFolder();
-
-/// The picture a surface shows: the tree's own (its path starts at `folder`, that of the .tree file) or the built-in
-/// one.
-std::filesystem::path textureOf(const CParams& params, Surface surface, const std::filesystem::path& folder);
 
 /// Writes one model, or its levels of detail, the finest first, in the format of the path's ending, and copies of its
 /// pictures as the options say. All files appear together or none. Throws CError (unknown format, what the format
