@@ -44,7 +44,7 @@ std::shared_ptr<const ViewModel> grow(const CParams& params, const CProgress& pr
     auto view = std::make_shared<ViewModel>();
     view->model = creator.create(params, detailOf(Model::Full, small ? 1 : 3), progress);
     view->model->visitMeshes([&](const std::shared_ptr<const CMesh>& mesh, int generation) {
-        view->parts.push_back({makeGeometry(*mesh), mesh->surface, generation});
+        view->parts.push_back({makeViewGeometry(*mesh), mesh->surface, generation});
     });
     return view;
 }

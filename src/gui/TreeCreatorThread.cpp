@@ -99,7 +99,7 @@ std::shared_ptr<const ViewModel> CTreeCreatorThread::create(const Request& reque
         progress.poll();
         const auto known = std::ranges::find(m_parts, mesh, [](const auto& part) { return part.first; });
         parts.emplace_back(mesh, known != m_parts.end() ? known->second
-                                                        : ViewPart{makeGeometry(*mesh), mesh->surface, generation});
+                                                        : ViewPart{makeViewGeometry(*mesh), mesh->surface, generation});
         view->parts.push_back(parts.back().second);
     });
     m_parts = std::move(parts);

@@ -7,6 +7,7 @@ namespace stromar {
 inline constexpr const char* kTreeVertexShader = R"(#version 120
 uniform mat4 osg_ViewMatrix;
 uniform vec3 crownMiddle, crownSize;
+attribute float openAt;
 varying vec3 eyeNormal, eyePosition, sun;
 varying float openness, shade;
 void main() {
@@ -17,7 +18,7 @@ void main() {
     sun = (osg_ViewMatrix * vec4(normalize(vec3(0.45, -0.6, 0.75)), 0.0)).xyz;
     // Inside the crown less of the sky is seen.
     vec3 out_ = (gl_Vertex.xyz - crownMiddle) / crownSize;
-    openness = smoothstep(0.1, 1.0, length(out_) * 0.8 + 0.25 * out_.z);
+    openness = smoothstep(0.1, 1.0, length(out_) * 0.8 + 0.25 * out_.z) * openAt;
     // All corners of a leaf share its normal: a number of its own.
     shade = fract(sin(dot(gl_Normal, vec3(127.1, 311.7, 74.7))) * 437.5);
 }

@@ -1,5 +1,6 @@
 #include "stromar/scene/ViewScene.h"
 #include "Shaders.h"
+#include "stromar/scene/OsgGeometry.h"
 #include <algorithm>
 #include <osg/Depth>
 #include <osg/PolygonMode>
@@ -119,7 +120,9 @@ CViewScene::CViewScene()
     for (osg::Uniform* uniform : {m_crownMiddle.get(), m_crownSize.get(), m_backdrop.get(), m_grid.get(), m_tint.get()})
         m_root->getOrCreateStateSet()->addUniform(uniform);
     osg::StateSet* state = m_tree->getOrCreateStateSet();
-    state->setAttributeAndModes(makeProgram("tree", kTreeVertexShader, kTreeFragmentShader));
+    const osg::ref_ptr<osg::Program> program = makeProgram("tree", kTreeVertexShader, kTreeFragmentShader);
+    program->addBindAttribLocation("openAt", kOpennessAttribute);
+    state->setAttributeAndModes(program);
     state->addUniform(new osg::Uniform("picture", 0));
     state->setMode(GL_CULL_FACE, osg::StateAttribute::OFF);
     osg::StateSet* wires = m_wires->getOrCreateStateSet();

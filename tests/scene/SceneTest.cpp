@@ -2,6 +2,7 @@
 #include "mesh/SampleTrees.h"
 #include "stromar/scene/OsgGeometry.h"
 #include "stromar/scene/ViewScene.h"
+#include <cstring>
 #include <gtest/gtest.h>
 #include <osg/Texture2D>
 #include <osg/TriangleFunctor>
@@ -64,6 +65,18 @@ TEST(OsgGeometry, IsACopyOfTheMesh) {
             EXPECT_EQ(geometry->getBoundingBox()._min[i], box.min[i]);
             EXPECT_EQ(geometry->getBoundingBox()._max[i], box.max[i]);
         }
+    }
+}
+
+TEST(OsgGeometry, ForTheViewportKnowsHowOpenItLies) {
+    for (const auto& mesh : aspenMeshes()) {
+        EXPECT_EQ(makeGeometry(*mesh)->getNumVertexAttribArrays(), 0u) << "files do not";
+        const osg::ref_ptr<osg::Geometry> geometry = makeViewGeometry(*mesh);
+        const auto* openness = geometry->getVertexAttribArray(kOpennessAttribute);
+        ASSERT_TRUE(openness);
+        ASSERT_EQ(openness->getNumElements(), mesh->vertexCount());
+        EXPECT_TRUE(openness->getNormalize());
+        EXPECT_EQ(std::memcmp(openness->getDataPointer(), mesh->openness.data(), mesh->vertexCount()), 0);
     }
 }
 
