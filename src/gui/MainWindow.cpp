@@ -234,6 +234,7 @@ void CMainWindow::connectParts() {
     connect(m_presets, &CPresetBrowser::chosen, this, &CMainWindow::openPreset);
     connect(m_presets, &CPresetBrowser::saveWanted, this, &CMainWindow::savePreset);
     connect(m_thread.get(), &CTreeCreatorThread::created, this, &CMainWindow::onCreated);
+    connect(m_thread.get(), &CTreeCreatorThread::picturesMade, this, &CMainWindow::updateTextures);
     connect(m_thread.get(), &CTreeCreatorThread::failed, this, &CMainWindow::onFailed);
     connect(m_viewport, &CViewport::contextLost, this, &CMainWindow::onContextLost, Qt::QueuedConnection);
     connect(&m_watch, &CFileWatch::changed, this, &CMainWindow::onFileChanged);

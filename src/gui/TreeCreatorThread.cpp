@@ -80,6 +80,8 @@ void CTreeCreatorThread::run() {
                 m_lastResult = Clock::now();
             }
             emit created(view);
+            makePictures(request->params, progress); // the tree does not wait for its bark
+            emit picturesMade();
         } catch (const CCancelled&) {
             // The next request says what to do instead.
         } catch (const std::exception& e) {
@@ -91,7 +93,6 @@ void CTreeCreatorThread::run() {
 std::shared_ptr<const ViewModel> CTreeCreatorThread::create(const Request& request, const CProgress& progress) {
     if (request.anew) m_creator->forget();
     m_creator->setMostVertices(request.mostVertices);
-    makePictures(request.params, progress);
     auto view = std::make_shared<ViewModel>();
     view->model = m_creator->create(request.params, *request.detail, progress);
     std::vector<std::pair<std::shared_ptr<const CMesh>, ViewPart>> parts;

@@ -36,6 +36,8 @@ public:
 
 signals:
     void created(std::shared_ptr<const stromar::ViewModel> view);
+    /// The pictures of the last tree's recipes are there.
+    void picturesMade();
     void failed(const QString& why);
 
 protected:

@@ -285,12 +285,13 @@ TEST_F(DeskTest, RandomiseMovesWhatIsNotLocked) {
 TEST_F(DeskTest, ABarkIsDrawnFromItsRecipe) {
     const TextInfo& bark = *std::get<const TextInfo*>(*findParam("BarkTexture"));
     action("bare")->trigger();
+    const auto rests = [&] { return showsNow(Model::Full) && waitFor([&] { return !window.busy(); }); };
     window.document().setText(bark, QStringLiteral("bark:birch"));
-    ASSERT_TRUE(showsNow(Model::Full));
+    ASSERT_TRUE(rests());
     QTest::qWait(50);
     const QImage birch = picture();
     window.document().setText(bark, QStringLiteral("bark:cherry"));
-    ASSERT_TRUE(showsNow(Model::Full));
+    ASSERT_TRUE(rests());
     QTest::qWait(50);
     EXPECT_NE(picture(), birch);
     window.document().setText(bark, QStringLiteral("bark:chery"));
