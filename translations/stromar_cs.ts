@@ -1881,14 +1881,6 @@
 <context>
     <name>stromar::CParamRow</name>
     <message>
-        <source>Trunk</source>
-        <translation>Kmen</translation>
-    </message>
-    <message>
-        <source>Branches %1</source>
-        <translation>Větve %1</translation>
-    </message>
-    <message>
         <source>Without effect: %1</source>
         <translation>Bez účinku: %1</translation>
     </message>
@@ -2064,30 +2056,6 @@
         <translation>Uchovat semínko stromu v okně v jeho souboru</translation>
     </message>
     <message>
-        <source>The tree as a whole</source>
-        <translation>Strom jako celek</translation>
-    </message>
-    <message>
-        <source>Trunk</source>
-        <translation>Kmen</translation>
-    </message>
-    <message>
-        <source>Branches 1</source>
-        <translation>Větve 1</translation>
-    </message>
-    <message>
-        <source>Branches 2</source>
-        <translation>Větve 2</translation>
-    </message>
-    <message>
-        <source>Branches 3</source>
-        <translation>Větve 3</translation>
-    </message>
-    <message>
-        <source>Leaves</source>
-        <translation>Listy</translation>
-    </message>
-    <message>
         <source>Everything</source>
         <translation>Vše</translation>
     </message>
@@ -2118,14 +2086,6 @@
 </context>
 <context>
     <name>stromar::CViewDesk</name>
-    <message>
-        <source>Trunk</source>
-        <translation>Kmen</translation>
-    </message>
-    <message>
-        <source>Branches %1</source>
-        <translation>Větve %1</translation>
-    </message>
     <message>
         <source>Drag %1</source>
         <translation>Tažení: %1</translation>

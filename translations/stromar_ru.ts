@@ -1881,14 +1881,6 @@
 <context>
     <name>stromar::CParamRow</name>
     <message>
-        <source>Trunk</source>
-        <translation>Ствол</translation>
-    </message>
-    <message>
-        <source>Branches %1</source>
-        <translation>Ветви %1</translation>
-    </message>
-    <message>
         <source>Without effect: %1</source>
         <translation>Не действует: %1</translation>
     </message>
@@ -2064,30 +2056,6 @@
         <translation>Сохранить зерно дерева из окна в его файле</translation>
     </message>
     <message>
-        <source>The tree as a whole</source>
-        <translation>Дерево в целом</translation>
-    </message>
-    <message>
-        <source>Trunk</source>
-        <translation>Ствол</translation>
-    </message>
-    <message>
-        <source>Branches 1</source>
-        <translation>Ветви 1</translation>
-    </message>
-    <message>
-        <source>Branches 2</source>
-        <translation>Ветви 2</translation>
-    </message>
-    <message>
-        <source>Branches 3</source>
-        <translation>Ветви 3</translation>
-    </message>
-    <message>
-        <source>Leaves</source>
-        <translation>Листья</translation>
-    </message>
-    <message>
         <source>Everything</source>
         <translation>Всё</translation>
     </message>
@@ -2118,14 +2086,6 @@
 </context>
 <context>
     <name>stromar::CViewDesk</name>
-    <message>
-        <source>Trunk</source>
-        <translation>Ствол</translation>
-    </message>
-    <message>
-        <source>Branches %1</source>
-        <translation>Ветви %1</translation>
-    </message>
     <message>
         <source>Drag %1</source>
         <translation>Перетаскивание: %1</translation>

@@ -1881,14 +1881,6 @@
 <context>
     <name>stromar::CParamRow</name>
     <message>
-        <source>Trunk</source>
-        <translation>Deblo</translation>
-    </message>
-    <message>
-        <source>Branches %1</source>
-        <translation>Veje %1</translation>
-    </message>
-    <message>
         <source>Without effect: %1</source>
         <translation>Brez učinka: %1</translation>
     </message>
@@ -2064,30 +2056,6 @@
         <translation>Ohrani seme drevesa v oknu v njegovi datoteki</translation>
     </message>
     <message>
-        <source>The tree as a whole</source>
-        <translation>Drevo kot celota</translation>
-    </message>
-    <message>
-        <source>Trunk</source>
-        <translation>Deblo</translation>
-    </message>
-    <message>
-        <source>Branches 1</source>
-        <translation>Veje 1</translation>
-    </message>
-    <message>
-        <source>Branches 2</source>
-        <translation>Veje 2</translation>
-    </message>
-    <message>
-        <source>Branches 3</source>
-        <translation>Veje 3</translation>
-    </message>
-    <message>
-        <source>Leaves</source>
-        <translation>Listi</translation>
-    </message>
-    <message>
         <source>Everything</source>
         <translation>Vse</translation>
     </message>
@@ -2118,14 +2086,6 @@
 </context>
 <context>
     <name>stromar::CViewDesk</name>
-    <message>
-        <source>Trunk</source>
-        <translation>Deblo</translation>
-    </message>
-    <message>
-        <source>Branches %1</source>
-        <translation>Veje %1</translation>
-    </message>
     <message>
         <source>Drag %1</source>
         <translation>Vlečenje: %1</translation>

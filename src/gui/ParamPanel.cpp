@@ -107,8 +107,6 @@ CParamPanel::CParamPanel(QWidget* parent) : QWidget(parent), m_filter(new QLineE
     column->setContentsMargins(0, 4, 0, 0);
     column->addWidget(m_filter);
     column->addWidget(m_tabs, 1);
-    const QStringList locked = QSettings().value(QLatin1String(kLockedKey)).toStringList();
-    m_locked = QSet<QString>(locked.begin(), locked.end());
 
     const auto refsOf = [](auto&& wanted) {
         std::vector<ParamRef> refs;
@@ -161,8 +159,7 @@ void CParamPanel::addTab(Group group, int level) {
     scroll->setWidgetResizable(true);
     scroll->setFrameShape(QFrame::NoFrame);
     scroll->setHorizontalScrollBarPolicy(Qt::ScrollBarAlwaysOff);
-    const QString name = trText(groupName(group));
-    m_tabs->addTab(scroll, group == Group::Branches ? QStringLiteral("%1 %2").arg(name).arg(level) : name);
+    m_tabs->addTab(scroll, groupTitle(group, level));
     m_groups.emplace_back(group, level);
 }
 
@@ -209,7 +206,7 @@ void CParamPanel::addSection(std::string_view title) {
 
 void CParamPanel::addRow(const ParamRef& ref) {
     auto* row = new CParamRow(ref);
-    row->setLocked(m_locked.contains(toQString(ref.key())));
+    row->setLocked(QSettings().value(QLatin1String(kLockedKey)).toStringList().contains(toQString(ref.key())));
     row->installEventFilter(this);
     m_page->addWidget(row);
     m_sections.back().rows.push_back(row);
@@ -307,13 +304,11 @@ bool CParamPanel::locked(const ParamRef& ref) const {
 }
 
 void CParamPanel::setLocked(const ParamRef& ref, bool locked) {
-    const QString key = toQString(ref.key());
-    if (locked)
-        m_locked.insert(key);
-    else
-        m_locked.remove(key);
     row(ref)->setLocked(locked);
-    QSettings().setValue(QLatin1String(kLockedKey), QStringList(m_locked.values()));
+    QStringList keys;
+    for (const CParamRow* one : m_rows)
+        if (one->locked()) keys << toQString(one->ref().key());
+    QSettings().setValue(QLatin1String(kLockedKey), keys);
 }
 
 /// The filter reaches across all tabs: tabs without a hit disappear, folded sections open.

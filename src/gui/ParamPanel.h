@@ -1,6 +1,5 @@
 #pragma once
 #include "stromar/params/ParamTable.h"
-#include <QSet>
 #include <QTimer>
 #include <QWidget>
 #include <optional>
@@ -79,7 +78,6 @@ private:
     std::vector<Section> m_sections;
     std::vector<CParamRow*> m_rows;
     std::vector<std::pair<const TextInfo*, QLineEdit*>> m_lines;
-    QSet<QString> m_locked; ///< keys
     CParamRow* m_hovered = nullptr;
     QTimer m_touch; ///< the mouse crosses the gaps between rows
 };

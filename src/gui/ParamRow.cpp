@@ -49,8 +49,6 @@ private:
 };
 
 double defaultOf(const ParamRef& ref) { return ref.info->defaultOf(ref.level); }
-
-QString levelName(int level) { return level == 0 ? CParamRow::tr("Trunk") : CParamRow::tr("Branches %1").arg(level); }
 } // namespace
 
 CParamRow::CParamRow(const ParamRef& ref, QWidget* parent)
@@ -184,7 +182,7 @@ void CParamRow::addPasteMenu(QMenu& menu) {
     QMenu* levels = menu.addMenu(tr("Give to &Level"));
     for (int level = ref().info->firstLevel; level < kParamLevels; ++level) {
         if (level == ref().level) continue;
-        levels->addAction(levelName(level), this, [this, level] {
+        levels->addAction(levelTitle(level), this, [this, level] {
             std::vector<std::pair<ParamRef, double>> values;
             for (const CParamEditor* editor : m_editors)
                 values.emplace_back(ParamRef{editor->ref().info, level}, editor->ref().get(m_params));
@@ -195,7 +193,6 @@ void CParamRow::addPasteMenu(QMenu& menu) {
 
 void CParamRow::contextMenuEvent(QContextMenuEvent* event) {
     QMenu menu;
-    CParams defaults;
     const bool isDefault = std::ranges::all_of(
         m_editors, [&](const CParamEditor* e) { return e->ref().get(m_params) == defaultOf(e->ref()); });
     menu.addAction(tr("&Reset to Default"), this, &CParamRow::reset)->setEnabled(!isDefault);

@@ -1,4 +1,5 @@
 #pragma once
+#include "stromar/params/ParamTable.h"
 #include <QCoreApplication>
 #include <QString>
 #include <filesystem>
@@ -13,6 +14,13 @@ inline QString toQString(std::string_view text) { return QString::fromUtf8(text.
 inline QString trText(std::string_view marked) {
     return QCoreApplication::translate("stromar", QByteArray(marked.data(), qsizetype(marked.size())).constData());
 }
+/// "Trunk", "Branches 2", "Leaves": tabs, menus and messages name a level alike.
+inline QString groupTitle(Group group, int level) {
+    const QString name = trText(groupName(group));
+    return group == Group::Branches ? QStringLiteral("%1 %2").arg(name).arg(level) : name;
+}
+inline QString levelTitle(int level) { return groupTitle(level == 0 ? Group::Trunk : Group::Branches, level); }
+
 inline std::filesystem::path toPath(const QString& path) { return std::filesystem::path(path.toStdU16String()); }
 inline QString fromPath(const std::filesystem::path& path) { return QString::fromStdU16String(path.u16string()); }
 

@@ -21,6 +21,8 @@ constexpr int kPictureSize = 128, kLikedSize = 64;
 constexpr int kPauseMs = 700; // after a change of the tree
 constexpr const char* kSheetId = "seed:";
 constexpr const char* kLikedId = "liked:";
+
+QString titleOf(const ParamRef& ref) { return groupTitle(ref.group(), ref.level); }
 } // namespace
 
 std::vector<int> seedsFrom(const std::string& text) {
@@ -118,9 +120,10 @@ QWidget* CVariants::makeRandomiser() {
     form->setRowWrapPolicy(QFormLayout::WrapLongRows);
     m_level = new QComboBox;
     m_level->setObjectName(QStringLiteral("randomiseLevel"));
-    m_level->addItems({tr("The tree as a whole"), tr("Trunk"), tr("Branches 1"), tr("Branches 2"), tr("Branches 3"),
-                       tr("Leaves"), tr("Everything")});
-    m_level->setCurrentIndex(m_level->count() - 1);
+    m_level->addItem(tr("Everything"));
+    for (const ParamRef& ref : allParams())
+        if (const QString title = titleOf(ref); ref.group() != Group::Textures && m_level->findText(title) < 0)
+            m_level->addItem(title);
     m_level->setSizeAdjustPolicy(QComboBox::AdjustToMinimumContentsLengthWithIcon);
     m_level->setMinimumContentsLength(5);
     m_amount = new QSpinBox;
@@ -140,14 +143,9 @@ QWidget* CVariants::makeRandomiser() {
 }
 
 void CVariants::randomise() {
-    const int chosen = m_level->currentIndex();
-    const auto belongs = [chosen](const ParamRef& ref) {
-        switch (chosen) {
-        case 0: return ref.group() == Group::Tree;
-        case 5: return ref.group() == Group::Leaves;
-        case 6: return ref.group() != Group::Textures;
-        default: return ref.group() == (chosen == 1 ? Group::Trunk : Group::Branches) && ref.level == chosen - 1;
-        }
+    const bool all = m_level->currentIndex() == 0;
+    const auto belongs = [&](const ParamRef& ref) {
+        return all ? ref.group() != Group::Textures : titleOf(ref) == m_level->currentText();
     };
     std::vector<ParamRef> refs;
     std::ranges::copy_if(allParams(), std::back_inserter(refs), belongs);

@@ -18,10 +18,6 @@ constexpr int kTurnPoints = 12; // of a drawn turn of a helix
 
 osg::Vec3d toOsg(const glm::dvec3& v) { return {v.x, v.y, v.z}; }
 
-QString generationName(std::size_t generation) {
-    return generation == 0 ? CViewDesk::tr("Trunk") : CViewDesk::tr("Branches %1").arg(generation);
-}
-
 /// The centre line of every path of a stem.
 std::vector<std::vector<osg::Vec3d>> linesOf(const CGeneration& all, const CStem& stem) {
     std::vector<std::vector<osg::Vec3d>> lines;
@@ -129,11 +125,11 @@ void CViewDesk::describeStem(std::size_t generation, const CStem& stem, std::siz
     CViewOverlay::Model& model = m_viewport.overlay().model();
     model.selection = linesOf(all, stem);
     QStringList rows{
-        tr("%1, stem %2 of %3").arg(generationName(generation)).arg(number + 1).arg(all.stems.size()),
+        tr("%1, stem %2 of %3").arg(levelTitle(int(generation))).arg(number + 1).arg(all.stems.size()),
         tr("Length %1, radius %2").arg(lengthText(stem.measures.length), lengthText(stem.measures.radius))};
     if (stem.parent >= 0)
         rows << tr("On %1, stem %2, at %3")
-                    .arg(generationName(generation - 1))
+                    .arg(levelTitle(int(generation) - 1))
                     .arg(stem.parent + 1)
                     .arg(lengthText(stem.measures.offset));
     if (stem.pathCount > 1) rows << tr("Split into %n path(s)", nullptr, static_cast<int>(stem.pathCount));
@@ -150,7 +146,7 @@ void CViewDesk::describeLeaf(std::size_t number) {
         tr("Leaf %1 of %2\nLength %3, width %4\nOn %5, stem %6")
             .arg(number + 1)
             .arg(tree.leaves().size())
-            .arg(lengthText(leaf.length), lengthText(leaf.width), generationName(tree.generationCount() - 1))
+            .arg(lengthText(leaf.length), lengthText(leaf.width), levelTitle(int(tree.generationCount()) - 1))
             .arg(leaf.stem + 1);
 }
 
@@ -167,7 +163,7 @@ QStringList CViewDesk::statistics() const {
                          lengthText(std::max(box.xMax() - box.xMin(), box.yMax() - box.yMin())));
     for (std::size_t g = 0; g < tree.tree->generationCount(); ++g)
         rows << tr("%1: %2 stems, %3 triangles")
-                    .arg(generationName(g), whole(tree.tree->generation(g).stems.size()),
+                    .arg(levelTitle(int(g)), whole(tree.tree->generation(g).stems.size()),
                          whole(tree.stems[g]->triangleCount()));
     rows << tr("Leaves: %1, %2 triangles").arg(whole(tree.tree->leaves().size()), whole(tree.leaves->triangleCount()));
     rows << tr("Structure %1 ms, mesh %2 ms")

@@ -1,7 +1,25 @@
+#include "Autosave.h"
+#include "MainWindow.h"
 #include "SceneRenderer.h"
+#include "Support.h"
 #include <QApplication>
 #include <QTemporaryDir>
+#include <cstdio>
 #include <gtest/gtest.h>
+
+namespace {
+/// A program with unsaved changes, for the test that kills it.
+int waitToBeKilled() {
+    stromar::CMainWindow window;
+    window.show();
+    window.open(presetPath("quaking_aspen"));
+    window.document().setValue(paramRef("Scale"), 17, 0);
+    window.autosave().flush();
+    std::puts("kept");
+    std::fflush(stdout);
+    return QApplication::exec();
+}
+} // namespace
 
 int main(int argc, char** argv) {
     ::testing::InitGoogleTest(&argc, argv);
@@ -15,5 +33,6 @@ int main(int argc, char** argv) {
     QCoreApplication::setAttribute(Qt::AA_ShareOpenGLContexts);
     QSurfaceFormat::setDefaultFormat(stromar::CSceneRenderer::surfaceFormat(0));
     QApplication app(argc, argv);
+    if (app.arguments().contains(QStringLiteral("--be-killed"))) return waitToBeKilled();
     return RUN_ALL_TESTS();
 }
