@@ -149,7 +149,7 @@ TEST_P(BlenderReads, TheWholeModel) {
     EXPECT_EQ(stats.at("triangles"), model.triangleCount());
     EXPECT_EQ(stats.at("materials"), (Json{"bark", "leaf"}));
     EXPECT_EQ(stats.at("objects"), (Json{"branches 1", "branches 2", "leaves", "trunk"}));
-    EXPECT_EQ(stats.at("images"), (Json{{256, 256}, {512, 512}}));
+    EXPECT_EQ(stats.at("images"), (Json{{256, 256}, {1024, 1024}}));
     EXPECT_EQ(stats.at("without_uv"), 0);
     const Bounds box = boundsOf(model, zUp);
     for (int i = 0; i < 3; ++i) {
