@@ -1,4 +1,5 @@
 #include "stromar/texture/Bark.h"
+#include "Relief.h"
 #include "TileNoise.h"
 #include "stromar/util/Parallel.h"
 #include <algorithm>
@@ -11,7 +12,6 @@ namespace stromar {
 namespace {
 constexpr double kTurn = 6.283185307179586;
 constexpr double kRelief = 0.02; // of a tile's width, at depth 1
-constexpr std::size_t kRowsAtATime = 8;
 
 /// One place of a bark.
 struct Sample {
@@ -19,11 +19,6 @@ struct Sample {
     glm::dvec3 colour;
     double roughness;
 };
-
-double step(double low, double high, double x) {
-    const double t = std::clamp((x - low) / (high - low), 0.0, 1.0);
-    return t * t * (3 - 2 * t);
-}
 
 glm::dvec3 mixed(const glm::dvec3& a, const glm::dvec3& b, double t) { return a + (b - a) * std::clamp(t, 0.0, 1.0); }
 glm::dvec3 rgb(const Colour& c) { return {c[0], c[1], c[2]}; }
@@ -66,7 +61,7 @@ private:
     double cracks(const CTileNoise& source, const glm::dvec2& place, glm::ivec2 cells, double width,
                   double ragged) const {
         const double signed_ = source.octaves(place, cells, 2) + ragged;
-        return step(0, 1, std::abs(signed_) / std::max(0.01, width));
+        return smoothStep(0, 1, std::abs(signed_) / std::max(0.01, width));
     }
 
     /// Ridges between cracks that join and part again; `braid` crosses them as in willows.
@@ -98,11 +93,11 @@ private:
         const glm::dvec2 place = wandered(uv, 0.55 * m_bark.warp);
         const CTileNoise::Cell cell = m_cells.cell(place + 0.09 * fine, m_grid, 0.85);
         const double edge = cell.second - cell.nearest + 0.16 * fine;
-        const double plate = step(0, std::max(0.05, m_bark.crack), edge);
+        const double plate = smoothStep(0, std::max(0.05, m_bark.crack), edge);
         const double scales =
             2.2 * noise(m_coarse, uv, {m_grid.x * 2, m_grid.y * 3}, 3) + m_cells.uniform(cell.id, 3) + 0.3 * fine;
         const double level = std::floor(scales * 2.5), in = scales * 2.5 - level; // each scale lies flat
-        const double rim = step(0, 0.22, in), rough = m_bark.grain * fine;
+        const double rim = smoothStep(0, 0.22, in), rough = m_bark.grain * fine;
         const double height = plate * (0.6 + 0.09 * level + 0.06 * rim) + 0.12 * rough;
         const std::uint64_t scale = hashCombine(cell.id, static_cast<std::uint64_t>(static_cast<int>(level) + 64));
         const glm::dvec3 grey(0.55 * m_light.x + 52, 0.66 * m_light.y + 46, 0.75 * m_light.z + 42);
@@ -124,7 +119,8 @@ private:
         const CTileNoise::Cell eye = m_cells.cell(uv * glm::dvec2(few), few, 0.8);
         const double reach = glm::length(eye.offset * glm::dvec2(5.5, 9)) + 0.25 * noise(m_fine, uv, {12, 12}, 3);
         if (m_bark.spots > 0 && m_cells.uniform(eye.id, 5) < 0.7) {
-            const double inside = 1 - step(0.55, 0.75, reach), brow = std::exp(-8 * (reach - 0.9) * (reach - 0.9));
+            const double inside = 1 - smoothStep(0.55, 0.75, reach),
+                         brow = std::exp(-8 * (reach - 0.9) * (reach - 0.9));
             height += 0.3 * brow - 0.25 * inside;
             colour = mixed(colour, m_dark * 0.75, 0.85 * inside + 0.35 * brow);
         }
@@ -140,7 +136,7 @@ private:
         if (m_spots.uniform(cell.id, 6) > often) return 0;
         const double size = 0.35 + 0.5 * m_spots.uniform(cell.id, 7); // inside its cell
         const double ragged = 0.25 * noise(m_fine, uv, cells * 8, 2);
-        return 1 - step(0.6, 1, glm::length(cell.offset / (half * size)) + ragged);
+        return 1 - smoothStep(0.6, 1, glm::length(cell.offset / (half * size)) + ragged);
     }
 
     /// White skin that peels in bands, dashes of pores, black scars.
@@ -149,8 +145,8 @@ private:
         const double run =
             uv.y * m_bark.rings + 0.5 * m_bark.warp * noise(m_coarse, uv, {3, std::max(1, m_bark.rings)}, 3);
         const double sheet = run - std::floor(run);
-        const double torn = step(0.1, 0.5, noise(m_fine, uv, {6, std::max(1, m_bark.rings)}, 3));
-        const double lip = torn * std::exp(-60 * sheet * sheet), below = torn * step(0.75, 1, sheet);
+        const double torn = smoothStep(0.1, 0.5, noise(m_fine, uv, {6, std::max(1, m_bark.rings)}, 3));
+        const double lip = torn * std::exp(-60 * sheet * sheet), below = torn * smoothStep(0.75, 1, sheet);
         double height = 0.55 + 0.06 * cloud + 0.04 * rough + 0.3 * lip - 0.08 * below;
         glm::dvec3 colour = mixed(m_light, mixed(m_light, m_dark, 0.25), 0.35 + 0.8 * cloud + 0.6 * rough);
         colour = mixed(colour, {204, 160, 122}, 0.5 * below + 0.15 * lip);
@@ -162,7 +158,7 @@ private:
         const double wild = noise(m_fine, uv, {14, 20}, 4);
         const double diamond = std::abs(scar.offset.x) * 3.2 + std::abs(scar.offset.y) * 6.5 + 0.45 * wild;
         if (m_cells.uniform(scar.id, 5) < 0.45) {
-            const double black = 1 - step(0.7, 0.95, diamond);
+            const double black = 1 - smoothStep(0.7, 0.95, diamond);
             height += black * (0.25 * wild - 0.1);
             colour = mixed(colour, m_dark * (0.7 + 0.5 * wild), black);
         }
@@ -189,7 +185,7 @@ private:
         const int rings = std::max(1, m_bark.rings);
         const double run = uv.y * rings + 0.35 * m_bark.warp * noise(m_coarse, uv, {4, rings}, 3);
         const double rise = run - std::floor(run);
-        const double scar = 1 - step(0, 0.12 + 0.2 * m_bark.crack, std::min(rise, 1 - rise));
+        const double scar = 1 - smoothStep(0, 0.12 + 0.2 * m_bark.crack, std::min(rise, 1 - rise));
         const double fibre = noise(m_fine, uv, {m_bark.ridges * 3, rings * 2}, 4);
         const glm::ivec2 splits(m_bark.ridges, rings);
         const double split = cracks(m_cells, uv * glm::dvec2(splits), splits, 0.2, 0.1 * fibre);
@@ -205,38 +201,12 @@ private:
     glm::ivec2 m_grid;
 };
 
-std::uint8_t byte(double v) { return static_cast<std::uint8_t>(std::lround(std::clamp(v, 0.0, 255.0))); }
-
-/// Normals from neighbouring heights; the tile goes on at its edges.
-void addNormals(TextureMaps& maps, const std::vector<double>& heights, double depth, const CProgress& progress) {
-    const int size = maps.width;
-    const double slope = depth * kRelief * size / 2;
-    const auto height = [&](int x, int y) { return heights[maps.at((x + size) % size, (y + size) % size)]; };
-    parallelFor(
-        static_cast<std::size_t>(size), kRowsAtATime,
-        [&](std::size_t first, std::size_t last) {
-            for (int y = static_cast<int>(first); y < static_cast<int>(last); ++y)
-                for (int x = 0; x < size; ++x) {
-                    const glm::dvec3 n = glm::normalize(glm::dvec3(slope * (height(x - 1, y) - height(x + 1, y)),
-                                                                   slope * (height(x, y + 1) - height(x, y - 1)), 1.0));
-                    maps.normal[maps.at(x, y)] = {byte(127.5 + 127.5 * n.x), byte(127.5 + 127.5 * n.y),
-                                                  byte(127.5 + 127.5 * n.z)};
-                }
-        },
-        progress);
-}
 } // namespace
 
 TextureMaps makeBark(const BarkParams& bark, int size, const CProgress& progress) {
     const CBarkMaker maker(bark);
-    TextureMaps maps;
-    maps.width = maps.height = size;
-    const std::size_t pixels = static_cast<std::size_t>(size) * static_cast<std::size_t>(size);
-    maps.albedo.resize(pixels);
-    maps.normal.resize(pixels);
-    maps.roughness.resize(pixels);
-    maps.height01.resize(pixels);
-    std::vector<double> heights(pixels);
+    TextureMaps maps = squareMaps(size);
+    std::vector<double> heights(maps.albedo.size());
     parallelFor(
         static_cast<std::size_t>(size), kRowsAtATime,
         [&](std::size_t first, std::size_t last) {
@@ -245,13 +215,13 @@ TextureMaps makeBark(const BarkParams& bark, int size, const CProgress& progress
                     const Sample here = maker.at({(x + 0.5) / size, (size - 1 - y + 0.5) / size});
                     const std::size_t i = maps.at(x, y);
                     heights[i] = here.height;
-                    maps.albedo[i] = {byte(here.colour.x), byte(here.colour.y), byte(here.colour.z), 255};
-                    maps.roughness[i] = byte(255 * here.roughness);
-                    maps.height01[i] = byte(255 * here.height);
+                    maps.albedo[i] = {toByte(here.colour.x), toByte(here.colour.y), toByte(here.colour.z), 255};
+                    maps.roughness[i] = toByte(255 * here.roughness);
+                    maps.height01[i] = toByte(255 * here.height);
                 }
         },
         progress);
-    addNormals(maps, heights, bark.depth, progress);
+    addNormals(maps, heights, bark.depth * kRelief, progress);
     return maps;
 }
 

@@ -35,16 +35,37 @@ void writePng(std::ostream& out, int width, int height, int channels, const std:
     }
     png_destroy_write_struct(&png, &info);
 }
+
+template <typename Channels>
+const std::uint8_t* bytesOf(const std::vector<Channels>& map) {
+    return map.empty() ? nullptr : reinterpret_cast<const std::uint8_t*>(map.data());
+}
+
+constexpr MapFile kMaps[] = {
+    {"_normal", 3, [](const TextureMaps& m) { return bytesOf(m.normal); }},
+    {"_roughness", 1, [](const TextureMaps& m) { return bytesOf(m.roughness); }},
+    {"_height", 1, [](const TextureMaps& m) { return bytesOf(m.height01); }},
+    {"_translucency", 1, [](const TextureMaps& m) { return bytesOf(m.translucency); }},
+    {"_back", 4, [](const TextureMaps& m) { return bytesOf(m.back); }},
+};
 } // namespace
 
+std::span<const MapFile> mapFiles() { return kMaps; }
+
+std::filesystem::path mapBeside(const std::filesystem::path& albedo, std::string_view suffix) {
+    return albedo.parent_path() / (albedo.stem().string() + std::string(suffix) + albedo.extension().string());
+}
+
+void writePng(const std::vector<std::array<std::uint8_t, 4>>& pixels, int width, int height,
+              const std::filesystem::path& path, CFileSet& files) {
+    writePng(files.create(path), width, height, 4, bytesOf(pixels));
+}
+
 void writePngs(const TextureMaps& maps, const std::filesystem::path& path, CFileSet& files) {
-    const auto beside = [&](const char* what) {
-        return path.parent_path() / (path.stem().string() + what + path.extension().string());
-    };
-    writePng(files.create(path), maps.width, maps.height, 4, maps.albedo.front().data());
-    writePng(files.create(beside("_normal")), maps.width, maps.height, 3, maps.normal.front().data());
-    writePng(files.create(beside("_roughness")), maps.width, maps.height, 1, maps.roughness.data());
-    writePng(files.create(beside("_height")), maps.width, maps.height, 1, maps.height01.data());
+    writePng(maps.albedo, maps.width, maps.height, path, files);
+    for (const MapFile& map : kMaps)
+        if (const std::uint8_t* pixels = map.pixels(maps))
+            writePng(files.create(mapBeside(path, map.suffix)), maps.width, maps.height, map.channels, pixels);
 }
 
 } // namespace stromar

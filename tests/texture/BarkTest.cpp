@@ -23,7 +23,7 @@ double distance(const TextureMaps& maps, int x0, int y0, int x1, int y1) {
 class BarkKind : public ::testing::TestWithParam<int> {};
 
 TEST_P(BarkKind, OppositeEdgesAgreeLikeNeighbours) {
-    const TextureMaps maps = drawn(barkOf(GetParam()), 192);
+    const TextureMaps maps = drawn(barkBook().of(GetParam()), 192);
     const int n = maps.width;
     double acrossSeam = 0, acrossInside = 0, alongSeam = 0, alongInside = 0;
     for (int i = 0; i < n; ++i) {
@@ -40,7 +40,7 @@ TEST_P(BarkKind, OppositeEdgesAgreeLikeNeighbours) {
 }
 
 TEST_P(BarkKind, IsTheSameForAnyNumberOfThreads) {
-    const TextureMaps one = drawn(barkOf(GetParam()), 96, 1), many = drawn(barkOf(GetParam()), 96, 5);
+    const TextureMaps one = drawn(barkBook().of(GetParam()), 96, 1), many = drawn(barkBook().of(GetParam()), 96, 5);
     EXPECT_EQ(one.albedo, many.albedo);
     EXPECT_EQ(one.normal, many.normal);
     EXPECT_EQ(one.roughness, many.roughness);
@@ -48,7 +48,7 @@ TEST_P(BarkKind, IsTheSameForAnyNumberOfThreads) {
 }
 
 TEST_P(BarkKind, AnotherSizeShowsTheSameBark) {
-    const TextureMaps large = drawn(barkOf(GetParam()), 256), small = drawn(barkOf(GetParam()), 64);
+    const TextureMaps large = drawn(barkBook().of(GetParam()), 256), small = drawn(barkBook().of(GetParam()), 64);
     double sum = 0;
     for (int y = 0; y < 64; ++y)
         for (int x = 0; x < 64; ++x) {
@@ -60,13 +60,13 @@ TEST_P(BarkKind, AnotherSizeShowsTheSameBark) {
 }
 
 TEST_P(BarkKind, AnotherSeedIsAnotherBark) {
-    BarkParams other = barkOf(GetParam());
+    BarkParams other = barkBook().of(GetParam());
     other.seed = 99;
-    EXPECT_NE(drawn(barkOf(GetParam())).albedo, drawn(other).albedo);
+    EXPECT_NE(drawn(barkBook().of(GetParam())).albedo, drawn(other).albedo);
 }
 
 TEST_P(BarkKind, NormalsAreUnitAndFlatWithoutDepth) {
-    BarkParams bark = barkOf(GetParam());
+    BarkParams bark = barkBook().of(GetParam());
     for (const auto& n : drawn(bark).normal) {
         const double length = std::hypot(n[0] - 127.5, n[1] - 127.5, n[2] - 127.5) / 127.5;
         EXPECT_NEAR(length, 1, 0.02);
@@ -77,20 +77,20 @@ TEST_P(BarkKind, NormalsAreUnitAndFlatWithoutDepth) {
 }
 
 TEST_P(BarkKind, ItsTextSaysOnlyWhatDiffers) {
-    BarkParams bark = barkOf(GetParam());
-    EXPECT_EQ(barkText(bark), barkKinds()[static_cast<std::size_t>(GetParam())]);
+    BarkParams bark = barkBook().of(GetParam());
+    EXPECT_EQ(barkBook().text(bark), barkBook().kinds[static_cast<std::size_t>(GetParam())]);
     bark.seed = 12;
     bark.crack = 0.125;
     bark.dark = {1, 2, 255};
-    EXPECT_TRUE(barkFromText(barkText(bark)) == bark) << barkText(bark);
+    EXPECT_TRUE(barkBook().read(barkBook().text(bark)) == bark) << barkBook().text(bark);
 }
 
-INSTANTIATE_TEST_SUITE_P(All, BarkKind, ::testing::Range(0, int(barkKinds().size())),
-                         [](const auto& kind) { return std::string(barkKinds()[std::size_t(kind.param)]); });
+INSTANTIATE_TEST_SUITE_P(All, BarkKind, ::testing::Range(0, int(barkBook().kinds.size())),
+                         [](const auto& kind) { return std::string(barkBook().kinds[std::size_t(kind.param)]); });
 
 TEST(Bark, TheLightComesFromWhereTheReliefRises) {
     // In a height picture that rises to the right, normals lean to the left.
-    const TextureMaps maps = drawn(barkOf(0), 256);
+    const TextureMaps maps = drawn(barkBook().of(0), 256);
     double agreement = 0;
     for (int y = 1; y < 255; ++y)
         for (int x = 1; x < 255; ++x) {
@@ -103,7 +103,7 @@ TEST(Bark, TheLightComesFromWhereTheReliefRises) {
 TEST(Bark, WhatIsWrongIsSaid) {
     const auto problem = [](const char* text) {
         try {
-            barkFromText(text);
+            barkBook().read(text);
         } catch (const CError& e) {
             return std::string(e.what());
         }
@@ -120,7 +120,7 @@ TEST(Bark, WhatIsWrongIsSaid) {
 
 TEST(Bark, PngsHoldWhatWasDrawn) {
     const test::CTemporaryFolder folder;
-    const TextureMaps maps = drawn(barkOf(1), 40);
+    const TextureMaps maps = drawn(barkBook().of(1), 40);
     CFileSet files;
     writePngs(maps, folder.path() / "pine.png", files);
     files.commit();
@@ -138,7 +138,7 @@ TEST(Bark, PngsHoldWhatWasDrawn) {
 TEST(Bark, IsCancelled) {
     CProgress progress;
     progress.cancel();
-    EXPECT_THROW(makeBark(barkOf(0), 64, progress), CCancelled);
+    EXPECT_THROW(makeBark(barkBook().of(0), 64, progress), CCancelled);
 }
 
 } // namespace

@@ -1,0 +1,113 @@
+#include "stromar/texture/Opacity.h"
+#include <algorithm>
+#include <cmath>
+
+namespace stromar {
+
+namespace {
+/// A picture whose colours are weighted sums.
+struct Weighted {
+    int width, height;
+    std::vector<std::array<float, 4>> sums; ///< red, green, blue, weight
+
+    std::array<float, 4>& at(int x, int y) {
+        return sums[static_cast<std::size_t>(y) * static_cast<std::size_t>(width) + static_cast<std::size_t>(x)];
+    }
+};
+
+Weighted halved(Weighted& large) {
+    Weighted small{std::max(1, (large.width + 1) / 2), std::max(1, (large.height + 1) / 2), {}};
+    small.sums.resize(static_cast<std::size_t>(small.width) * static_cast<std::size_t>(small.height));
+    for (int y = 0; y < large.height; ++y)
+        for (int x = 0; x < large.width; ++x)
+            for (std::size_t c = 0; c < 4; ++c) small.at(x / 2, y / 2)[c] += large.at(x, y)[c];
+    for (auto& sum : small.sums) { // a mean that weighs one
+        const float weight = sum[3];
+        if (weight > 1)
+            for (float& c : sum) c /= weight;
+    }
+    return small;
+}
+
+/// What has too little weight takes the rest from the smaller picture.
+void fillFrom(Weighted& large, Weighted& small) {
+    for (int y = 0; y < large.height; ++y)
+        for (int x = 0; x < large.width; ++x) {
+            auto& own = large.at(x, y);
+            const float missing = 1 - std::min(1.0f, own[3]);
+            if (missing <= 0) continue;
+            const auto& other = small.at(x / 2, y / 2);
+            for (std::size_t c = 0; c < 4; ++c) own[c] += missing * other[c];
+        }
+}
+
+std::uint8_t rounded(double v) { return static_cast<std::uint8_t>(std::lround(std::clamp(v, 0.0, 255.0))); }
+
+double coverage(const Pixels& pixels, double cut, double scale) {
+    const auto opaque = [&](const auto& p) { return p[3] * scale > 255 * cut; };
+    return double(std::ranges::count_if(pixels, opaque)) / double(pixels.size());
+}
+
+/// By what opacities have to be multiplied for the wanted coverage. The blades' own edges make it monotonous.
+double scaleFor(const Pixels& pixels, double cut, double wanted) {
+    double low = 0.25, high = 8;
+    for (int i = 0; i < 14; ++i) {
+        const double middle = std::sqrt(low * high);
+        (coverage(pixels, cut, middle) < wanted ? low : high) = middle;
+    }
+    // The nearer of both sides: a few pixels can only be covered in steps.
+    return std::abs(coverage(pixels, cut, low) - wanted) < std::abs(coverage(pixels, cut, high) - wanted) ? low : high;
+}
+
+Pixels halved(const Pixels& large, int width, int height) {
+    const int w = std::max(1, width / 2), h = std::max(1, height / 2);
+    Pixels small;
+    small.reserve(static_cast<std::size_t>(w) * static_cast<std::size_t>(h));
+    const auto at = [&](int x, int y) -> const std::array<std::uint8_t, 4>& {
+        return large[static_cast<std::size_t>(std::min(y, height - 1)) * static_cast<std::size_t>(width) +
+                     static_cast<std::size_t>(std::min(x, width - 1))];
+    };
+    for (int y = 0; y < h; ++y)
+        for (int x = 0; x < w; ++x) {
+            std::array<std::uint8_t, 4> mean;
+            for (std::size_t c = 0; c < 4; ++c)
+                mean[c] = static_cast<std::uint8_t>((at(2 * x, 2 * y)[c] + at(2 * x + 1, 2 * y)[c] +
+                                                     at(2 * x, 2 * y + 1)[c] + at(2 * x + 1, 2 * y + 1)[c] + 2) /
+                                                    4);
+            small.push_back(mean);
+        }
+    return small;
+}
+} // namespace
+
+void spreadColours(Pixels& pixels, int width, int height) {
+    std::vector<Weighted> levels{{width, height, {}}};
+    for (const auto& p : pixels) {
+        const float weight = static_cast<float>(p[3]) / 255;
+        levels[0].sums.push_back({weight * p[0], weight * p[1], weight * p[2], weight});
+    }
+    while (levels.back().width > 1 || levels.back().height > 1) levels.push_back(halved(levels.back()));
+    for (std::size_t i = levels.size() - 1; i-- > 0;) fillFrom(levels[i], levels[i + 1]);
+    for (std::size_t i = 0; i < pixels.size(); ++i) {
+        const auto& sum = levels[0].sums[i];
+        if (pixels[i][3] == 255 || sum[3] <= 0) continue;
+        for (std::size_t c = 0; c < 3; ++c) pixels[i][c] = rounded(sum[c] / sum[3]);
+    }
+}
+
+std::vector<Pixels> mipmapsKeepingCoverage(const Pixels& pixels, int width, int height, double cut) {
+    const double wanted = coverage(pixels, cut, 1);
+    std::vector<Pixels> levels{pixels};
+    Pixels plain = pixels; // unscaled: errors do not add up
+    while (width > 1 || height > 1) {
+        plain = halved(plain, width, height);
+        width = std::max(1, width / 2);
+        height = std::max(1, height / 2);
+        const double scale = scaleFor(plain, cut, wanted);
+        levels.push_back(plain);
+        for (auto& p : levels.back()) p[3] = rounded(p[3] * scale);
+    }
+    return levels;
+}
+
+} // namespace stromar

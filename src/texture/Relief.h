@@ -1,0 +1,24 @@
+#pragma once
+#include "stromar/texture/TextureMaps.h"
+#include "stromar/util/Progress.h"
+#include <algorithm>
+#include <cmath>
+
+namespace stromar {
+
+constexpr std::size_t kRowsAtATime = 8;
+
+inline std::uint8_t toByte(double v) { return static_cast<std::uint8_t>(std::lround(std::clamp(v, 0.0, 255.0))); }
+
+inline double smoothStep(double low, double high, double x) {
+    const double t = std::clamp((x - low) / (high - low), 0.0, 1.0);
+    return t * t * (3 - 2 * t);
+}
+
+/// Makes all maps as large as `size` squared says; heights are kept apart with all their digits.
+TextureMaps squareMaps(int size);
+
+/// Normals from neighbouring heights, which stand `relief` sides of the picture high; the tile goes on at its edges.
+void addNormals(TextureMaps& maps, const std::vector<double>& heights, double relief, const CProgress& progress);
+
+} // namespace stromar
