@@ -1,4 +1,5 @@
 #include "LeafBlade.h"
+#include <algorithm>
 #include <cmath>
 #include <initializer_list>
 #include <span>
@@ -24,6 +25,8 @@ constexpr Row kOak[] = {{0, 0}, {0.12, 0.16}, {0.3, 0.34}, {0.4, 0.2}, {0.58, 0.
 constexpr Row kMaple3[] = {{0, 0}, {0.1, 0.3}, {0.42, 0.5}, {0.46, 0.24}, {0.7, 0.22}, {1, 0}};
 constexpr Row kMaple5[] = {{0, 0},      {0.06, 0.36}, {0.14, 0.42}, {0.2, 0.26}, {0.5, 0.5},
                            {0.52, 0.2}, {0.74, 0.24}, {0.78, 0.1},  {1, 0}};
+constexpr Row kLance[] = {{0, 0}, {0.1, 0.26}, {0.3, 0.5}, {0.55, 0.44}, {0.8, 0.22}, {1, 0}};
+constexpr Row kHeart[] = {{0, 0.3}, {0.06, 0.45}, {0.2, 0.5}, {0.45, 0.42}, {0.75, 0.18}, {1, 0}};
 constexpr Row kCard[] = {{0, 0.5}, {1, 0.5}};
 constexpr Row kNeedle[] = {{0, 0.5}, {0.8, 0.5}, {1, 0}};
 
@@ -36,10 +39,24 @@ constexpr Leaflet kNeedles[] = {{kNeedle, {0, 0}, 0, 1, 0.06},
                                 {kNeedle, {0, 0}, -0.22, 0.96, 0.06},
                                 {kNeedle, {0, 0}, 0.45, 0.88, 0.06},
                                 {kNeedle, {0, 0}, -0.45, 0.88, 0.06}};
+constexpr Leaflet kLances[] = {{kLance}}, kHearts[] = {{kHeart}};
+constexpr Leaflet kPinnate[] = {{kLance, {0, 0.22}, 1.1, 0.34, 0.32},  {kLance, {0, 0.22}, -1.1, 0.34, 0.32},
+                                {kLance, {0, 0.42}, 1.05, 0.38, 0.32}, {kLance, {0, 0.42}, -1.05, 0.38, 0.32},
+                                {kLance, {0, 0.6}, 0.95, 0.36, 0.32},  {kLance, {0, 0.6}, -0.95, 0.36, 0.32},
+                                {kLance, {0, 0.7}, 0, 0.3, 0.34}};
+constexpr Leaflet kPalmate[] = {{kLance, {0, 0.25}, 0, 0.75, 0.3},    {kLance, {0, 0.25}, 0.6, 0.68, 0.3},
+                                {kLance, {0, 0.25}, -0.6, 0.68, 0.3}, {kLance, {0, 0.25}, 1.2, 0.54, 0.3},
+                                {kLance, {0, 0.25}, -1.2, 0.54, 0.3}, {kLance, {0, 0.25}, 1.85, 0.36, 0.3},
+                                {kLance, {0, 0.25}, -1.85, 0.36, 0.3}};
+constexpr Leaflet kFan[] = {
+    {kLance, {0, 0.2}, 0, 0.8, 0.16},      {kLance, {0, 0.2}, 0.38, 0.78, 0.16},  {kLance, {0, 0.2}, -0.38, 0.78, 0.16},
+    {kLance, {0, 0.2}, 0.76, 0.74, 0.16},  {kLance, {0, 0.2}, -0.76, 0.74, 0.16}, {kLance, {0, 0.2}, 1.14, 0.68, 0.16},
+    {kLance, {0, 0.2}, -1.14, 0.68, 0.16}, {kLance, {0, 0.2}, 1.52, 0.6, 0.16},   {kLance, {0, 0.2}, -1.52, 0.6, 0.16}};
 /// By the word of LeafShape.
-constexpr std::span<const Leaflet> kShapes[] = {kOvals,   kTriangles, kOaks,  kMaples3,
-                                                kMaples5, kThree,     kCards, kNeedles};
+constexpr std::span<const Leaflet> kShapes[] = {kOvals,   kTriangles, kOaks,   kMaples3, kMaples5, kThree, kCards,
+                                                kNeedles, kLances,    kHearts, kPinnate, kPalmate, kFan};
 
+constexpr double kHalfTurn = 3.14159265358979323846;
 constexpr double kStalkWidth = 0.04; // parts of the length
 constexpr double kPictureAcross = 0.4,
                  kPictureAlong = 0.6; // of a picture that an outline shows: the inside of its leaf
@@ -69,6 +86,21 @@ public:
                 m_blade.points.push_back(
                     {{x, along, 0}, {0, 0, 1}, {0.5 + x / 4, 0.3 + 0.05 * along / m_stalk}}); // along the midrib
         for (const std::uint32_t corner : {0u, 1u, 3u, 0u, 3u, 2u}) m_blade.indices.push_back(first + corner);
+    }
+
+    /// The card once more, turned about its length, so that all stand at equal angles.
+    void addPlanes(int planes) {
+        const LeafBlade one = m_blade;
+        for (int k = 1; k < planes; ++k) {
+            const double turn = kHalfTurn * k / planes, c = std::cos(turn), s = std::sin(turn);
+            const auto first = static_cast<std::uint32_t>(m_blade.points.size());
+            const auto turned = [&](const glm::dvec3& v) {
+                return glm::dvec3(c * v.x - s * v.z, v.y, s * v.x + c * v.z);
+            };
+            for (const LeafBlade::Point& p : one.points)
+                m_blade.points.push_back({turned(p.place), turned(p.normal), p.texCoord});
+            for (const std::uint32_t corner : one.indices) m_blade.indices.push_back(first + corner);
+        }
     }
 
     LeafBlade take() { return std::move(m_blade); }
@@ -118,8 +150,43 @@ LeafBlade makeBlade(const GlobalParams& g, const Detail& detail) {
     const bool card = g.leafForm == 0 || !close;
     CBladeMaker maker(close ? g.leafFold : 0, g.leafStalk, card);
     for (const Leaflet& leaflet : card ? std::span<const Leaflet>(kCards) : kShapes[g.leafShape]) maker.add(leaflet);
+    if (card)
+        maker.addPlanes(detail.model == Model::Full && detail.lod == 3 ? std::min(2, g.leafPlanes) : g.leafPlanes);
     if (close) maker.addStalk();
     return maker.take();
+}
+
+LeafBlade makeCard() {
+    CBladeMaker maker(0, 0, true);
+    maker.add(kCards[0]);
+    return maker.take();
+}
+
+LeafBlade makeFruit(double stalk, const Detail& detail) {
+    const bool close = detail.model == Model::Full && detail.lod <= 1;
+    const int around = close ? 10 - 4 * detail.lod : 4, rings = close ? 6 - 2 * detail.lod : 2;
+    LeafBlade fruit;
+    // A pole has a vertex for each side, the rings between one more: the picture's edge.
+    const auto index = [&](int ring, int i) {
+        return static_cast<std::uint32_t>(ring * (around + 1) + i - (ring > 0));
+    };
+    for (int ring = 0; ring <= rings; ++ring)
+        for (int i = 0; i < around + (ring > 0 && ring < rings ? 1 : 0); ++i) {
+            const double down = kHalfTurn * ring / rings, turn = 2 * kHalfTurn * i / around;
+            const glm::dvec3 out(std::sin(down) * std::cos(turn), -std::cos(down), std::sin(down) * std::sin(turn));
+            fruit.points.push_back({{0.5 * out.x, stalk + 0.5 + 0.5 * out.y, 0.5 * out.z},
+                                    out,
+                                    {double(i) / around, 1 - double(ring) / rings}});
+            if (ring == rings || i == around) continue;
+            if (ring > 0)
+                for (const std::uint32_t corner : {index(ring, i), index(ring + 1, i), index(ring, i + 1)})
+                    fruit.indices.push_back(corner);
+            if (ring + 1 < rings)
+                for (const std::uint32_t corner :
+                     {index(ring, ring > 0 ? i + 1 : i), index(ring + 1, i), index(ring + 1, i + 1)})
+                    fruit.indices.push_back(corner);
+        }
+    return fruit;
 }
 
 } // namespace stromar

@@ -20,7 +20,12 @@ struct LeafBlade {
     std::vector<std::uint32_t> indices; ///< three per triangle, counter-clockwise seen from above
 };
 
-/// LeafShape as a card for a picture, or as its outline; with LeafFold and LeafStalk. Coarse models get plain cards.
+/// LeafShape as a card for a picture, or as its outline; with LeafFold, LeafPlanes and LeafStalk. Coarse models get
+/// plain cards.
 LeafBlade makeBlade(const GlobalParams& inRadians, const Detail& detail);
+/// A square for a picture.
+LeafBlade makeCard();
+/// An ellipsoid on a stalk of so many of its lengths.
+LeafBlade makeFruit(double stalk, const Detail& detail);
 
 } // namespace stromar

@@ -9,4 +9,16 @@ Bounds CMesh::bounds() const {
     return box;
 }
 
+std::shared_ptr<CMesh> allocateMesh(std::string name, Surface surface, std::size_t vertices, std::size_t indices) {
+    auto mesh = std::make_shared<CMesh>();
+    mesh->name = std::move(name);
+    mesh->surface = surface;
+    mesh->positions.resize(vertices);
+    mesh->normals.resize(vertices);
+    mesh->texCoords.resize(vertices);
+    mesh->openness.resize(vertices);
+    mesh->indices.resize(indices);
+    return mesh;
+}
+
 } // namespace stromar

@@ -1,8 +1,20 @@
 #include "stromar/mesh/Model.h"
+#include <algorithm>
+#include <cassert>
+#include <iterator>
 
 namespace stromar {
 
 namespace {
+using T = TextParams;
+constexpr SurfaceInfo kSurfaceTable[] = {
+    {"bark", {0.42f, 0.34f, 0.26f}, false, &T::barkTexture, "bark.png", true},
+    {"leaf", {0.30f, 0.45f, 0.18f}, true, &T::leafTexture, "leaf.png", true},
+    {"blossom", {0.95f, 0.88f, 0.90f}, true, &T::blossomTexture, "leaf:blossom", false},
+    {"fruit", {0.65f, 0.16f, 0.10f}, false, &T::fruitTexture, "bark:smooth spots=0 light=#c8402c dark=#7c1c18", false},
+};
+static_assert(std::size(kSurfaceTable) == kSurfaces.size());
+
 /// Sums over the meshes of all levels of detail.
 template <typename Count>
 std::size_t sum(const ExportModel& model, Count&& count) {
@@ -13,6 +25,14 @@ std::size_t sum(const ExportModel& model, Count&& count) {
     return all;
 }
 } // namespace
+
+const SurfaceInfo& surfaceOf(Surface surface) { return kSurfaceTable[static_cast<std::size_t>(surface)]; }
+
+std::size_t ExportModel::lookIndex(const CMesh& mesh) const {
+    const auto look = std::ranges::find(looks, mesh.surface, &SurfaceLook::surface);
+    assert(look != looks.end());
+    return static_cast<std::size_t>(look - looks.begin());
+}
 
 std::size_t ExportModel::vertexCount() const {
     return sum(*this, [](const CMesh& mesh) { return mesh.vertexCount(); });

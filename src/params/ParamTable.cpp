@@ -14,7 +14,8 @@ using std::string_view;
 constexpr string_view kShapes[] = {N_("conical"), N_("spherical"),       N_("hemispherical"), N_("cylindrical"), N_("tapered-cylindrical"),
                                    N_("flame"),   N_("inverse-conical"), N_("tend-flame"),    N_("envelope")};
 constexpr string_view kLeafShapes[] = {
-    N_("oval"), N_("triangle"), N_("three-lobe-oak"), N_("three-lobe-maple"), N_("five-lobe-maple"), N_("three-leaflets"), N_("square"), N_("needles")};
+    N_("oval"), N_("triangle"), N_("three-lobe-oak"), N_("three-lobe-maple"), N_("five-lobe-maple"), N_("three-leaflets"), N_("square"), N_("needles"),
+    N_("lance"), N_("heart"), N_("pinnate"), N_("palmate"), N_("fan")};
 constexpr string_view kLeafForms[] = {N_("card"), N_("outline")};
 constexpr string_view kSwitch[] = {N_("off"), N_("on")};
 constexpr string_view kMethods[] = {"weber-penn"};
@@ -62,6 +63,23 @@ constexpr Idle kNeedsAnySplits = [](const CParams& p, int) -> string_view {
 };
 constexpr Idle kNeedsOutline = [](const CParams& p, int) -> string_view {
     return p.global.leafForm != 0 ? "" : N_("A card shows what its texture shows: set Form to outline.");
+};
+constexpr Idle kNeedsCards = [](const CParams& p, int) -> string_view {
+    return p.global.leafForm == 0 ? "" : N_("Only cards have several planes: set Form to card.");
+};
+constexpr Idle kNeedsTrunks = [](const CParams& p, int) -> string_view {
+    return p.global.trunks > 1 ? "" : N_("The tree has only one trunk.");
+};
+constexpr Idle kNeedsSeasons = [](const CParams& p, int) -> string_view {
+    return p.global.leaves != 0 || p.global.blossoms > 0 || p.global.fruits > 0
+               ? ""
+               : N_("The tree has no leaves, blossoms or fruits.");
+};
+constexpr Idle kNeedsBlossoms = [](const CParams& p, int) -> string_view {
+    return p.global.blossoms > 0 ? "" : N_("The tree has no blossoms: their Number is 0.");
+};
+constexpr Idle kNeedsFruits = [](const CParams& p, int) -> string_view {
+    return p.global.fruits > 0 ? "" : N_("The tree has no fruits: their Number is 0.");
 };
 constexpr Idle kNeedsPruning = [](const CParams& p, int) -> string_view {
     return p.global.pruneRatio > 0 ? "" : N_("Nothing is pruned: Strength is 0.");
@@ -126,6 +144,26 @@ constexpr ParamInfo kParams[] = {
     {.key = "Seed", .label = N_("Seed"), .group = Group::Tree, .section = N_("Growth"), .field = &G::seed,
      .range = {-2147483647, 2147483647}, .useful = {0, 999}, .step = 1, .defaults = {13}, .obsolete = kFromTrunk,
      .help = N_("Every seed gives another tree of the same kind. The same seed always grows the same tree.")},
+    {.key = "Season", .label = N_("Month"), .group = Group::Tree, .section = N_("Season"), .field = &G::season,
+     .range = {0, 12}, .useful = {0, 12}, .step = 0.1, .decimals = 2, .defaults = {7}, .obsolete = kLeafMesh,
+     .help = N_("The time of the year: 0 is New Year, 4.5 spring, 7 summer, 10 autumn. Leaves, their colour, blossoms and fruits follow."),
+     .idle = kNeedsSeasons, .shown = {"Leaves=12 LeafScale=0.5 Levels=2", {4, 7, 10.3}}},
+    {.key = "Evergreen", .label = N_("Evergreen"), .group = Group::Tree, .section = N_("Season"), .field = &G::evergreen,
+     .range = {0, 1}, .useful = {0, 1}, .step = 1, .defaults = {0}, .obsolete = kLeafMesh,
+     .help = N_("On: the leaves stay, and stay green, through the winter."), .words = kSwitch,
+     .idle = kNeedsSeasons, .shown = {"Leaves=12 LeafScale=0.5 Levels=2 Season=1"}},
+    {.key = "Trunks", .label = N_("Trunks"), .group = Group::Tree, .section = N_("Several trunks"), .field = &G::trunks,
+     .range = {1, 200}, .useful = {1, 20}, .step = 1, .defaults = {1}, .obsolete = kFromTrunk,
+     .help = N_("How many trunks rise from one base: shrubs, clumps of bamboo."),
+     .shown = {"Levels=2 TrunksSpread=0.4 TrunksLean=15", {1, 3, 8}}},
+    {.key = "TrunksSpread", .label = N_("Spread"), .group = Group::Tree, .section = N_("Several trunks"), .unit = Unit::Metre,
+     .field = &G::trunksSpread, .range = {0, 100}, .useful = {0, 3}, .step = 0.05, .decimals = 2, .defaults = {0.2},
+     .obsolete = kFromTrunk, .help = N_("How far from the middle the outermost trunk stands."),
+     .idle = kNeedsTrunks, .shown = {"Levels=2 Trunks=5", {0.1, 0.6, 1.5}}},
+    {.key = "TrunksLean", .label = N_("Lean"), .group = Group::Tree, .section = N_("Several trunks"), .unit = Unit::Degree,
+     .field = &G::trunksLean, .range = {-90, 90}, .useful = {0, 60}, .step = 1, .decimals = 1, .defaults = {10},
+     .obsolete = kFromTrunk, .help = N_("How far the outermost trunk leans outwards; the others less."),
+     .idle = kNeedsTrunks, .shown = {"Levels=2 Trunks=5 TrunksSpread=0.2", {0, 20, 45}}},
 
     // The trunk's own values
     {.key = "0Scale", .label = N_("Radius factor"), .group = Group::Trunk, .section = N_("Thickness"), .field = &G::trunkScale,
@@ -162,6 +200,10 @@ constexpr ParamInfo kParams[] = {
      .range = {0, 5000}, .useful = {0, 150}, .step = 1, .defaults = {0, 10, 5, 5}, .obsolete = kFromOwnLevel,
      .help = N_("The most branches of this level that one parent can bear."), .firstLevel = 1,
      .shown = {.values = {4, 12, 40}}},
+    {.key = "Whorl", .label = N_("At one place"), .group = Group::Branches, .section = N_("Placement"), .field = &L::whorl,
+     .range = {1, 100}, .useful = {1, 12}, .step = 1, .defaults = {1, 1, 1, 1}, .obsolete = kFromOwnLevel,
+     .help = N_("How many branches leave their parent at the same height, all around it: 2 are opposite, more a whorl."),
+     .firstLevel = 1, .shown = {"1Branches=24 nBranchDistV=0 1DownAngle=80", {1, 2, 6}}},
     {.key = "BranchDist", .label = N_("Spread along segments"), .group = Group::Branches, .section = N_("Placement"),
      .field = &L::branchDist, .range = {0, 1}, .useful = {0, 1}, .step = 0.05, .decimals = 2, .defaults = {0, 1, 1, 1},
      .obsolete = kFromOwnLevel,
@@ -251,6 +293,10 @@ constexpr ParamInfo kParams[] = {
      .range = {-5000, 5000}, .useful = {-50, 100}, .step = 1, .defaults = {0}, .obsolete = kLeavesOnly,
      .help = N_("The most leaves that a stem of the last level bears. Negative values put them in a fan at its tip."),
      .shown = {.values = {6, 16, -7}}},
+    {.key = "LeafWhorl", .label = N_("At one place"), .group = Group::Leaves, .section = N_("Placement"), .field = &G::leafWhorl,
+     .range = {1, 50}, .useful = {1, 8}, .step = 1, .defaults = {1}, .obsolete = kLeavesOnly,
+     .help = N_("How many leaves leave a stem at the same place: 1 are alternate, 2 opposite, more a whorl."),
+     .shown = {"2Rotate=90 2DownAngle=60 2BranchDistV=0", {1, 2, 4}}},
     {.key = "LeafQuality", .label = N_("Density"), .group = Group::Leaves, .section = N_("Placement"), .field = &G::leafQuality,
      .range = {0.001, 100}, .useful = {0.05, 2}, .step = 0.05, .decimals = 3, .defaults = {1}, .obsolete = kLeavesOnly,
      .help = N_("Fewer but larger leaves below 1, more and smaller ones above: the leaf area stays."),
@@ -260,7 +306,7 @@ constexpr ParamInfo kParams[] = {
      .help = N_("How far the leaves turn outwards and up to the light."), .aliases = kLeafBendAliases,
      .shown = {.values = {0, 0.5, 1}}},
     {.key = "LeafShape", .label = N_("Shape"), .group = Group::Leaves, .section = N_("Blade"), .field = &G::leafShape,
-     .range = {0, 7}, .useful = {0, 7}, .step = 1, .defaults = {0}, .obsolete = kLeafMesh,
+     .range = {0, 12}, .useful = {0, 12}, .step = 1, .defaults = {0}, .obsolete = kLeafMesh,
      .help = N_("The kind of leaf: its outline where the form is 'outline'. A card shows what its texture shows."),
      .words = kLeafShapes,
      .idle = kNeedsOutline, .shown = {"1Branches=1 1DownAngle=90 1Length=0.05 1Curve=0 2DownAngle=0 Leaves=-1 LeafScale=0.8 LeafScaleX=0.9 LeafBend=0", {}, true}},
@@ -269,6 +315,10 @@ constexpr ParamInfo kParams[] = {
      .help = N_("A card is a rectangle with the leaf texture. An outline is cut to the shape and needs no transparency."),
      .words = kLeafForms,
      .shown = {"LeafShape=4 1Branches=1 1DownAngle=90 1Length=0.05 2DownAngle=0 Leaves=-1 LeafScale=0.8 LeafScaleX=0.9 LeafBend=0", {}, true}},
+    {.key = "LeafPlanes", .label = N_("Planes"), .group = Group::Leaves, .section = N_("Blade"), .field = &G::leafPlanes,
+     .range = {1, 6}, .useful = {1, 3}, .step = 1, .defaults = {1}, .obsolete = kLeafMesh,
+     .help = N_("How many cards, turned about their length, make one leaf: 2 or 3 for tufts and twigs of needles."),
+     .idle = kNeedsCards, .shown = {"LeafForm=0 LeafScaleX=0.3", {1, 2, 3}}},
     {.key = "LeafScale", .label = N_("Length"), .group = Group::Leaves, .section = N_("Blade"), .unit = Unit::Metre,
      .field = &G::leafScale, .range = {0.001, 50}, .useful = {0.02, 1}, .step = 0.01, .decimals = 3, .defaults = {0.2},
      .obsolete = kLeavesOnly, .help = N_("The length of a leaf."),
@@ -288,6 +338,40 @@ constexpr ParamInfo kParams[] = {
     {.key = "LeafRounding", .label = N_("Rounding"), .group = Group::Leaves, .section = N_("Shading"), .field = &G::leafRounding,
      .range = {0, 1}, .useful = {0, 1}, .step = 0.05, .decimals = 2, .defaults = {0}, .obsolete = kLeafMesh,
      .help = N_("Shades the leaves as if they were the surface of one round crown: softer light on dense crowns.")},
+
+    // Blossoms and fruits
+    {.key = "Blossoms", .label = N_("Number"), .group = Group::Blossom, .section = N_("Blossoms"), .field = &G::blossoms,
+     .range = {0, 5000}, .useful = {0, 60}, .step = 1, .defaults = {0}, .obsolete = kLeavesOnly,
+     .help = N_("The most blossoms that a stem of the last level bears. They stand where leaves could."),
+     .shown = {"Leaves=0 BlossomScale=0.15 Season=4.5", {2, 8, 20}}},
+    {.key = "BlossomScale", .label = N_("Size"), .group = Group::Blossom, .section = N_("Blossoms"), .unit = Unit::Metre,
+     .field = &G::blossomScale, .range = {0.001, 50}, .useful = {0.01, 0.5}, .step = 0.01, .decimals = 3, .defaults = {0.05},
+     .obsolete = kLeavesOnly, .help = N_("The length and width of a blossom, or of the cluster that its picture shows."),
+     .idle = kNeedsBlossoms, .shown = {"Leaves=0 Blossoms=8 Season=4.5", {0.08, 0.15, 0.3}}},
+    {.key = "BlossomMonth", .label = N_("Month"), .group = Group::Blossom, .section = N_("Blossoms"), .field = &G::blossomMonth,
+     .range = {0, 12}, .useful = {0, 12}, .step = 0.1, .decimals = 2, .defaults = {4.5}, .obsolete = kLeafMesh,
+     .help = N_("When the tree is in full blossom; it begins and ends most of a month before and after."),
+     .idle = kNeedsBlossoms},
+    {.key = "Fruits", .label = N_("Number"), .group = Group::Blossom, .section = N_("Fruits"), .field = &G::fruits,
+     .range = {0, 5000}, .useful = {0, 30}, .step = 1, .defaults = {0}, .obsolete = kLeavesOnly,
+     .help = N_("The most fruits that a stem of the last level bears."),
+     .shown = {"Leaves=0 FruitScale=0.1 Season=9", {1, 4, 12}}},
+    {.key = "FruitScale", .label = N_("Length"), .group = Group::Blossom, .section = N_("Fruits"), .unit = Unit::Metre,
+     .field = &G::fruitScale, .range = {0.001, 50}, .useful = {0.01, 0.3}, .step = 0.01, .decimals = 3, .defaults = {0.07},
+     .obsolete = kLeavesOnly, .help = N_("The length of a ripe fruit."),
+     .idle = kNeedsFruits, .shown = {"Leaves=0 Fruits=4 Season=9", {0.05, 0.1, 0.2}}},
+    {.key = "FruitScaleX", .label = N_("Width"), .group = Group::Blossom, .section = N_("Fruits"), .field = &G::fruitScaleX,
+     .range = {0.01, 100}, .useful = {0.2, 2}, .step = 0.05, .decimals = 2, .defaults = {1}, .obsolete = kLeavesOnly,
+     .help = N_("The width of a fruit as a part of its length: small for cones and pods."),
+     .idle = kNeedsFruits, .shown = {"Leaves=0 Fruits=4 Season=9 FruitScale=0.2", {0.3, 0.7, 1.2}}},
+    {.key = "FruitStalk", .label = N_("Stalk"), .group = Group::Blossom, .section = N_("Fruits"), .field = &G::fruitStalk,
+     .range = {0, 20}, .useful = {0, 3}, .step = 0.05, .decimals = 2, .defaults = {0.3}, .obsolete = kLeafMesh,
+     .help = N_("The length of the stalk that a fruit hangs on, as a part of its own length."),
+     .idle = kNeedsFruits, .shown = {"Leaves=0 Fruits=4 Season=9 FruitScale=0.12", {0, 0.6, 1.5}}},
+    {.key = "FruitMonth", .label = N_("Month"), .group = Group::Blossom, .section = N_("Fruits"), .field = &G::fruitMonth,
+     .range = {0, 12}, .useful = {0, 12}, .step = 0.1, .decimals = 2, .defaults = {9}, .obsolete = kLeafMesh,
+     .help = N_("When the fruits are ripe. They grow in the two months before and fall in the month after."),
+     .idle = kNeedsFruits},
 
     // Pruning
     {.key = "PruneRatio", .label = N_("Strength"), .group = Group::Pruning, .section = N_("Envelope"), .field = &G::pruneRatio,
@@ -328,13 +412,17 @@ constexpr TextInfo kTexts[] = {
     {"Author", N_("Author"), &TextParams::author, Group::Tree, N_("About"), Stage::None, N_("Who made the file.")},
     {"Description", N_("Description"), &TextParams::description, Group::Tree, N_("About"), Stage::None, N_("What the tree is like.")},
     {"Method", N_("Method"), &TextParams::method, Group::Tree, N_("About"), Stage::Structure,
-     N_("How the tree is grown: weber-penn."), false, false}, // there is only one
+     N_("How the tree is grown: weber-penn."), {}, false}, // there is only one
     {"LikedSeeds", N_("Liked seeds"), &TextParams::likedSeeds, Group::Tree, N_("Growth"), Stage::None,
-     N_("Seeds worth finding again, separated by blanks."), false, false}, // the window has a list of its own
+     N_("Seeds worth finding again, separated by blanks."), {}, false}, // the window has a list of its own
     {"BarkTexture", N_("Bark texture"), &TextParams::barkTexture, Group::Textures, N_("Bark"), Stage::Material,
-     N_("The picture on the stems; its path starts at the file's folder. A recipe as bark:furrowed seed=3 is drawn. Empty takes the built-in one."), true},
+     N_("The picture on the stems; its path starts at the file's folder. A recipe as bark:furrowed seed=3 is drawn. Empty takes the built-in one."), "bark"},
     {"LeafTexture", N_("Leaf texture"), &TextParams::leafTexture, Group::Textures, N_("Leaves"), Stage::Material,
-     N_("The picture on the leaves, transparent outside the blade. Empty takes the built-in one."), true},
+     N_("The picture on the leaves, transparent outside the blade. A recipe as leaf:oak seed=3 is drawn. Empty takes the built-in one."), "leaf"},
+    {"BlossomTexture", N_("Blossom texture"), &TextParams::blossomTexture, Group::Textures, N_("Blossoms and fruits"), Stage::Material,
+     N_("The picture on the blossoms. Empty draws leaf:blossom."), "leaf"},
+    {"FruitTexture", N_("Fruit texture"), &TextParams::fruitTexture, Group::Textures, N_("Blossoms and fruits"), Stage::Material,
+     N_("The skin of the fruits. Empty draws a red one."), "bark"},
 };
 // clang-format on
 
@@ -384,7 +472,7 @@ std::vector<ParamRef> collectParams() {
     addGlobals(Group::Tree);
     add(Group::Trunk, 0);
     for (int level = 1; level < kParamLevels; ++level) add(Group::Branches, level);
-    for (const Group group : {Group::Leaves, Group::Pruning, Group::Textures}) addGlobals(group);
+    for (const Group group : {Group::Leaves, Group::Blossom, Group::Pruning, Group::Textures}) addGlobals(group);
     return refs;
 }
 
@@ -502,13 +590,15 @@ string_view whyIdle(const ParamRef& ref, const CParams& params) {
     string_view why;
     if (ref.info->perLevel()) why = whyNoStems(ref, params);
     if (ref.info->group == Group::Leaves) why = whyNoLeaves(ref, params);
+    if (ref.info->group == Group::Blossom && params.global.levels < 2)
+        why = N_("Blossoms and fruits grow on branches, and the tree is a bare trunk.");
     if (ref.info->group == Group::Pruning) why = kNeedsBranches(params, 0);
     if (why.empty() && ref.info->idle) why = ref.info->idle(params, ref.level);
     return why;
 }
 
 string_view groupName(Group group) {
-    constexpr string_view kNames[] = {N_("Tree"), N_("Trunk"), N_("Branches"), N_("Leaves"), N_("Pruning"), N_("Textures")};
+    constexpr string_view kNames[] = {N_("Tree"), N_("Trunk"), N_("Branches"), N_("Leaves"), N_("Blossom"), N_("Pruning"), N_("Textures")};
     return kNames[static_cast<std::size_t>(group)];
 }
 

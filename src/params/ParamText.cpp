@@ -109,7 +109,7 @@ std::string rangeText(const ParamInfo& p) {
 template <typename Row>
 void forEachGroup(Row&& row) {
     for (const Group group :
-         {Group::Tree, Group::Trunk, Group::Branches, Group::Leaves, Group::Pruning, Group::Textures})
+         {Group::Tree, Group::Trunk, Group::Branches, Group::Leaves, Group::Blossom, Group::Pruning, Group::Textures})
         row(group);
 }
 

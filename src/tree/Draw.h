@@ -20,6 +20,8 @@ enum Draw : std::uint32_t {
     kDrawRotation = 12,
     kDrawCountPhase = 13,
     kDrawLeafId = 14,
+    kDrawBlossomId = 15,
+    kDrawFruitId = 16,
 };
 
 /// Into −½..½, whole numbers apart.

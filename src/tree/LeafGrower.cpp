@@ -1,6 +1,5 @@
 #include "LeafGrower.h"
 #include "Draw.h"
-#include "Placement.h"
 #include "stromar/util/Parallel.h"
 #include <cmath>
 #include <cstdlib>
@@ -13,14 +12,31 @@ namespace {
 constexpr std::size_t kGrain = 256;
 constexpr int kTaperedShape = 4; // ShapeRatio of the leaves along the parent
 
-double wrapped(double angle) { return std::remainder(angle, 2 * std::numbers::pi); }
+/// The frame carried towards a plumb line.
+Frame hanging(const Frame& frame, double share) {
+    const glm::dvec3 axis = (1 - share) * frame[2] + share * glm::dvec3(0, 0, -1);
+    const double length = glm::length(axis);
+    return length > 1e-9 ? transported(frame, axis / length) : frame;
+}
 
-std::uint64_t leafId(const CStem& stem, const CPath& path, std::uint32_t position, int i) {
+double wrapped(double angle) { return std::remainder(angle, 2 * std::numbers::pi); }
+} // namespace
+
+OrganRule organRule(const GlobalParams& g, Organ organ) {
+    switch (organ) {
+    case Organ::Blossom: return {g.blossoms, 1, 1, g.blossomScale, g.blossomScale, g.leafBend, 0, kDrawBlossomId};
+    case Organ::Fruit: return {g.fruits, 1, 1, g.fruitScale, g.fruitScale * g.fruitScaleX, 0, 0.85, kDrawFruitId};
+    default: break;
+    }
+    const double length = g.leafScale / std::sqrt(g.leafQuality);
+    return {g.leaves, g.leafQuality, g.leafWhorl, length, length * g.leafScaleX, g.leafBend, 0, kDrawLeafId};
+}
+
+std::uint64_t CLeafGrower::leafId(const CStem& stem, const CPath& path, std::uint32_t position, int i) const {
     const std::uint64_t site =
         hashCombine(hashCombine(stem.id, path.id), (std::uint64_t{position} << 32) | static_cast<std::uint32_t>(i));
-    return hashCombine(site, kDrawLeafId);
+    return hashCombine(site, m_rule.purpose);
 }
-} // namespace
 
 Frame bentToLight(const Frame& frame, const glm::dvec3& position, double bend) {
     if (bend == 0) return frame;
@@ -58,7 +74,7 @@ std::shared_ptr<const LeafArray> CLeafGrower::grow(const CGeneration& generation
 double CLeafGrower::numberOn(const CStem& stem) const {
     const GlobalParams& g = m_bearing.global();
     const double along = stem.measures.offset / stem.measures.parentLength;
-    return std::abs(g.leaves) * shapeRatio(kTaperedShape, along, g) * g.leafQuality;
+    return std::abs(m_rule.number) * shapeRatio(kTaperedShape, along, g) * m_rule.density;
 }
 
 double CLeafGrower::startError(const CStem& stem) const {
@@ -72,18 +88,18 @@ int CLeafGrower::fanSize(const CGeneration& generation, const CStem& stem, const
 
 std::size_t CLeafGrower::countOn(const CGeneration& generation, const CStem& stem) const {
     std::size_t count = 0;
-    if (m_bearing.global().leaves < 0) {
+    if (m_rule.number < 0) {
         for (std::uint32_t p = 0; p < stem.pathCount; ++p)
             count += static_cast<std::size_t>(fanSize(generation, stem, generation.paths[stem.firstPath + p]));
         return count;
     }
-    distribute(generation, stem, m_bearing.calc().bareLength(), numberOn(stem), startError(stem),
-               [&](const SegmentShare& share) { count += static_cast<std::size_t>(share.count); });
+    distribute(generation, stem, m_bearing.calc().bareLength(), nodesOn(stem), startError(stem),
+               [&](const SegmentShare& share) { count += static_cast<std::size_t>(share.count * m_rule.whorl); });
     return count;
 }
 
 void CLeafGrower::growOn(const CGeneration& generation, std::uint32_t stem, CLeaf* leaf) const {
-    if (m_bearing.global().leaves < 0)
+    if (m_rule.number < 0)
         growFans(generation, stem, leaf);
     else
         growAlong(generation, stem, leaf);
@@ -91,25 +107,37 @@ void CLeafGrower::growOn(const CGeneration& generation, std::uint32_t stem, CLea
 
 void CLeafGrower::growAlong(const CGeneration& generation, std::uint32_t s, CLeaf* leaf) const {
     const CStem& stem = generation.stems[s];
-    const LevelParams& level = m_leafLevel.level();
-    CRotation rotation(level.rotate);
+    CRotation rotation(m_leafLevel.level().rotate);
     std::uint32_t path = stem.pathCount;
-    distribute(generation, stem, m_bearing.calc().bareLength(), numberOn(stem), startError(stem),
+    distribute(generation, stem, m_bearing.calc().bareLength(), nodesOn(stem), startError(stem),
                [&](const SegmentShare& share) {
                    const CPath& own = generation.paths[stem.firstPath + share.path];
                    if (share.path != path) rotation.startPath(own.phase);
                    path = share.path;
-                   const CSegment& segment = generation.segments[share.segment];
-                   for (int i = 0; i < share.count; ++i) {
-                       const std::uint64_t id = leafId(stem, own, share.position, i);
-                       const double w = placeInSegment(share, i, 1, m_random.vary(level.branchDistV, id, kDrawPlace));
-                       const double offset = (share.position + w) * segment.length;
-                       const double turn = rotation.next(m_random.vary(level.rotateV, id, kDrawRotation));
-                       const double down = downAngle(level, m_bearing.calc(), stem.measures, offset,
-                                                     m_random.uniform(id, kDrawDownAngle));
-                       *leaf++ = makeLeaf(segment.centre(w), rotatedX(rotatedZ(segment.frame, turn), down), s);
-                   }
+                   for (int i = 0; i < share.count; ++i) growNode(generation, s, share, i, rotation, leaf);
                });
+}
+
+void CLeafGrower::growNode(const CGeneration& generation, std::uint32_t s, const SegmentShare& share, int node,
+                           CRotation& rotation, CLeaf*& leaf) const {
+    const CStem& stem = generation.stems[s];
+    const CSegment& segment = generation.segments[share.segment];
+    const CPath& own = generation.paths[stem.firstPath + share.path];
+    const LevelParams& level = m_leafLevel.level();
+    double w = 0, turn = 0;
+    for (int j = 0; j < m_rule.whorl; ++j) {
+        const std::uint64_t id = leafId(stem, own, share.position, node * m_rule.whorl + j);
+        const double variation = m_random.vary(level.rotateV, id, kDrawRotation);
+        if (j == 0) {
+            w = placeInSegment(share, node, 1, m_random.vary(level.branchDistV, id, kDrawPlace));
+            turn = rotation.next(variation);
+        } else
+            turn += 2 * std::numbers::pi / m_rule.whorl;
+        const double offset = (share.position + w) * segment.length;
+        const double down =
+            downAngle(level, m_bearing.calc(), stem.measures, offset, m_random.uniform(id, kDrawDownAngle));
+        *leaf++ = makeLeaf(segment.centre(w), rotatedX(rotatedZ(segment.frame, turn), down), s);
+    }
 }
 
 void CLeafGrower::growFans(const CGeneration& generation, std::uint32_t s, CLeaf* leaf) const {
@@ -131,10 +159,8 @@ void CLeafGrower::growFans(const CGeneration& generation, std::uint32_t s, CLeaf
 }
 
 CLeaf CLeafGrower::makeLeaf(const glm::dvec3& position, const Frame& frame, std::uint32_t stem) const {
-    const GlobalParams& g = m_bearing.global();
-    const Frame bent = bentToLight(frame, position, g.leafBend);
-    const double length = g.leafScale / std::sqrt(g.leafQuality);
-    return {position, bent[2], bent[1], length, length * g.leafScaleX, stem};
+    const Frame bent = bentToLight(m_rule.hang > 0 ? hanging(frame, m_rule.hang) : frame, position, m_rule.bend);
+    return {position, bent[2], bent[1], m_rule.length, m_rule.width, stem};
 }
 
 } // namespace stromar

@@ -1,4 +1,5 @@
 #pragma once
+#include "Placement.h"
 #include "stromar/params/TreeParams.h"
 #include "stromar/tree/Tree.h"
 #include "stromar/util/Progress.h"
@@ -6,12 +7,24 @@
 
 namespace stromar {
 
-/// Grows the leaves of the last generation (Weber & Penn §4.5, thesis §4.9). `bearing` is what that generation sees,
-/// `leafLevel` what the next one would: it places the leaves.
+/// How many organs of one kind there are and how large they are.
+struct OrganRule {
+    int number;           ///< on one stem at most; negative: in a fan at its tip
+    double density;       ///< times the number; areas stay
+    int whorl;            ///< at one place
+    double length, width; ///< metres
+    double bend;          ///< to the light, 0..1
+    double hang;          ///< 0 stands off its stem, 1 hangs down
+    std::uint32_t purpose;
+};
+OrganRule organRule(const GlobalParams& global, Organ organ);
+
+/// Grows the leaves, or what is placed like them, of the last generation (Weber & Penn §4.5, thesis §4.9). `bearing` is
+/// what that generation sees, `leafLevel` what the next one would: it places the leaves.
 class CLeafGrower {
 public:
-    CLeafGrower(const CTreeParams& bearing, const CTreeParams& leafLevel, const CRandom& random)
-        : m_bearing(bearing), m_leafLevel(leafLevel), m_random(random) {}
+    CLeafGrower(const CTreeParams& bearing, const CTreeParams& leafLevel, const CRandom& random, const OrganRule& rule)
+        : m_bearing(bearing), m_leafLevel(leafLevel), m_random(random), m_rule(rule) {}
 
     std::shared_ptr<const LeafArray> grow(const CGeneration& generation, const CProgress& progress) const;
 
@@ -19,15 +32,20 @@ private:
     std::size_t countOn(const CGeneration& generation, const CStem& stem) const;
     void growOn(const CGeneration& generation, std::uint32_t stem, CLeaf* leaf) const;
     void growAlong(const CGeneration& generation, std::uint32_t stem, CLeaf* leaf) const;
+    void growNode(const CGeneration& generation, std::uint32_t stem, const SegmentShare& share, int node,
+                  CRotation& rotation, CLeaf*& leaf) const;
     void growFans(const CGeneration& generation, std::uint32_t stem, CLeaf* leaf) const;
     double numberOn(const CStem& stem) const;
+    double nodesOn(const CStem& stem) const { return numberOn(stem) / m_rule.whorl; }
     double startError(const CStem& stem) const;
     int fanSize(const CGeneration& generation, const CStem& stem, const CPath& path) const;
+    std::uint64_t leafId(const CStem& stem, const CPath& path, std::uint32_t position, int i) const;
     CLeaf makeLeaf(const glm::dvec3& position, const Frame& frame, std::uint32_t stem) const;
 
     const CTreeParams& m_bearing;
     const CTreeParams& m_leafLevel;
     const CRandom& m_random;
+    OrganRule m_rule;
 };
 
 /// The frame turned outwards and up to the light by `bend` 0..1 (Weber & Penn §4.9).

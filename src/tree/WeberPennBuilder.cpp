@@ -7,6 +7,7 @@
 #include "stromar/util/Parallel.h"
 #include <cmath>
 #include <iterator>
+#include <numbers>
 
 namespace stromar {
 
@@ -73,33 +74,47 @@ private:
     void findOn(const CGeneration& generation, std::int32_t parent, std::vector<Site>& sites) const {
         const CStem& stem = generation.stems[static_cast<std::size_t>(parent)];
         const LevelParams& level = m_children.level();
-        const double number = m_parents.calc().childCount(level.branches, stem.measures);
+        const double number = m_parents.calc().childCount(level.branches, stem.measures) / level.whorl;
         const double error = centred(stem.key + 1.0 / 3 + m_random.phase(stem.id, kDrawCountPhase));
         CRotation rotation(level.rotate);
         std::uint32_t path = stem.pathCount;
         distribute(generation, stem, m_parents.calc().bareLength(), number, error, [&](const SegmentShare& share) {
             if (share.path != path) rotation.startPath(generation.paths[stem.firstPath + share.path].phase);
             path = share.path;
-            for (int i = 0; i < share.count; ++i) {
-                const Site site = makeSite(generation, parent, share, i, rotation);
-                if (site.measures.length > kLeastLength) sites.push_back(site);
-            }
+            for (int i = 0; i < share.count; ++i) addNode(generation, parent, share, i, rotation, sites);
         });
     }
 
+    /// A branch, or a whorl of them.
+    void addNode(const CGeneration& generation, std::int32_t parent, const SegmentShare& share, int node,
+                 CRotation& rotation, std::vector<Site>& sites) const {
+        const LevelParams& level = m_children.level();
+        const CStem& stem = generation.stems[static_cast<std::size_t>(parent)];
+        double w = 0, turn = 0;
+        for (int j = 0; j < level.whorl; ++j) {
+            const int i = node * level.whorl + j;
+            const std::uint64_t id = siteId(stem, generation.paths[stem.firstPath + share.path], share.position, i);
+            const double variation = m_random.vary(level.rotateV, id, kDrawRotation);
+            if (j == 0) {
+                w = placeInSegment(share, node, level.branchDist, m_random.vary(level.branchDistV, id, kDrawPlace));
+                turn = rotation.next(variation);
+            }
+            const double around = turn + 2 * std::numbers::pi * j / level.whorl + (j > 0 ? variation : 0);
+            const Site site = makeSite(generation, parent, share, i, id, w, around);
+            if (site.measures.length > kLeastLength) sites.push_back(site);
+        }
+    }
+
     Site makeSite(const CGeneration& generation, std::int32_t parent, const SegmentShare& share, int i,
-                  CRotation& rotation) const {
+                  std::uint64_t id, double w, double turn) const {
         const CStem& stem = generation.stems[static_cast<std::size_t>(parent)];
         const CSegment& segment = generation.segments[share.segment];
         const LevelParams& level = m_children.level();
         Site site{};
-        site.id = siteId(stem, generation.paths[stem.firstPath + share.path], share.position, i);
+        site.id = id;
         site.key = fraction(stem.key + 0.6180339887498949 * (i + 1) + 0.7320508075688772 * share.position +
                             0.41421356237309515 * share.path);
-        const double w =
-            placeInSegment(share, i, level.branchDist, m_random.vary(level.branchDistV, site.id, kDrawPlace));
         const double offset = (share.position + w) * segment.length;
-        const double turn = rotation.next(m_random.vary(level.rotateV, site.id, kDrawRotation));
         const double down =
             downAngle(level, m_parents.calc(), stem.measures, offset, m_random.uniform(site.id, kDrawDownAngle));
         site.frame = rotatedX(rotatedZ(segment.frame, turn), down);
@@ -237,16 +252,27 @@ std::shared_ptr<const CGeneration> growStems(const CTreeParams& params, const CR
     return generation;
 }
 
-Site trunkSite(const CTreeParams& params, const CRandom& random) {
+/// Where the i-th of several trunks stands, seeds in a sunflower: 0..1 of the spread, and at which angle.
+std::pair<double, double> placeOfTrunk(int i, int count) {
+    constexpr double kGoldenAngle = 2.399963229728653;
+    return {count == 1 ? 0 : std::sqrt((i + 0.5) / (count - 0.5)), i * kGoldenAngle};
+}
+
+Site trunkSite(const CTreeParams& params, const CRandom& random, int i) {
     const GlobalParams& g = params.global();
+    const auto [out, around] = placeOfTrunk(i, g.trunks);
     Site site{};
-    site.id = kTrunkId;
-    site.key = kTrunkKey;
+    site.id = i == 0 ? kTrunkId : hashCombine(kTrunkId, static_cast<std::uint64_t>(i));
+    site.key = fraction(kTrunkKey + 0.6180339887498949 * i);
     site.frame = Frame(1.0);
+    if (g.trunks > 1) {
+        site.base = out * g.trunksSpread * glm::dvec3(std::cos(around), std::sin(around), 0);
+        site.frame = rotatedX(rotatedZ(site.frame, around + std::numbers::pi / 2), out * g.trunksLean);
+    }
     site.parent = -1;
-    site.measures.lengthMax = params.level().length + random.vary(params.level().lengthV, kTrunkId, kDrawLength);
+    site.measures.lengthMax = params.level().length + random.vary(params.level().lengthV, site.id, kDrawLength);
     site.measures.length = params.calc().length(site.measures.lengthMax, {}, 0);
-    const double factor = g.trunkScale + random.vary(g.trunkScaleV, kTrunkId, kDrawTrunkScale);
+    const double factor = g.trunkScale + random.vary(g.trunkScaleV, site.id, kDrawTrunkScale);
     site.measures.radius = site.measures.length * g.ratio * std::max(factor, 0.1 * g.trunkScale);
     return site;
 }
@@ -255,8 +281,11 @@ std::vector<Site> sitesOf(int generation, const std::vector<std::shared_ptr<cons
                           const std::vector<CTreeParams>& params, const CRandom& random, const CProgress& progress) {
     const auto g = static_cast<std::size_t>(generation);
     if (generation > 0) return CSiteFinder(params[g - 1], params[g], random).find(*grown[g - 1], progress);
-    const Site trunk = trunkSite(params[0], random);
-    return trunk.measures.length > kLeastLength ? std::vector<Site>{trunk} : std::vector<Site>{};
+    std::vector<Site> trunks;
+    for (int i = 0; i < params[0].global().trunks; ++i)
+        if (const Site trunk = trunkSite(params[0], random, i); trunk.measures.length > kLeastLength)
+            trunks.push_back(trunk);
+    return trunks;
 }
 
 CRandom randomOf(const CParams& params, bool varied) {
@@ -285,9 +314,15 @@ std::shared_ptr<const CTree> CWeberPennBuilder::build(const CParams& params, con
                                          sitesOf(g, grown, seen, random, progress), progress));
     }
     const auto last = static_cast<std::size_t>(levels) - 1;
-    auto leaves = levels < 2 ? std::make_shared<const LeafArray>()
-                             : CLeafGrower(seen[last], seen[last + 1], random).grow(*grown[last], progress);
-    return std::make_shared<const CTree>(scale, std::move(grown), std::move(leaves));
+    OrganArrays organs;
+    for (const Organ organ : kOrgans) {
+        const OrganRule rule = organRule(params.global, organ);
+        organs[static_cast<std::size_t>(organ)] =
+            levels < 2 || rule.number == 0
+                ? std::make_shared<const LeafArray>()
+                : CLeafGrower(seen[last], seen[last + 1], random, rule).grow(*grown[last], progress);
+    }
+    return std::make_shared<const CTree>(scale, std::move(grown), std::move(organs));
 }
 
 } // namespace stromar

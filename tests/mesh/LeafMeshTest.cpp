@@ -119,7 +119,8 @@ TEST(LeafMesh, EveryShapeIsSoundAndAboutAsLargeAsItsCard) {
                 const auto mesh = leavesOf(*tree, params, detailOf(Model::Full));
                 SCOPED_TRACE("shape " + std::to_string(shape) + ", fold " + std::to_string(fold));
                 EXPECT_EQ(inWords(checkLeaves(*mesh)), "");
-                EXPECT_EQ(mesh->vertexCount(), tree->leaves().size() * verticesPerLeaf(params, detailOf(Model::Full)));
+                EXPECT_EQ(mesh->vertexCount(),
+                          tree->leaves().size() * verticesPerOrgan(params, Organ::Leaf, detailOf(Model::Full)));
                 EXPECT_LT(areaOf(*mesh), 1.01 * cards);
                 EXPECT_GT(areaOf(*mesh), (shape == 7 ? 0.1 : 0.3) * cards);
                 for (const glm::vec2& at : mesh->texCoords) {

@@ -43,7 +43,9 @@ TEST_P(PresetMesh, IsSound) {
                 EXPECT_EQ(inWords(faults), "") << label << all[g].mesh->name;
                 EXPECT_GT(faults.triangles, 0u) << label << all[g].mesh->name;
             }
-            EXPECT_EQ(inWords(checkLeaves(*meshOfLeaves(*tree, all.back().plan, seeded, detail, CProgress(2)))), "")
+            EXPECT_EQ(
+                inWords(checkLeaves(*meshOfOrgans(*tree, Organ::Leaf, all.back().plan, seeded, detail, CProgress(2)))),
+                "")
                 << label;
         }
 }

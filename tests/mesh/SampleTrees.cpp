@@ -39,6 +39,9 @@ void cap(CParams& params, const Caps& caps) {
     }
     params.global.leaves = std::clamp(params.global.leaves, -caps.leaves, caps.leaves);
     params.global.levels = std::min(params.global.levels, caps.levels);
+    params.global.blossoms = std::min(params.global.blossoms, caps.leaves);
+    params.global.fruits = std::min(params.global.fruits, caps.leaves);
+    params.global.trunks = std::min(params.global.trunks, 3);
 }
 
 /// What the useful ranges leave out or seldom hit.
@@ -121,7 +124,7 @@ std::vector<std::shared_ptr<const CMesh>> meshesOf(const CTree& tree, const CPar
     std::vector<std::shared_ptr<const CMesh>> meshes;
     const std::vector<StemMesh> all = meshAllStems(tree, params, detail, progress);
     for (const StemMesh& stems : all) meshes.push_back(stems.mesh);
-    meshes.push_back(meshOfLeaves(tree, all.back().plan, params, detail, progress));
+    meshes.push_back(meshOfOrgans(tree, Organ::Leaf, all.back().plan, params, detail, progress));
     return meshes;
 }
 

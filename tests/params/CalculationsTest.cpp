@@ -226,7 +226,8 @@ TEST(TreeParams, AnglesAreInRadiansAndNothingElse) {
              .rotate = 140,
              .rotateV = 18,
              .curveRes = 5,
-             .branches = 40};
+             .branches = 40,
+             .whorl = 2};
     const LevelParams seen = CTreeParams(params, 1, 10).level();
     const double pi = std::acos(-1.0);
     const std::pair<double, double> angles[] = {

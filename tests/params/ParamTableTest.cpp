@@ -14,53 +14,37 @@ using test::valueOf;
 /// The specification's table of parameters, copied by hand.
 const std::map<std::string, double>& specified() {
     static const std::map<std::string, double> defaults = [] {
-        std::map<std::string, double> all{{"Shape", 0},
-                                          {"BaseSize", 0.25},
-                                          {"Scale", 10},
-                                          {"ScaleV", 0},
-                                          {"ZScale", 1},
-                                          {"ZScaleV", 0},
-                                          {"Levels", 3},
-                                          {"Ratio", 0.05},
-                                          {"RatioPower", 1},
-                                          {"Lobes", 0},
-                                          {"LobeDepth", 0},
-                                          {"Flare", 0.5},
-                                          {"AttractionUp", 0},
-                                          {"0Scale", 1},
-                                          {"0ScaleV", 0},
-                                          {"0BaseSplits", 0},
-                                          {"Leaves", 0},
-                                          {"LeafShape", 0},
-                                          {"LeafForm", 0},
-                                          {"LeafStalk", 0},
-                                          {"LeafFold", 0},
-                                          {"LeafRounding", 0},
-                                          {"LeafScale", 0.2},
-                                          {"LeafScaleX", 0.5},
-                                          {"LeafBend", 0.3},
-                                          {"LeafQuality", 1},
-                                          {"PruneRatio", 0},
-                                          {"PruneWidth", 0.5},
-                                          {"PruneWidthPeak", 0.5},
-                                          {"PrunePowerLow", 0.5},
-                                          {"PrunePowerHigh", 0.5},
-                                          {"TextureWrapX", 1},
-                                          {"TextureWrapY", 1},
-                                          {"MinRadius", 0.0005},
-                                          {"CloneHalving", 1},
-                                          {"Seed", 13},
-                                          {"LobeFade", 1},
-                                          {"0Length", 1},
-                                          {"1Length", 0.5},
-                                          {"2Length", 0.5},
-                                          {"3Length", 0.5},
-                                          {"0CurveRes", 3},
-                                          {"1CurveRes", 3},
-                                          {"2CurveRes", 1},
-                                          {"3CurveRes", 1},
-                                          {"1Branches", 10},
-                                          {"2Branches", 5},
+        std::map<std::string, double> all{{"Shape", 0},           {"BaseSize", 0.25},
+                                          {"Scale", 10},          {"ScaleV", 0},
+                                          {"ZScale", 1},          {"ZScaleV", 0},
+                                          {"Levels", 3},          {"Ratio", 0.05},
+                                          {"RatioPower", 1},      {"Lobes", 0},
+                                          {"LobeDepth", 0},       {"Flare", 0.5},
+                                          {"AttractionUp", 0},    {"0Scale", 1},
+                                          {"0ScaleV", 0},         {"0BaseSplits", 0},
+                                          {"Leaves", 0},          {"LeafShape", 0},
+                                          {"LeafForm", 0},        {"LeafStalk", 0},
+                                          {"LeafWhorl", 1},       {"LeafPlanes", 1},
+                                          {"Season", 7},          {"Evergreen", 0},
+                                          {"Trunks", 1},          {"TrunksSpread", 0.2},
+                                          {"TrunksLean", 10},     {"Blossoms", 0},
+                                          {"BlossomScale", 0.05}, {"BlossomMonth", 4.5},
+                                          {"Fruits", 0},          {"FruitScale", 0.07},
+                                          {"FruitScaleX", 1},     {"FruitStalk", 0.3},
+                                          {"FruitMonth", 9},      {"LeafFold", 0},
+                                          {"LeafRounding", 0},    {"LeafScale", 0.2},
+                                          {"LeafScaleX", 0.5},    {"LeafBend", 0.3},
+                                          {"LeafQuality", 1},     {"PruneRatio", 0},
+                                          {"PruneWidth", 0.5},    {"PruneWidthPeak", 0.5},
+                                          {"PrunePowerLow", 0.5}, {"PrunePowerHigh", 0.5},
+                                          {"TextureWrapX", 1},    {"TextureWrapY", 1},
+                                          {"MinRadius", 0.0005},  {"CloneHalving", 1},
+                                          {"Seed", 13},           {"LobeFade", 1},
+                                          {"0Length", 1},         {"1Length", 0.5},
+                                          {"2Length", 0.5},       {"3Length", 0.5},
+                                          {"0CurveRes", 3},       {"1CurveRes", 3},
+                                          {"2CurveRes", 1},       {"3CurveRes", 1},
+                                          {"1Branches", 10},      {"2Branches", 5},
                                           {"3Branches", 5}};
         for (const std::string n : {"0", "1", "2", "3"}) {
             for (const char* zero :
@@ -69,6 +53,7 @@ const std::map<std::string, double>& specified() {
             all[n + "Taper"] = 1;
         }
         for (const std::string n : {"1", "2", "3"}) {
+            all[n + "Whorl"] = 1;
             all[n + "BranchDist"] = 1;
             all[n + "BranchDistV"] = 0.25;
             all[n + "DownAngle"] = 30;
@@ -101,7 +86,7 @@ TEST(ParamTable, RangesOfTheSpecification) {
         {"Shape", 0, 8},          {"BaseSize", 0, 1},     {"Levels", 1, 9},          {"LobeDepth", 0, 1},
         {"LobeFade", 0, 1},       {"0Taper", 0, 3},       {"1SplitAngle", 0, 180},   {"1SplitAngleV", 0, 180},
         {"1BranchDist", 0, 1},    {"1BranchDistV", 0, 1}, {"1DownAngle", -180, 180}, {"1Rotate", -360, 360},
-        {"LeafShape", 0, 7},      {"LeafBend", 0, 1},     {"PruneRatio", 0, 1},      {"PruneWidth", 0, 1},
+        {"LeafShape", 0, 12},     {"LeafBend", 0, 1},     {"PruneRatio", 0, 1},      {"PruneWidth", 0, 1},
         {"PruneWidthPeak", 0, 1}, {"CloneHalving", 0, 1}};
     for (const auto& [key, least, most] : exact) {
         EXPECT_EQ(param(key).info->range.min, least) << key;
@@ -161,7 +146,7 @@ TEST(ParamTable, IntegersAreRounded) {
         EXPECT_FALSE(ref.set(params, ref.info->range.min + 0.7)) << ref.key();
         EXPECT_EQ(ref.get(params), ref.info->range.min + 1) << ref.key();
     }
-    EXPECT_EQ(integers, 9 + 4 + 3); // whole tree, nCurveRes, nBranches
+    EXPECT_EQ(integers, 15 + 4 + 3 + 3); // whole tree, nCurveRes, nBranches, nWhorl
 }
 
 TEST(ParamTable, KeysAreFound) {
@@ -191,9 +176,10 @@ TEST(FirstObsolete, NothingForTheSameTree) { EXPECT_EQ(firstObsolete(CParams(), 
 
 TEST(FirstObsolete, EveryRowNamesItsStage) {
     const std::vector<std::string> nothing{"ZScale", "ZScaleV"};
-    const std::vector<std::string> mesh{"MinRadius",    "Lobes",        "LobeDepth",   "LobeFade",
-                                        "LeafShape",    "LeafForm",     "LeafStalk",   "LeafFold",
-                                        "LeafRounding", "TextureWrapX", "TextureWrapY"};
+    const std::vector<std::string> mesh{"MinRadius",    "Lobes",      "LobeDepth", "LobeFade",     "LeafShape",
+                                        "LeafForm",     "LeafStalk",  "LeafFold",  "LeafRounding", "TextureWrapX",
+                                        "TextureWrapY", "LeafPlanes", "Season",    "Evergreen",    "BlossomMonth",
+                                        "FruitStalk",   "FruitMonth"};
     const auto in = [](const std::vector<std::string>& list, const std::string& key) {
         return std::ranges::find(list, key) != list.end();
     };
@@ -225,7 +211,8 @@ TEST(FirstObsolete, TheLevelBehindTheLastPlacesTheLeaves) {
 }
 
 TEST(FirstObsolete, LeavesAlone) {
-    for (const char* key : {"Leaves", "LeafScale", "LeafScaleX", "LeafBend", "LeafQuality"})
+    for (const char* key : {"Leaves", "LeafScale", "LeafScaleX", "LeafBend", "LeafQuality", "LeafWhorl", "Blossoms",
+                            "BlossomScale", "Fruits", "FruitScale", "FruitScaleX"})
         EXPECT_EQ(afterChangeOf(param(key), CParams()), (Obsolete{Stage::Structure, Obsolete::kLeaves})) << key;
 }
 

@@ -22,7 +22,8 @@ CParams quietly(const std::string& lines) {
 CParams allChanged() {
     CParams params;
     for (const ParamRef& ref : allParams()) EXPECT_TRUE(ref.set(params, otherValue(*ref.info, ref.get(params))));
-    params.text = {"Oak # 1", "A \"B\" C", "  Žluťoučký kůň  ", "weber-penn", "4 17", "bark, old.png", "#leaf.png"};
+    params.text = {"Oak # 1",   "A \"B\" C", "  Žluťoučký kůň  ", "weber-penn", "4 17", "bark, old.png",
+                   "#leaf.png", "",          "leaf:blossom"};
     return params;
 }
 

@@ -85,8 +85,9 @@ TEST(Rebuild, EveryStructureRowHasAnEffect) {
     const CParams low =
         with(richTree(),
              {{"BaseSize", 0}, {"2SegSplits", 0.5}, {"1SplitAngle", 170}, {"2SplitAngle", 170}, {"3SplitAngle", 170}});
+    const CParams flowering = with(richTree(), {{"Levels", 2}, {"Trunks", 2}, {"Blossoms", 4}, {"Fruits", 3}});
     const std::vector<CParams> trees{richTree(), with(richTree(), {{"Shape", 8}}), with(richTree(), {{"Levels", 3}}),
-                                     low};
+                                     low, flowering};
     for (const ParamRef& ref : allParams()) {
         bool obsolete = false, changed = false;
         for (const CParams& before : trees)

@@ -90,7 +90,10 @@ inline std::string difference(const CTree& a, const CTree& b) {
     if (a.generationCount() != b.generationCount()) return "the number of generations";
     for (std::size_t g = 0; g < a.generationCount(); ++g)
         if (!same(a.generation(g), b.generation(g))) return "generation " + std::to_string(g);
-    return sameArrays(a.leaves(), b.leaves()) ? "" : "the leaves";
+    for (const Organ organ : kOrgans)
+        if (!sameArrays(*a.shared(organ), *b.shared(organ)))
+            return "organ " + std::to_string(static_cast<int>(organ)); // 0 the leaves
+    return "";
 }
 
 /// A small tree with some of everything: splits, a helix, graded angles, alternating branches, pruning, leaves.

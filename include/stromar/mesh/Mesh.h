@@ -1,13 +1,16 @@
 #pragma once
 #include "stromar/util/RawVector.h"
+#include <array>
 #include <cstdint>
 #include <glm/vec2.hpp>
 #include <glm/vec3.hpp>
+#include <memory>
 #include <string>
 
 namespace stromar {
 
-enum class Surface { Bark, Leaf };
+enum class Surface { Bark, Leaf, Blossom, Fruit };
+inline constexpr std::array kSurfaces{Surface::Bark, Surface::Leaf, Surface::Blossom, Surface::Fruit};
 
 struct Bounds {
     glm::vec3 min, max;
@@ -33,5 +36,8 @@ public:
     /// Of a mesh with vertices.
     Bounds bounds() const;
 };
+
+/// A mesh with so many vertices and indices, their values not yet set.
+std::shared_ptr<CMesh> allocateMesh(std::string name, Surface surface, std::size_t vertices, std::size_t indices);
 
 } // namespace stromar

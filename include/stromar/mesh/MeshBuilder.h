@@ -82,11 +82,12 @@ std::shared_ptr<const CMesh> meshOfStems(const CTree& tree, int generation, cons
 std::vector<StemMesh> meshAllStems(const CTree& tree, const CParams& params, const Detail& detail,
                                    const CProgress& progress);
 
-/// The leaves by LeafShape, LeafForm, LeafFold and LeafStalk, seen from above. Only the leaves on the stems that
-/// `last`, the plan of the last generation, chose; at most the detail's share, enlarged to keep their area as far as
-/// kMostLeafGrowth allows. Throws CCancelled.
-std::shared_ptr<const CMesh> meshOfLeaves(const CTree& tree, const MeshPlan& last, const CParams& params,
+/// The leaves by LeafShape, LeafForm, LeafFold, LeafPlanes and LeafStalk, seen from above; blossoms as cards, fruits as
+/// ellipsoids. As many and as large as the season has them. Only those on the stems that `last`, the plan of the last
+/// generation, chose; at most the detail's share, enlarged to keep their area as far as kMostLeafGrowth allows. Throws
+/// CCancelled.
+std::shared_ptr<const CMesh> meshOfOrgans(const CTree& tree, Organ organ, const MeshPlan& last, const CParams& params,
                                           const Detail& detail, const CProgress& progress);
-std::size_t verticesPerLeaf(const CParams& params, const Detail& detail);
+std::size_t verticesPerOrgan(const CParams& params, Organ organ, const Detail& detail);
 
 } // namespace stromar

@@ -8,7 +8,7 @@
 
 namespace stromar {
 
-enum class Group { Tree, Trunk, Branches, Leaves, Pruning, Textures };
+enum class Group { Tree, Trunk, Branches, Leaves, Blossom, Pruning, Textures };
 enum class Unit { None, Metre, Degree };
 
 /// What has to be done again, in the order of the work. A stage includes all that follow.
@@ -85,8 +85,10 @@ struct TextInfo {
     std::string_view section;
     Stage stage;
     std::string_view help;
-    bool path = false;
-    bool shown = true; ///< as a line of the panel
+    std::string_view recipes{}; ///< of a picture: which recipes are offered, "bark" or "leaf"
+    bool shown = true;          ///< as a line of the panel
+
+    constexpr bool path() const { return !recipes.empty(); }
 };
 
 std::span<const ParamInfo> paramTable();

@@ -10,10 +10,13 @@ constexpr int kParamLevels = 4; ///< sets of level values; generation 4 and deep
 struct GlobalParams {
     double scale, scaleV, zScale, zScaleV, baseSize, ratio, ratioPower, lobeDepth, lobeFade, flare, attractionUp;
     double trunkScale, trunkScaleV;
+    double trunksSpread, trunksLean;
     double leafScale, leafScaleX, leafBend, leafQuality, leafFold, leafStalk, leafRounding;
+    double season, blossomScale, blossomMonth, fruitScale, fruitScaleX, fruitStalk, fruitMonth;
     double pruneRatio, pruneWidth, pruneWidthPeak, prunePowerLow, prunePowerHigh;
     double textureWrapX, textureWrapY, minRadius;
     int shape, levels, lobes, baseSplits, leaves, leafShape, leafForm, cloneHalving, seed;
+    int trunks, evergreen, leafWhorl, leafPlanes, blossoms, fruits;
 
     bool operator==(const GlobalParams&) const = default;
 };
@@ -24,14 +27,15 @@ struct LevelParams {
     double curve, curveBack, curveV;
     double segSplits, splitAngle, splitAngleV;
     double branchDist, branchDistV, downAngle, downAngleV, rotate, rotateV;
-    int curveRes, branches;
+    int curveRes, branches, whorl;
 
     bool operator==(const LevelParams&) const = default;
 };
 
 /// What a file says in words. Texture paths are relative to the file; empty = the built-in picture.
 struct TextParams {
-    std::string species, author, description, method, likedSeeds, barkTexture, leafTexture;
+    std::string species, author, description, method, likedSeeds, barkTexture, leafTexture, blossomTexture,
+        fruitTexture;
 
     bool operator==(const TextParams&) const = default;
 };

@@ -2,6 +2,7 @@
 #include "stromar/params/Calculations.h"
 #include "stromar/tree/Frame.h"
 #include "stromar/util/RawVector.h"
+#include <array>
 #include <cstdint>
 #include <memory>
 #include <vector>
@@ -70,27 +71,33 @@ struct CLeaf {
 };
 using LeafArray = RawVector<CLeaf>;
 
+/// What grows on the stems of the last generation. Blossoms and fruits are placed like leaves.
+enum class Organ { Leaf, Blossom, Fruit };
+inline constexpr std::array kOrgans{Organ::Leaf, Organ::Blossom, Organ::Fruit};
+using OrganArrays = std::array<std::shared_ptr<const LeafArray>, kOrgans.size()>; ///< by Organ, none is null
+
 /// The structure of one tree. A value that shares what it did not change with the tree it was made from; safe to read
 /// from any thread.
 class CTree {
 public:
-    CTree(double scaleTree, std::vector<std::shared_ptr<const CGeneration>> generations,
-          std::shared_ptr<const LeafArray> leaves)
-        : m_scaleTree(scaleTree), m_generations(std::move(generations)), m_leaves(std::move(leaves)) {}
+    CTree(double scaleTree, std::vector<std::shared_ptr<const CGeneration>> generations, OrganArrays organs)
+        : m_scaleTree(scaleTree), m_generations(std::move(generations)), m_organs(std::move(organs)) {}
 
     /// Height by which all lengths are scaled, metres.
     double scaleTree() const { return m_scaleTree; }
     std::size_t generationCount() const { return m_generations.size(); }
     const CGeneration& generation(std::size_t g) const { return *m_generations[g]; }
     const std::vector<std::shared_ptr<const CGeneration>>& generations() const { return m_generations; }
-    const LeafArray& leaves() const { return *m_leaves; }
-    const std::shared_ptr<const LeafArray>& sharedLeaves() const { return m_leaves; }
+    const LeafArray& leaves() const { return *shared(Organ::Leaf); }
+    const std::shared_ptr<const LeafArray>& shared(Organ organ) const {
+        return m_organs[static_cast<std::size_t>(organ)];
+    }
     std::size_t stemCount() const;
 
 private:
     double m_scaleTree;
     std::vector<std::shared_ptr<const CGeneration>> m_generations;
-    std::shared_ptr<const LeafArray> m_leaves;
+    OrganArrays m_organs;
 };
 
 } // namespace stromar
