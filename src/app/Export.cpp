@@ -1,14 +1,14 @@
 #include "stromar/app/Export.h"
 #include "stromar/app/Formats.h"
 #include "stromar/params/ParamTable.h"
+#include "stromar/texture/TextureMaps.h"
+#include <algorithm>
 
 namespace stromar {
 
 namespace fs = std::filesystem;
 
 namespace {
-constexpr const char* kLookNames[] = {"bark", "leaf"};
-
 /// The model's name with only letters that every format and reader takes inside a line, a name or a path.
 std::string plainName(const fs::path& path) {
     constexpr std::string_view kUnsafe = " \"'\\#%&{}<>*?/$!:@+`|=,;()[]~^";
@@ -20,8 +20,7 @@ std::string plainName(const fs::path& path) {
 
 /// Where the copy of a picture goes: beside the model, named after it.
 fs::path pictureBeside(const fs::path& model, Surface surface, const fs::path& picture) {
-    return model.parent_path() /
-           (plainName(model) + "_" + kLookNames[static_cast<std::size_t>(surface)] + picture.extension().string());
+    return model.parent_path() / (plainName(model) + "_" + surfaceOf(surface).name + picture.extension().string());
 }
 
 /// Meshes in the unit and with the axis up that were chosen. Writers turn z to the axis that is usual in the format.
@@ -41,26 +40,44 @@ Meshes arranged(const Meshes& meshes, const ExportOptions& options, const Format
     return all;
 }
 
-/// Which of the two surfaces looks how; the pictures are put where the options want them.
-std::array<SurfaceLook, 2> looksOf(const TreeModel& model, const ExportOptions& options, const Format& format,
-                                   const fs::path& treeFolder, const fs::path& path, CFileSet& files) {
-    std::array<SurfaceLook, 2> looks;
-    const glm::vec3 colours[] = {{0.42f, 0.34f, 0.26f}, {0.30f, 0.45f, 0.18f}};
+bool isUsed(const std::vector<Meshes>& lods, Surface surface) {
+    return std::ranges::any_of(lods, [&](const Meshes& meshes) {
+        return std::ranges::any_of(meshes, [&](const auto& mesh) { return mesh->surface == surface; });
+    });
+}
+
+/// How a model's file refers to a picture, which is copied if that is wanted. Empty: it is embedded.
+std::string placed(const fs::path& picture, const fs::path& copy, ExportedTextures textures, const fs::path& model,
+                   CFileSet& files) {
+    if (textures == ExportedTextures::Refer)
+        return fs::proximate(picture, fs::absolute(model).parent_path()).generic_string();
+    if (textures != ExportedTextures::Copy) return {};
+    files.copy(picture, copy);
+    return copy.filename().string();
+}
+
+/// Which surface looks how; the pictures are put where the options want them.
+std::vector<SurfaceLook> looksOf(const CParams& params, const std::vector<Meshes>& lods, const ExportOptions& options,
+                                 const Format& format, const fs::path& treeFolder, const fs::path& path,
+                                 CFileSet& files) {
+    std::vector<SurfaceLook> looks;
     auto textures = static_cast<ExportedTextures>(options.textures);
     if (textures == ExportedTextures::Format)
         textures = format.pictures == Pictures::Inside ? ExportedTextures::Embed : ExportedTextures::Copy;
-    for (const Surface surface : {Surface::Bark, Surface::Leaf}) {
-        const auto i = static_cast<std::size_t>(surface);
-        looks[i] = {kLookNames[i], {}, {}, colours[i], surface == Surface::Leaf};
+    for (const Surface surface : kSurfaces) {
+        const SurfaceInfo& info = surfaceOf(surface);
+        if (!info.always && !isUsed(lods, surface)) continue;
+        SurfaceLook& look = looks.emplace_back(SurfaceLook{surface, info.name, {}, {}, info.colour, info.cutOut});
         if (format.pictures == Pictures::None) continue;
-        looks[i].picture = textureOf(model.params, surface, treeFolder);
-        const fs::path copy = pictureBeside(path, surface, looks[i].picture);
-        if (textures == ExportedTextures::Copy) {
-            files.copy(looks[i].picture, copy);
-            looks[i].texture = copy.filename().string();
+        look.picture = textureOf(params, surface, treeFolder);
+        const fs::path copy = pictureBeside(path, surface, look.picture);
+        look.texture = placed(look.picture, copy, textures, path, files);
+        if (!format.maps) continue;
+        for (auto [map, suffix] : {std::pair{&look.normal, "_normal"}, std::pair{&look.roughness, "_roughness"}}) {
+            const fs::path picture = mapBeside(look.picture, suffix);
+            if (std::error_code problem; !fs::is_regular_file(picture, problem)) continue;
+            *map = {placed(picture, mapBeside(copy, suffix), textures, path, files), picture};
         }
-        if (textures == ExportedTextures::Refer)
-            looks[i].texture = fs::proximate(looks[i].picture, fs::absolute(path).parent_path()).generic_string();
     }
     return looks;
 }
@@ -88,7 +105,7 @@ void exportModels(const std::vector<std::shared_ptr<const TreeModel>>& lods, con
     }
     makePictures(lods.front()->params, progress);
     CFileSet files(progress, static_cast<std::uint64_t>(format->bytesPerVertex * double(vertices)));
-    const auto looks = looksOf(*lods.front(), options, *format, treeFolder, path, files);
+    const auto looks = looksOf(lods.front()->params, meshes, options, *format, treeFolder, path, files);
     const auto write = [&](const std::string& suffix, std::size_t first, std::size_t count) {
         ExportModel model{plainName(path) + suffix, arranged(meshes[first], options, *format), {}, looks};
         for (std::size_t i = first + 1; i < first + count; ++i)

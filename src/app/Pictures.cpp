@@ -1,6 +1,9 @@
 #include "stromar/app/Pictures.h"
-#include "stromar/texture/Bark.h"
+#include "stromar/params/ParamTable.h"
+#include "stromar/texture/Draw.h"
 #include "stromar/util/Random.h"
+#include "stromar/util/Text.h"
+#include <cmath>
 #include <cstdlib>
 
 namespace stromar {
@@ -8,13 +11,23 @@ namespace stromar {
 namespace fs = std::filesystem;
 
 namespace {
-constexpr const char* kBuiltIn[] = {"bark.png", "leaf.png"};
-constexpr std::string_view kBark = "bark:";
-constexpr int kSize = 1024;
-constexpr std::uint64_t kLookVersion = 1; // rises when the same recipe is drawn differently
+constexpr int kTileSize = 1024, kCutOutSize = 512;
+constexpr double kSeasonSteps = 0.2;      // of a month: the picture follows the slider in so many
+constexpr std::uint64_t kLookVersion = 2; // rises when the same recipe is drawn differently
 
-const std::string& textureText(const CParams& params, Surface surface) {
-    return surface == Surface::Bark ? params.text.barkTexture : params.text.leafTexture;
+int sizeOf(Surface surface) { return surfaceOf(surface).cutOut ? kCutOutSize : kTileSize; }
+
+bool isShown(const CParams& params, Surface surface) {
+    if (surface == Surface::Blossom) return params.global.blossoms > 0;
+    return surface != Surface::Fruit || params.global.fruits > 0;
+}
+
+/// " season=9.4" where the month changes the picture.
+std::string seasonWords(const CParams& params) {
+    const GlobalParams& g = params.global;
+    const double month = std::round(g.season / kSeasonSteps) * kSeasonSteps;
+    const bool summer = month > 5.8 && month < 8.7;
+    return g.evergreen || summer ? std::string() : " season=" + numberText(month);
 }
 
 fs::path cacheFolder() {
@@ -24,8 +37,8 @@ fs::path cacheFolder() {
 }
 
 /// By the recipe's letters: the same recipe written otherwise is drawn again.
-fs::path recipeFile(std::string_view recipe) {
-    std::uint64_t hash = hashCombine(kLookVersion, kSize);
+fs::path recipeFile(std::string_view recipe, int size) {
+    std::uint64_t hash = hashCombine(kLookVersion, static_cast<std::uint64_t>(size));
     for (const char c : recipe) hash = hashCombine(hash, static_cast<unsigned char>(c));
     char name[32];
     std::snprintf(name, sizeof name, "%016llx.png", static_cast<unsigned long long>(hash));
@@ -41,25 +54,38 @@ fs::path dataFolder() {
     return fs::exists(installed / "presets", problem) ? installed : fs::path(STROMAR_SOURCE_FOLDER);
 }
 
-bool isRecipe(std::string_view texture) { return texture.starts_with(kBark); }
+std::string pictureOf(const CParams& params, Surface surface) {
+    const std::string& own = params.text.*surfaceOf(surface).texture;
+    std::string chosen = own.empty() ? surfaceOf(surface).standard : own;
+    const bool ages = surface == Surface::Leaf && isRecipe(chosen) && chosen.find(" season=") == std::string::npos;
+    return ages ? chosen + seasonWords(params) : chosen;
+}
 
 fs::path textureOf(const CParams& params, Surface surface, const fs::path& folder) {
-    const std::string& own = textureText(params, surface);
-    if (isRecipe(own)) return recipeFile(own);
-    return own.empty() ? dataFolder() / "textures" / kBuiltIn[static_cast<std::size_t>(surface)] : folder / own;
+    const std::string chosen = pictureOf(params, surface);
+    if (isRecipe(chosen)) return recipeFile(chosen, sizeOf(surface));
+    const bool own = !(params.text.*surfaceOf(surface).texture).empty();
+    return own ? folder / chosen : dataFolder() / "textures" / chosen;
+}
+
+SurfaceTextures texturesOf(const CParams& params, const fs::path& folder) {
+    SurfaceTextures all;
+    for (const Surface surface : kSurfaces)
+        if (isShown(params, surface)) all[static_cast<std::size_t>(surface)] = textureOf(params, surface, folder);
+    return all;
 }
 
 void makePictures(const CParams& params, const CProgress& progress) {
-    for (const Surface surface : {Surface::Bark, Surface::Leaf}) {
-        const std::string& recipe = textureText(params, surface);
-        if (!isRecipe(recipe)) continue;
-        const BarkParams bark = barkFromText(std::string_view(recipe).substr(kBark.size()));
-        const fs::path file = recipeFile(recipe);
+    for (const Surface surface : kSurfaces) {
+        const std::string recipe = pictureOf(params, surface);
+        if (!isRecipe(recipe) || !isShown(params, surface)) continue;
+        checkRecipe(recipe);
+        const fs::path file = textureOf(params, surface, {});
         if (fs::exists(file)) continue;
         std::error_code problem; // creating the file says it better
         fs::create_directories(file.parent_path(), problem);
         CFileSet files;
-        writePngs(makeBark(bark, kSize, progress), file, files);
+        writePngs(drawRecipe(recipe, sizeOf(surface), progress), file, files);
         files.commit();
     }
 }

@@ -63,11 +63,11 @@ double addedRings(const CParams& params, const Detail& detail, int generation, c
 Prediction predictSize(const CParams& params, const Detail& detail) {
     const GlobalParams& g = params.global;
     Prediction size{0, 0, 0};
-    double stems = 1, lastPaths = 1;
+    double stems = g.trunks, lastPaths = 1;
     for (int generation = 0; generation < g.levels; ++generation) {
         if (generation > 0) {
-            const double most = params.level[static_cast<std::size_t>(std::min(generation, kParamLevels - 1))].branches;
-            stems *= most > 0 ? most + 1 : 0;
+            const LevelParams& level = params.level[static_cast<std::size_t>(std::min(generation, kParamLevels - 1))];
+            stems *= level.branches > 0 ? level.branches + level.whorl : 0; // whole whorls
         }
         const StemBound bound = boundOfStem(params, generation);
         const double collars = generation > 0 ? detail.collarRings : 0;
@@ -76,12 +76,17 @@ Prediction predictSize(const CParams& params, const Detail& detail) {
         size.vertices += stems * (rings + 2 * bound.paths) * (ringPoints(params, detail, generation) + 1);
         lastPaths = bound.paths;
     }
-    if (g.levels > 1 && g.leaves != 0) {
-        const double each = std::abs(g.leaves) * g.leafQuality;
-        size.leaves = stems * (g.leaves > 0 ? each + 1 : each + lastPaths);
-    }
-    const double drawn = std::min(double(detail.leafBudget), std::ceil(size.leaves * detail.share));
-    size.vertices += double(verticesPerLeaf(params, detail)) * drawn;
+    if (g.levels < 2) return size;
+    const auto add = [&](Organ organ, double number, double whorl) {
+        if (number == 0) return;
+        const double count = stems * (std::abs(number) + (number > 0 ? whorl : lastPaths));
+        const double drawn = std::min(double(detail.leafBudget), std::ceil(count * detail.share));
+        size.vertices += double(verticesPerOrgan(params, organ, detail)) * drawn;
+        if (organ == Organ::Leaf) size.leaves = count;
+    };
+    add(Organ::Leaf, g.leaves * g.leafQuality, g.leafWhorl);
+    add(Organ::Blossom, g.blossoms, 1);
+    add(Organ::Fruit, g.fruits, 1);
     return size;
 }
 

@@ -8,7 +8,8 @@ namespace stromar {
 namespace {
 bool mayMove(const ParamRef& ref, const CParams& params) {
     const ParamInfo& info = *ref.info;
-    return info.words.empty() && !info.unused() && info.field != ParamInfo::Field(&GlobalParams::seed) &&
+    const auto is = [&](auto member) { return info.field == ParamInfo::Field(member); };
+    return info.words.empty() && !info.unused() && !is(&GlobalParams::seed) && !is(&GlobalParams::season) &&
            whyIdle(ref, params).empty();
 }
 

@@ -51,7 +51,9 @@ std::string countText(double count) {
 void TreeModel::visitMeshes(const MeshVisitor& visit) const {
     for (std::size_t g = 0; g < stems.size(); ++g)
         if (stems[g]->vertexCount() > 0) visit(stems[g], static_cast<int>(g));
-    if (leaves->vertexCount() > 0) visit(leaves, kLeaves);
+    for (const Organ organ : kOrgans)
+        if (const auto& mesh = organs[static_cast<std::size_t>(organ)]; mesh->vertexCount() > 0)
+            visit(mesh, kLeaves - static_cast<int>(organ));
 }
 
 std::vector<std::shared_ptr<const CMesh>> TreeModel::meshes() const {
@@ -95,7 +97,7 @@ std::shared_ptr<const TreeModel> CTreeCreator::create(const CParams& params, con
 
     MadeMeshes& made = m_made[static_cast<std::size_t>(&detail - detailTable().data())];
     const int generations = static_cast<int>(m_tree->generationCount());
-    made.resize(m_tree->generationCount() + 1);
+    made.resize(m_tree->generationCount() + kOrgans.size());
     for (int g = 0; g < generations; ++g) {
         const auto slot = static_cast<std::size_t>(g);
         model->stems.push_back(
@@ -109,10 +111,14 @@ std::shared_ptr<const TreeModel> CTreeCreator::create(const CParams& params, con
         model->milliseconds.mesh += watch.lap();
         progress.report(0.5 + 0.4 * (g + 1) / generations);
     }
-    const auto slotOfLast = static_cast<std::size_t>(generations - 1);
-    model->leaves = keptOr(made.back(), Obsolete::kLeaves, m_tree->sharedLeaves(), params, false, [&] {
-        return StemMesh{{}, meshOfLeaves(*m_tree, made[slotOfLast].stems.plan, params, detail, progress)};
-    });
+    const MeshPlan& last = made[m_tree->generationCount() - 1].stems.plan;
+    for (const Organ organ : kOrgans) {
+        const auto i = static_cast<std::size_t>(organ);
+        model->organs[i] =
+            keptOr(made[m_tree->generationCount() + i], Obsolete::kLeaves, m_tree->shared(organ), params, false, [&] {
+                return StemMesh{{}, meshOfOrgans(*m_tree, organ, last, params, detail, progress)};
+            });
+    }
     model->milliseconds.mesh += watch.lap();
     model->milliseconds.total = model->milliseconds.structure + model->milliseconds.smooth + model->milliseconds.mesh;
     progress.report(1);
@@ -140,8 +146,9 @@ void CTreeCreator::dropStaleMeshes() {
     for (MadeMeshes& made : m_made)
         for (MadeMesh& mesh : made) {
             const auto& generations = m_tree->generations();
-            const bool alive = mesh.source == m_tree->sharedLeaves() ||
-                               std::ranges::any_of(generations, [&](const auto& g) { return g == mesh.source; });
+            const auto shown = [&](const auto& part) { return part == mesh.source; };
+            const bool alive = std::ranges::any_of(generations, shown) ||
+                               std::ranges::any_of(kOrgans, [&](Organ organ) { return shown(m_tree->shared(organ)); });
             if (!alive) mesh = {};
         }
 }

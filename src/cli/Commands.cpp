@@ -3,7 +3,7 @@
 #include "stromar/app/Formats.h"
 #include "stromar/mesh/MeshCheck.h"
 #include "stromar/params/TreeFile.h"
-#include "stromar/texture/Bark.h"
+#include "stromar/texture/Draw.h"
 #include "stromar/util/Text.h"
 #include <algorithm>
 #include <glm/common.hpp>
@@ -87,7 +87,7 @@ std::size_t meshBytes(const TreeModel& model) {
 /// Area of the drawn leaves as a part of all leaves': thinning costs what growth cannot make up for.
 double leafAreaKept(const TreeModel& model) {
     const double all = double(model.tree->leaves().size());
-    const double drawn = double(model.leaves->vertexCount() / verticesPerLeaf(model.params, *model.detail));
+    const double drawn = double(model.leaves()->vertexCount() / verticesPerOrgan(model.params, Organ::Leaf, *model.detail));
     return drawn > 0 ? std::min(1.0, kMostLeafGrowth * kMostLeafGrowth * drawn / all) : all > 0 ? 0 : 1;
 }
 
@@ -121,6 +121,10 @@ void printFaultsHead(std::ostream& out) {
         << "collars" << std::setw(12) << "vertices" << std::setw(12) << "triangles";
     for (const MeshCheck& check : meshChecks()) out << "  " << check.name;
     out << "\n";
+}
+
+void refuseUnlessPng(const std::string& path) {
+    if (std::filesystem::path(path).extension() != ".png") throw CUsageError("pictures are written as .png");
 }
 
 /// One line of the table; false when something is wrong.
@@ -182,7 +186,7 @@ bool checkMeshes(const CommonOptions& common, const ModelOptions& options, std::
         const MeshFaults faults = checkStems(*model->tree, static_cast<int>(g), all[g], g > 0 ? &all[g - 1] : nullptr);
         sound &= printFaults(all[g].mesh->name, faults, out);
     }
-    sound &= printFaults(model->leaves->name, checkLeaves(*model->leaves), out);
+    sound &= printFaults(model->leaves()->name, checkLeaves(*model->leaves()), out);
     out << (sound ? "all sound\n" : "something is wrong\n");
     return sound;
 }
@@ -202,19 +206,29 @@ void exportTree(const CommonOptions& common, const ExportOptions& options, const
                         " vertices, " + std::to_string(lod->triangleCount()) + " triangles");
 }
 
+void renderTree(const CommonOptions& common, const RenderOptions& options, const std::string& path,
+                const CProgress& progress) {
+    refuseUnlessPng(path);
+    const auto model = createModel(common, detailOf(Model::Full), progress);
+    const Pixels pixels =
+        renderPicture(*model, std::filesystem::path(common.file).parent_path(), options, progress);
+    CFileSet files(progress);
+    writePng(pixels, options.width, options.height, path, files);
+    files.commit();
+}
+
 void writeTexture(const std::vector<std::string>& recipe, int size, const std::string& path,
                   const CProgress& progress) {
     std::string text;
     for (const std::string& word : recipe) text += (text.empty() ? "" : " ") + word;
-    if (std::filesystem::path(path).extension() != ".png") throw CUsageError("pictures are written as .png");
-    BarkParams bark;
+    refuseUnlessPng(path);
     try {
-        bark = barkFromText(text);
+        checkRecipe(text);
     } catch (const CError& e) {
         throw CUsageError(e.what());
     }
     CFileSet files(progress);
-    writePngs(makeBark(bark, size, progress), path, files);
+    writePngs(drawRecipe(text, size, progress), path, files);
     files.commit();
 }
 

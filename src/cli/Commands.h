@@ -1,5 +1,6 @@
 #pragma once
 #include "stromar/app/ExportOptions.h"
+#include "stromar/app/Render.h"
 #include "stromar/mesh/Detail.h"
 #include "stromar/util/Progress.h"
 #include <ostream>
@@ -38,8 +39,11 @@ void printStructure(const CommonOptions& common, std::ostream& out, const CProgr
 bool checkMeshes(const CommonOptions& common, const ModelOptions& model, std::ostream& out, const CProgress& progress);
 void exportTree(const CommonOptions& common, const ExportOptions& options, const std::string& path,
                 const CProgress& progress);
-/// Draws a bark, given as a kind and KEY=VALUE, and writes its pictures.
+/// Draws a recipe, "bark:birch" or "leaf:oak" and KEY=VALUE, and writes its pictures.
 void writeTexture(const std::vector<std::string>& recipe, int size, const std::string& path, const CProgress& progress);
+/// Draws the tree and writes the picture.
+void renderTree(const CommonOptions& common, const RenderOptions& options, const std::string& path,
+                const CProgress& progress);
 void printParams(ListStyle style, std::ostream& out);
 void printFormats(ListStyle style, std::ostream& out);
 

@@ -1,7 +1,10 @@
 #include "Commands.h"
 #include "Description.h"
 #include "stromar/texture/Bark.h"
+#include "stromar/texture/Leaf.h"
+#include "stromar/util/Text.h"
 #include <CLI/CLI.hpp>
+#include <algorithm>
 #include <csignal>
 #include <iostream>
 
@@ -25,6 +28,8 @@ struct Options {
     bool seedGiven = false;
     std::vector<std::string> recipe;
     int size = 1024;
+    RenderOptions rendered;
+    std::string pictureSize, season;
     bool markdown = false, json = false;
     bool lodGiven = false;
 
@@ -32,9 +37,24 @@ struct Options {
     void finish() {
         common.varied = variation == "on";
         model.simple = modelName == "simple";
+        if (!season.empty()) {
+            const auto named = std::ranges::find(seasonNames(), season, &SeasonName::name);
+            common.settings.push_back("Season=" + (named == seasonNames().end() ? season : numberText(named->month)));
+        }
+        if (!pictureSize.empty()) readPictureSize();
         if (seedGiven) common.settings.push_back("Seed=" + seed);
         if (model.simple && lodGiven)
             throw CUsageError("--lod belongs to the full model; the simple model has no levels of detail");
+    }
+    void readPictureSize() {
+        const std::size_t cross = pictureSize.find('x');
+        const auto width = parseNumber(std::string_view(pictureSize).substr(0, cross)),
+                   height = cross == std::string::npos ? width
+                                                       : parseNumber(std::string_view(pictureSize).substr(cross + 1));
+        const auto fits = [](const std::optional<double>& side) { return side && *side >= 16 && *side <= 8192; };
+        if (!fits(width) || !fits(height)) throw CUsageError("--size wants WxH, each from 16 to 8192 pixels");
+        rendered.width = static_cast<int>(*width);
+        rendered.height = static_cast<int>(*height);
     }
 };
 
@@ -45,10 +65,12 @@ std::string joined(std::span<const std::string_view> words) {
     return all + "}";
 }
 
-std::string barkKeys() {
-    std::string all;
-    for (const BarkParam& row : barkTable()) all += (all.empty() ? "" : ", ") + std::string(row.key);
-    return all;
+/// "bark:{furrowed,…} with seed, ridges …"
+template <typename Params>
+std::string described(const RecipeBook<Params>& book) {
+    std::string keys;
+    for (const auto& row : book.table) keys += (keys.empty() ? "" : ", ") + std::string(row.key);
+    return std::string(book.what) + ":" + joined(book.kinds) + " with " + keys;
 }
 
 void addCommon(CLI::App& command, Options& options) {
@@ -95,6 +117,31 @@ void addExport(CLI::App& command, ExportOptions& options) {
     }
 }
 
+/// The names of a table's rows.
+template <typename Rows>
+std::vector<std::string_view> namesOf(const Rows& rows) {
+    std::vector<std::string_view> names;
+    for (const auto& row : rows) names.push_back(row.name);
+    return names;
+}
+
+void addRender(CLI::App& command, Options& options) {
+    const std::vector<std::string_view> views = namesOf(renderViews());
+    std::vector<std::pair<std::string, int>> numbers;
+    for (const std::string_view view : views) numbers.emplace_back(view, static_cast<int>(numbers.size()));
+    command.add_option("-o,--output", options.output, "The picture to write")->required()->type_name("OUT.png");
+    command.add_option("--size", options.pictureSize, "Pixels; default: 800x800")->type_name("WxH");
+    command.add_option("--view", options.rendered.view, "From where")
+        ->transform(CLI::Transformer(numbers))
+        ->option_text(joined(views));
+    command.add_option("--season", options.season, "A season, " + joined(namesOf(seasonNames())) + ", or a month")
+        ->type_name("NAME");
+    command.add_option("--hour", options.rendered.hour, "The time of the day: where the sun stands")
+        ->check(CLI::Range(0, 24));
+    command.add_option("--samples", options.rendered.samples, "For smooth edges; 1 is fast")->check(CLI::Range(1, 16));
+    command.add_flag("--transparent", options.rendered.transparent, "No sky and no ground");
+}
+
 /// The exit status.
 int run(const CLI::App& app, Options& options) {
     const CLI::App& command = *app.get_subcommands().front();
@@ -109,6 +156,7 @@ int run(const CLI::App& app, Options& options) {
     bool sound = true;
     if (name == "check") sound = checkMeshes(options.common, options.model, std::cout, progress);
     if (name == "export") exportTree(options.common, options.exported, options.output, progress);
+    if (name == "render") renderTree(options.common, options.rendered, options.output, progress);
     if (name == "texture") writeTexture(options.recipe, options.size, options.output, progress);
     if (name == "params") printParams(options.style(), std::cout);
     if (name == "formats") printFormats(options.style(), std::cout);
@@ -125,18 +173,22 @@ void setUp(CLI::App& app, Options& options) {
     CLI::App* structure = app.add_subcommand("structure", "Every stem, as JSON lines");
     CLI::App* checker = app.add_subcommand("check", "Looks for faults in the meshes; fails when there are any");
     CLI::App* exporter = app.add_subcommand("export", "Writes a model; the ending of its name says the format");
-    CLI::App* texture = app.add_subcommand("texture", "Draws a bark that can be laid side by side, with its relief");
+    CLI::App* renderer = app.add_subcommand("render", "Draws a picture of a tree, without a window");
+    CLI::App* texture =
+        app.add_subcommand("texture", "Draws a bark that can be laid side by side, or a leaf, with their relief");
     CLI::App* params = app.add_subcommand("params", "The table of parameters");
     CLI::App* formats = app.add_subcommand("formats", "What can be written, and what each format loses");
-    for (CLI::App* command : {info, structure, checker, exporter}) addCommon(*command, options);
+    for (CLI::App* command : {info, structure, checker, exporter, renderer}) addCommon(*command, options);
     for (CLI::App* command : {info, checker}) addModel(*command, options);
+    addRender(*renderer, options);
     addExport(*exporter, options.exported);
     exporter->add_option("-o,--output", options.output, "The model to write")->required()->type_name("OUT.ext");
     texture
         ->add_option("recipe", options.recipe,
-                     "A kind, " + joined(barkKinds()) + ", and what differs from it: " + barkKeys())
+                     "What to draw, and what differs from it: " + described(barkBook()) + "; or " +
+                         described(leafBook()))
         ->required()
-        ->type_name("KIND KEY=VALUE");
+        ->type_name("BOOK:KIND KEY=VALUE");
     texture->add_option("--size", options.size, "Pixels of a side")->check(CLI::Range(16, 8192))->capture_default_str();
     texture->add_option("-o,--output", options.output, "The picture; its relief goes beside it")
         ->required()

@@ -1,12 +1,10 @@
-#include "SceneRenderer.h"
+#include "Display.h"
 #include <QCoreApplication>
 #include <QOffscreenSurface>
 #include <QOpenGLContext>
 #include <QOpenGLFunctions>
-#include <algorithm>
-#include <osg/DisplaySettings>
 
-namespace stromar {
+namespace stromar::display {
 
 namespace {
 constexpr int kSamples = 4;
@@ -20,10 +18,10 @@ struct Display {
 
 Display askDisplay() {
     QOffscreenSurface surface;
-    surface.setFormat(CSceneRenderer::surfaceFormat(0));
+    surface.setFormat(surfaceFormat(0));
     surface.create();
     QOpenGLContext context;
-    context.setFormat(CSceneRenderer::surfaceFormat(0));
+    context.setFormat(surfaceFormat(0));
     if (!context.create() || !context.makeCurrent(&surface)) return {};
     const auto* name = reinterpret_cast<const char*>(context.functions()->glGetString(GL_RENDERER));
     const Display display{true,
@@ -37,9 +35,15 @@ const Display& thisDisplay() {
     static const Display display = askDisplay();
     return display;
 }
+
+bool drawsInSoftware() {
+    const QString& renderer = thisDisplay().renderer;
+    return renderer.contains(QLatin1String("llvmpipe")) || renderer.contains(QLatin1String("softpipe")) ||
+           renderer.contains(QLatin1String("SWR"));
+}
 } // namespace
 
-QSurfaceFormat CSceneRenderer::surfaceFormat(int samples) {
+QSurfaceFormat surfaceFormat(int samples) {
     QSurfaceFormat format;
     format.setRenderableType(QSurfaceFormat::OpenGL);
     format.setProfile(QSurfaceFormat::CompatibilityProfile);
@@ -51,7 +55,7 @@ QSurfaceFormat CSceneRenderer::surfaceFormat(int samples) {
     return format;
 }
 
-bool CSceneRenderer::available(QString& why) {
+bool available(QString& why) {
     const Display& display = thisDisplay();
     if (display.version >= std::pair(2, 1)) return true;
     why = display.hasContext
@@ -65,51 +69,6 @@ bool CSceneRenderer::available(QString& why) {
     return false;
 }
 
-bool CSceneRenderer::drawsInSoftware() {
-    const QString& renderer = thisDisplay().renderer;
-    return renderer.contains(QLatin1String("llvmpipe")) || renderer.contains(QLatin1String("softpipe")) ||
-           renderer.contains(QLatin1String("SWR"));
-}
+int bestSamples() { return drawsInSoftware() ? 0 : kSamples; }
 
-int CSceneRenderer::bestSamples() { return drawsInSoftware() ? 0 : kSamples; }
-
-CSceneRenderer::CSceneRenderer(osg::Group* scene) : m_viewer(new osgViewer::Viewer) {
-    osg::DisplaySettings::instance()->setVertexBufferHint(osg::DisplaySettings::VERTEX_BUFFER_OBJECT);
-    m_viewer->setThreadingModel(osgViewer::ViewerBase::SingleThreaded);
-    m_viewer->setKeyEventSetsDone(0);
-    m_viewer->setQuitEventSetsDone(false);
-    m_viewer->setReleaseContextAtEndOfFrameHint(false);
-    m_viewer->setLightingMode(osg::View::NO_LIGHT);
-    osg::Camera* camera = m_viewer->getCamera();
-    camera->setDrawBuffer(GL_COLOR_ATTACHMENT0); // a frame buffer object, not a window
-    camera->setReadBuffer(GL_COLOR_ATTACHMENT0);
-    camera->setClearColor(osg::Vec4(0, 0, 0, 0));
-    m_viewer->setSceneData(scene);
-}
-
-void CSceneRenderer::attach() {
-    m_window = new osgViewer::GraphicsWindowEmbedded(0, 0, 16, 16);
-    m_viewer->getCamera()->setGraphicsContext(m_window.get());
-    m_viewer->getCamera()->setViewport(0, 0, 16, 16);
-    m_viewer->realize();
-}
-
-void CSceneRenderer::detach() {
-    if (!m_window) return;
-    m_window->close();
-    m_viewer->getCamera()->setGraphicsContext(nullptr);
-    m_window = nullptr;
-}
-
-void CSceneRenderer::draw(unsigned frameBuffer, const QSize& pixels, const CCamera& camera) {
-    const double aspect = double(pixels.width()) / std::max(1, pixels.height());
-    m_window->resized(0, 0, pixels.width(), pixels.height());
-    m_window->setDefaultFboId(frameBuffer); // changes when a widget is resized or moved to another parent
-    osg::Camera* eye = m_viewer->getCamera();
-    eye->setViewport(0, 0, pixels.width(), pixels.height());
-    eye->setProjectionMatrix(camera.projection(aspect));
-    eye->setViewMatrix(camera.view());
-    m_viewer->frame();
-}
-
-} // namespace stromar
+} // namespace stromar::display

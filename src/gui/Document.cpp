@@ -1,6 +1,6 @@
 #include "Document.h"
 #include "QtText.h"
-#include "stromar/app/Pictures.h"
+#include "stromar/texture/Draw.h"
 #include <QFileInfo>
 #include <QUndoCommand>
 
@@ -12,7 +12,7 @@ namespace {
 CParams rebased(CParams params, const fs::path& from, const fs::path& to) {
     if (from == to) return params;
     for (const TextInfo& text : textTable())
-        if (text.path) params.text.*text.field = rebasedPath(params.text.*text.field, from, to);
+        if (text.path()) params.text.*text.field = rebasedPath(params.text.*text.field, from, to);
     return params;
 }
 
@@ -20,7 +20,7 @@ CParams rebased(CParams params, const fs::path& from, const fs::path& to) {
 CParams withWholePaths(CParams params, const fs::path& folder) {
     for (const TextInfo& text : textTable())
         if (std::string& picture = params.text.*text.field;
-            text.path && !picture.empty() && !isRecipe(picture) && !folder.empty())
+            text.path() && !picture.empty() && !isRecipe(picture) && !folder.empty())
             picture = (folder / picture).lexically_normal().generic_string();
     return params;
 }

@@ -98,7 +98,7 @@ Picture makePicture(const ParamRef& ref, const Demonstration& shown, const QPale
     const auto concerned = ref.info->perLevel() ? std::size_t(std::min(ref.level, 1)) : model.stems.size();
     for (std::size_t level = 0; level < model.stems.size(); ++level)
         addFaces(picture, *model.stems[level], level == concerned ? accent : bark, turn, above);
-    addFaces(picture, *model.leaves, leaf, turn, above);
+    addFaces(picture, *model.leaves(), leaf, turn, above);
     std::ranges::sort(picture.faces, {}, &Face::depth);
     picture.caption = captionOf(*ref.info, shown.value);
     return picture;

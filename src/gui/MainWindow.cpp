@@ -1,6 +1,7 @@
 #include "MainWindow.h"
 #include "Autosave.h"
 #include "Commands.h"
+#include "Display.h"
 #include "ExportJob.h"
 #include "Gesture.h"
 #include "HelpWindow.h"
@@ -95,7 +96,7 @@ void CMainWindow::makeCentre() {
     column->setContentsMargins(0, 0, 0, 0);
     column->setSpacing(0);
     column->addWidget(m_bar);
-    if (QString why; CSceneRenderer::available(why))
+    if (QString why; display::available(why))
         column->addWidget(m_viewport, 1);
     else {
         m_withoutPicture.reset(m_viewport); // Qt fails when a window without OpenGL holds it

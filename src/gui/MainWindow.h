@@ -4,6 +4,7 @@
 #include "TreeCreatorThread.h"
 #include "ViewDesk.h"
 #include "stromar/app/ExportOptions.h"
+#include "stromar/app/Pictures.h"
 #include <QMainWindow>
 #include <QPointer>
 #include <QTimer>
@@ -163,7 +164,7 @@ private:
     std::shared_ptr<const ViewModel> m_shown;
     std::unique_ptr<CExportJob> m_export;
     std::unique_ptr<CAutosave> m_autosave;
-    QString m_shownBark, m_shownLeaf;
+    SurfaceTextures m_shownTextures;
     QByteArray m_firstLayout;
     std::optional<Model> m_only;
     double m_mostVertices;

@@ -6,6 +6,7 @@
 #include "PresetBrowser.h"
 #include "QtText.h"
 #include "stromar/app/Prediction.h"
+#include "stromar/texture/Draw.h"
 #include <QCloseEvent>
 #include <QDir>
 #include <QDragEnterEvent>
@@ -214,16 +215,16 @@ void CMainWindow::setTexture(const TextInfo& text, const QString& path) {
 }
 
 void CMainWindow::updateTextures() {
-    const auto update = [this](Surface surface, QString& shown) {
-        const QString file = fromPath(textureOf(m_document->params(), surface, m_document->folder()));
-        const TextParams& text = m_document->params().text;
-        const bool drawn = !isRecipe(surface == Surface::Bark ? text.barkTexture : text.leafTexture);
-        if (file == shown || (!drawn && !QFileInfo::exists(file))) return; // a recipe's picture comes with its tree
-        shown = file;
-        if (const QString problem = m_viewport->setTexture(surface, file); !problem.isEmpty()) onFailed(problem);
-    };
-    update(Surface::Bark, m_shownBark);
-    update(Surface::Leaf, m_shownLeaf);
+    const CParams& params = m_document->params();
+    const SurfaceTextures wanted = texturesOf(params, m_document->folder());
+    for (const Surface surface : kSurfaces) {
+        const auto i = static_cast<std::size_t>(surface);
+        if (wanted[i] == m_shownTextures[i] || wanted[i].empty()) continue;
+        std::error_code problem; // a recipe's picture comes with its tree
+        if (isRecipe(pictureOf(params, surface)) && !std::filesystem::exists(wanted[i], problem)) continue;
+        m_shownTextures[i] = wanted[i];
+        if (const QString why = m_viewport->setTexture(surface, fromPath(wanted[i])); !why.isEmpty()) onFailed(why);
+    }
 }
 
 void CMainWindow::dragEnterEvent(QDragEnterEvent* event) {

@@ -1,9 +1,10 @@
 #include "OffscreenPainter.h"
+#include "Display.h"
 #include <QOpenGLFramebufferObject>
 
 namespace stromar {
 
-COffscreenPainter::COffscreenPainter() : m_renderer(m_scene.root()) {}
+COffscreenPainter::COffscreenPainter() : m_renderer(m_scene) {}
 
 COffscreenPainter::~COffscreenPainter() {
     if (!m_context || !m_context->makeCurrent(&m_surface)) return;
@@ -13,26 +14,26 @@ COffscreenPainter::~COffscreenPainter() {
 
 bool COffscreenPainter::start() {
     if (m_context) return m_renderer.attached();
-    if (QString why; !CSceneRenderer::available(why)) return false;
-    m_surface.setFormat(CSceneRenderer::surfaceFormat(0));
+    if (QString why; !display::available(why)) return false;
+    m_surface.setFormat(display::surfaceFormat(0));
     m_surface.create();
     m_context = std::make_unique<QOpenGLContext>();
-    m_context->setFormat(CSceneRenderer::surfaceFormat(0));
+    m_context->setFormat(display::surfaceFormat(0));
     if (!m_context->create() || !m_context->makeCurrent(&m_surface)) return false;
-    m_renderer.attach();
+    m_renderer.attach(display::bestSamples());
     return true;
 }
 
-QImage COffscreenPainter::paint(const std::vector<ViewPart>& parts, const QString& bark, const QString& leaf,
+QImage COffscreenPainter::paint(const std::vector<ViewPart>& parts, const SurfaceTextures& textures,
                                 const QSize& pixels, const ViewLook& look) {
     if (!start() || !m_context->makeCurrent(&m_surface)) return {};
     m_scene.show(parts);
     m_scene.setLook(look);
-    for (auto [shown, wanted, surface] : {std::tuple{&m_bark, &bark, Surface::Bark}, {&m_leaf, &leaf, Surface::Leaf}})
-        if (*shown != *wanted) {
-            m_scene.setTexture(surface, wanted->toStdString());
-            *shown = *wanted;
-        }
+    for (const Surface surface : kSurfaces) {
+        const auto i = static_cast<std::size_t>(surface);
+        if (m_textures[i] != textures[i]) m_scene.setTexture(surface, textures[i].string());
+    }
+    m_textures = textures;
     CCamera camera;
     camera.lookFrom(0, 5);
     const osg::BoundingBox box = m_scene.bounds();
@@ -41,11 +42,11 @@ QImage COffscreenPainter::paint(const std::vector<ViewPart>& parts, const QStrin
                      double(pixels.width()) / pixels.height());
     QOpenGLFramebufferObjectFormat format;
     format.setAttachment(QOpenGLFramebufferObject::CombinedDepthStencil);
-    format.setSamples(CSceneRenderer::bestSamples());
+    format.setSamples(display::bestSamples());
     QImage image;
     {
         QOpenGLFramebufferObject buffer(pixels, format);
-        m_renderer.draw(buffer.handle(), pixels, camera);
+        m_renderer.draw(buffer.handle(), pixels.width(), pixels.height(), camera);
         image = buffer.toImage();
     }
     m_context->doneCurrent();

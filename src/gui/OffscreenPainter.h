@@ -1,6 +1,6 @@
 #pragma once
-#include "SceneRenderer.h"
-#include "stromar/scene/ViewScene.h"
+#include "stromar/app/Pictures.h"
+#include "stromar/scene/SceneRenderer.h"
 #include <QImage>
 #include <QOffscreenSurface>
 #include <QOpenGLContext>
@@ -15,7 +15,7 @@ public:
     ~COffscreenPainter();
 
     /// The whole tree from the front. Null when there is no OpenGL.
-    QImage paint(const std::vector<ViewPart>& parts, const QString& bark, const QString& leaf, const QSize& pixels,
+    QImage paint(const std::vector<ViewPart>& parts, const SurfaceTextures& textures, const QSize& pixels,
                  const ViewLook& look);
 
 private:
@@ -25,7 +25,7 @@ private:
     CSceneRenderer m_renderer;
     QOffscreenSurface m_surface;
     std::unique_ptr<QOpenGLContext> m_context;
-    QString m_bark, m_leaf;
+    SurfaceTextures m_textures;
 };
 
 } // namespace stromar

@@ -2,7 +2,7 @@
 #include "ParamEditor.h"
 #include "ParamRow.h"
 #include "QtText.h"
-#include "stromar/texture/Bark.h"
+#include "stromar/texture/Draw.h"
 #include <QAbstractButton>
 #include <QApplication>
 #include <QFrame>
@@ -133,7 +133,7 @@ CParamPanel::CParamPanel(QWidget* parent) : QWidget(parent), m_filter(new QLineE
         addSections(ofLevel(level));
         finishTab();
     }
-    for (const Group group : {Group::Leaves, Group::Pruning, Group::Textures}) {
+    for (const Group group : {Group::Leaves, Group::Blossom, Group::Pruning, Group::Textures}) {
         addTab(group);
         addTexts(group);
         addSections(globals(group));
@@ -233,7 +233,7 @@ void CParamPanel::addTexts(Group group) {
         auto* label = new QLabel(trText(text.label));
         label->setMinimumWidth(100);
         layout->addWidget(label);
-        layout->addWidget(text.path ? makePathEditor(text, line) : line, 1);
+        layout->addWidget(text.path() ? makePathEditor(text, line) : line, 1);
         m_page->addWidget(row);
         m_sections.back().rows.push_back(row);
         m_lines.emplace_back(&text, line);
@@ -256,18 +256,17 @@ QWidget* CParamPanel::makePathEditor(const TextInfo& text, QLineEdit* line) {
     layout->addWidget(line, 1);
     layout->addWidget(choose);
     connect(choose, &QToolButton::clicked, this, [this, &text] { emit pathWanted(&text); });
-    if (text.field == &TextParams::barkTexture) {
-        auto* drawn = new QToolButton;
-        drawn->setText(tr("Draw"));
-        drawn->setToolTip(tr("A bark that Stromar draws; the words behind its name can be changed"));
-        drawn->setPopupMode(QToolButton::InstantPopup);
-        auto* menu = new QMenu(drawn);
-        for (const std::string_view kind : barkKinds())
-            menu->addAction(trText(kind), this,
-                            [this, &text, kind] { emit textEdited(&text, QStringLiteral("bark:") + toQString(kind)); });
-        drawn->setMenu(menu);
-        layout->addWidget(drawn);
-    }
+    auto* drawn = new QToolButton;
+    drawn->setText(tr("Draw"));
+    drawn->setToolTip(tr("A picture that Stromar draws; the words behind its name can be changed"));
+    drawn->setPopupMode(QToolButton::InstantPopup);
+    auto* menu = new QMenu(drawn);
+    const std::string start = std::string(text.recipes) + ":";
+    for (const std::string& recipe : plainRecipes(text.recipes))
+        menu->addAction(trText(std::string_view(recipe).substr(start.size())), this,
+                        [this, &text, recipe] { emit textEdited(&text, toQString(recipe)); });
+    drawn->setMenu(menu);
+    layout->addWidget(drawn);
     return row;
 }
 

@@ -13,20 +13,20 @@
 namespace stromar {
 
 namespace {
-constexpr int kLookVersion = 1;       // rises when the same tree is drawn differently
+constexpr int kLookVersion = 2;       // rises when the same tree is drawn differently
 constexpr double kFewVertices = 4e5;  // up to here the level of detail may be fine
 constexpr double kMostVertices = 2e7; // no picture beyond
 
 /// Where the picture of such a tree is kept.
-QString keptFile(const CParams& params, const QString& bark, const QString& leaf, const QSize& pixels) {
+QString keptFile(const CParams& params, const SurfaceTextures& textures, const QSize& pixels) {
     QCryptographicHash hash(QCryptographicHash::Sha1);
     CParams seen = params; // words do not show
     seen.text.species = seen.text.author = seen.text.description = seen.text.likedSeeds = {};
     hash.addData(QByteArray::fromStdString(CTreeFile().text(seen)));
-    for (const QString& picture : {bark, leaf}) {
-        const QFileInfo info(picture);
+    for (const std::filesystem::path& picture : textures) {
+        const QFileInfo info(fromPath(picture));
         hash.addData(QStringLiteral("%1 %2 %3")
-                         .arg(picture)
+                         .arg(fromPath(picture))
                          .arg(info.size())
                          .arg(info.lastModified().toMSecsSinceEpoch())
                          .toUtf8());
@@ -68,14 +68,8 @@ CThumbnails::~CThumbnails() {
 
 void CThumbnails::request(const QString& id, const CParams& params, const std::filesystem::path& folder,
                           const QSize& pixels, Keep keep) {
-    Task task{++m_lastNumber,
-              id,
-              fromPath(textureOf(params, Surface::Bark, folder)),
-              fromPath(textureOf(params, Surface::Leaf, folder)),
-              QString(),
-              params,
-              pixels};
-    if (keep == Keep::OnDisk) task.file = keptFile(params, task.bark, task.leaf, pixels);
+    Task task{++m_lastNumber, id, QString(), texturesOf(params, folder), params, pixels};
+    if (keep == Keep::OnDisk) task.file = keptFile(params, task.textures, pixels);
     if (const QImage kept = task.file.isEmpty() ? QImage() : QImage(task.file); !kept.isNull()) {
         QTimer::singleShot(0, this, [this, id, kept] { emit ready(id, kept); });
         return;
@@ -131,7 +125,7 @@ void CThumbnails::draw(quint64 number, const std::shared_ptr<const ViewModel>& v
         emit failed(found.id, why);
         return;
     }
-    const QImage image = m_painter.paint(view->parts, found.bark, found.leaf, found.pixels, ViewLook());
+    const QImage image = m_painter.paint(view->parts, found.textures, found.pixels, ViewLook());
     if (image.isNull()) {
         emit failed(found.id, tr("There is no OpenGL to draw it."));
         return;

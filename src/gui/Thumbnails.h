@@ -37,7 +37,8 @@ signals:
 private:
     struct Task {
         quint64 number;
-        QString id, bark, leaf, file; ///< without a file the picture is not kept
+        QString id, file; ///< without a file the picture is not kept
+        SurfaceTextures textures;
         CParams params;
         QSize pixels;
     };

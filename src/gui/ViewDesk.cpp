@@ -85,7 +85,9 @@ void CViewDesk::onPicked(const std::optional<ViewHit>& hit) {
     if (hit && m_view) {
         const CTree& tree = *m_view->model->tree;
         const glm::dvec3 point(hit->point.x(), hit->point.y(), hit->point.z());
-        if (hit->generation == ViewPart::kLeaves) {
+        if (hit->generation < ViewPart::kLeaves) {
+            m_panel.tabs().setCurrentIndex(m_panel.tabOf(Group::Blossom));
+        } else if (hit->generation == ViewPart::kLeaves) {
             if (const auto leaf = nearestLeaf(tree, point)) m_selected = Selected{ViewPart::kLeaves, *leaf};
             m_panel.showLeaves();
         } else {
@@ -165,7 +167,8 @@ QStringList CViewDesk::statistics() const {
         rows << tr("%1: %2 stems, %3 triangles")
                     .arg(levelTitle(int(g)), whole(tree.tree->generation(g).stems.size()),
                          whole(tree.stems[g]->triangleCount()));
-    rows << tr("Leaves: %1, %2 triangles").arg(whole(tree.tree->leaves().size()), whole(tree.leaves->triangleCount()));
+    rows
+        << tr("Leaves: %1, %2 triangles").arg(whole(tree.tree->leaves().size()), whole(tree.leaves()->triangleCount()));
     rows << tr("Structure %1 ms, mesh %2 ms")
                 .arg(numbers.toString(tree.milliseconds.structure, 'f', 1),
                      numbers.toString(tree.milliseconds.smooth + tree.milliseconds.mesh, 'f', 1));

@@ -1,6 +1,6 @@
 #pragma once
-#include "Camera.h"
 #include "Guides.h"
+#include "stromar/scene/Camera.h"
 #include <QStringList>
 #include <QWidget>
 #include <optional>

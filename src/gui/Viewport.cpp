@@ -1,4 +1,5 @@
 #include "Viewport.h"
+#include "Display.h"
 #include "Gesture.h"
 #include <QMouseEvent>
 #include <QOpenGLContext>
@@ -15,9 +16,9 @@ constexpr double kZoomPerPixel = 0.006, kZoomPerNotch = 0.14;
 } // namespace
 
 CViewport::CViewport(QWidget* parent)
-    : QOpenGLWidget(parent), m_renderer(m_scene.root()), m_overlay(new CViewOverlay(m_camera, this)),
+    : QOpenGLWidget(parent), m_renderer(m_scene), m_overlay(new CViewOverlay(m_camera, this)),
       m_navigation(&navigationTable().front()) {
-    setFormat(CSceneRenderer::surfaceFormat(CSceneRenderer::bestSamples()));
+    setFormat(display::surfaceFormat(display::bestSamples()));
     setFocusPolicy(Qt::StrongFocus);
     setMouseTracking(true);
     setMinimumSize(160, 160);
@@ -38,7 +39,7 @@ void CViewport::release() {
 
 void CViewport::initializeGL() {
     m_lost = false;
-    m_renderer.attach();
+    m_renderer.attach(display::bestSamples());
     disconnect(m_contextDies);
     m_contextDies = connect(context(), &QOpenGLContext::aboutToBeDestroyed, this, [this] { release(); });
 }
@@ -50,7 +51,8 @@ void CViewport::paintGL() {
         if (!std::exchange(m_lost, true)) emit contextLost();
         return;
     }
-    m_renderer.draw(defaultFramebufferObject(), (QSizeF(size()) * devicePixelRatioF()).toSize(), m_camera);
+    const QSize pixels = (QSizeF(size()) * devicePixelRatioF()).toSize();
+    m_renderer.draw(defaultFramebufferObject(), pixels.width(), pixels.height(), m_camera);
     ++m_frames;
     emit drawn();
 }
@@ -114,7 +116,7 @@ QImage CViewport::picture(const QSize& pixels, const ViewLook& look, const CCame
     makeCurrent();
     QOpenGLFramebufferObjectFormat format;
     format.setAttachment(QOpenGLFramebufferObject::CombinedDepthStencil);
-    format.setSamples(CSceneRenderer::bestSamples());
+    format.setSamples(display::bestSamples());
     QOpenGLFramebufferObject buffer(pixels, format);
     QImage image;
     if (buffer.isValid()) {
@@ -122,7 +124,7 @@ QImage CViewport::picture(const QSize& pixels, const ViewLook& look, const CCame
         const int tinted = m_scene.tinted();
         m_scene.setLook(look);
         m_scene.tint(ViewPart::kNone);
-        m_renderer.draw(buffer.handle(), pixels, camera);
+        m_renderer.draw(buffer.handle(), pixels.width(), pixels.height(), camera);
         image = buffer.toImage();
         m_scene.setLook(before);
         m_scene.tint(tinted);

@@ -1,9 +1,7 @@
 #pragma once
-#include "Camera.h"
 #include "Navigation.h"
-#include "SceneRenderer.h"
 #include "ViewOverlay.h"
-#include "stromar/scene/ViewScene.h"
+#include "stromar/scene/SceneRenderer.h"
 #include <QOpenGLWidget>
 
 namespace stromar {

@@ -1,8 +1,8 @@
 #include "Commands.h"
+#include "Display.h"
 #include "HelpPictures.h"
 #include "ParamPanel.h"
 #include "QtText.h"
-#include "SceneRenderer.h"
 #include "Settings.h"
 #include "Theme.h"
 #include "WindowKeeper.h"
@@ -130,7 +130,7 @@ int main(int argc, char** argv) {
     QCoreApplication::setApplicationVersion(QStringLiteral(STROMAR_VERSION));
     QCoreApplication::setAttribute(Qt::AA_ShareOpenGLContexts);
     QGuiApplication::setDesktopFileName(QStringLiteral("org.stromar.Stromar"));
-    QSurfaceFormat::setDefaultFormat(CSceneRenderer::surfaceFormat(0));
+    QSurfaceFormat::setDefaultFormat(display::surfaceFormat(0));
     QApplication app(argc, argv);
     Options options;
     if (const QString why = read(app, options); !why.isEmpty()) return wrongUsage(why);

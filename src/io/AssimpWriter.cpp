@@ -69,10 +69,10 @@ private:
 
 aiVector3D inAssimp(const glm::vec3& v) { return {v.x, v.y, v.z}; }
 
-aiMesh* makeMesh(const CMesh& mesh) {
+aiMesh* makeMesh(const CMesh& mesh, std::size_t material) {
     auto* made = new aiMesh;
     made->mName = mesh.name;
-    made->mMaterialIndex = static_cast<unsigned>(mesh.surface);
+    made->mMaterialIndex = static_cast<unsigned>(material);
     made->mPrimitiveTypes = aiPrimitiveType_TRIANGLE;
     const std::size_t count = mesh.vertexCount();
     made->mNumVertices = static_cast<unsigned>(count);
@@ -122,7 +122,7 @@ std::unique_ptr<aiScene> makeScene(const ExportModel& model, const aiMatrix4x4& 
     scene->mRootNode->mNumChildren = meshes;
     scene->mRootNode->mChildren = new aiNode*[meshes];
     for (unsigned i = 0; i < meshes; ++i) {
-        scene->mMeshes[i] = makeMesh(*model.meshes[i]);
+        scene->mMeshes[i] = makeMesh(*model.meshes[i], model.lookIndex(*model.meshes[i]));
         auto* node = scene->mRootNode->mChildren[i] = new aiNode(model.meshes[i]->name);
         node->mParent = scene->mRootNode;
         node->mNumMeshes = 1;

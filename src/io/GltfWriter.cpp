@@ -1,5 +1,6 @@
 #include "stromar/io/Writers.h"
 #include "stromar/mesh/Shading.h"
+#include "stromar/texture/Opacity.h"
 #include <algorithm>
 #include <bit>
 #include <cstring>
@@ -77,19 +78,27 @@ private:
             material.doubleSided = look.cutOut;
             if (look.cutOut) {
                 material.alphaMode = "MASK";
-                material.alphaCutoff = 0.4;
+                material.alphaCutoff = kAlphaCut;
             }
             if (look.picture.empty())
                 material.pbrMetallicRoughness.baseColorFactor = {look.colour.x, look.colour.y, look.colour.z, 1};
             else
-                material.pbrMetallicRoughness.baseColorTexture.index = addTexture(look);
+                material.pbrMetallicRoughness.baseColorTexture.index =
+                    addTexture(look.name, {look.texture, look.picture});
+            if (!look.normal.picture.empty())
+                material.normalTexture.index = addTexture(look.name + "_normal", look.normal);
+            if (!look.roughness.picture.empty()) { // grey: its green counts, its blue is multiplied by no metal
+                material.pbrMetallicRoughness.metallicRoughnessTexture.index =
+                    addTexture(look.name + "_roughness", look.roughness);
+                material.pbrMetallicRoughness.roughnessFactor = 1;
+            }
             m_gltf.materials.push_back(material);
         }
     }
 
-    int addTexture(const SurfaceLook& look) {
+    int addTexture(const std::string& name, const PictureRef& look) {
         tinygltf::Image image;
-        image.name = look.name;
+        image.name = name;
         if (m_embed) {
             const auto bytes = std::make_shared<const std::string>(readFile(look.picture));
             image.mimeType = mimeTypeOf(*bytes, look.picture);
@@ -162,7 +171,7 @@ private:
         const std::size_t count = mesh->vertexCount();
         tinygltf::Primitive primitive;
         primitive.mode = TINYGLTF_MODE_TRIANGLES;
-        primitive.material = static_cast<int>(mesh->surface);
+        primitive.material = static_cast<int>(m_source.lookIndex(*mesh));
         auto& attributes = primitive.attributes;
         attributes["POSITION"] = addVertices<glm::vec3>(count, TINYGLTF_TYPE_VEC3,
                                                         [mesh](std::size_t v) { return yUp(mesh->positions[v]); });

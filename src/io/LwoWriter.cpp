@@ -97,7 +97,7 @@ void addPolygonTags(Out& out, const ExportModel& model) {
     for (const auto& mesh : model.meshes)
         for (std::size_t t = 0; t < mesh->triangleCount(); ++t) {
             putIndex(out, polygon++);
-            out.u16(static_cast<std::uint16_t>(mesh->surface));
+            out.u16(static_cast<std::uint16_t>(model.lookIndex(*mesh)));
         }
 }
 

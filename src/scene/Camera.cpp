@@ -1,4 +1,4 @@
-#include "Camera.h"
+#include "stromar/scene/Camera.h"
 #include <algorithm>
 #include <cmath>
 #include <osg/Math>

@@ -1,5 +1,6 @@
 #include "stromar/scene/OsgExport.h"
 #include "stromar/scene/OsgGeometry.h"
+#include "stromar/texture/Opacity.h"
 #include <algorithm>
 #include <cfloat>
 #include <osg/AlphaFunc>
@@ -34,19 +35,20 @@ osg::ref_ptr<osg::StateSet> stateOf(const SurfaceLook& look) {
     material->setAmbient(osg::Material::FRONT_AND_BACK, {0.5f * colour.x, 0.5f * colour.y, 0.5f * colour.z, 1});
     state->setAttributeAndModes(material);
     if (!look.texture.empty()) state->setTextureAttributeAndModes(0, textureNamed(look.texture));
-    if (look.cutOut) state->setAttributeAndModes(new osg::AlphaFunc(osg::AlphaFunc::GREATER, 0.4f));
+    if (look.cutOut) state->setAttributeAndModes(new osg::AlphaFunc(osg::AlphaFunc::GREATER, float(kAlphaCut)));
     state->setMode(GL_CULL_FACE, osg::StateAttribute::OFF);
     return state;
 }
 
 using States = std::vector<osg::ref_ptr<osg::StateSet>>;
 
-osg::ref_ptr<osg::Group> makeGroup(const std::string& name, const Meshes& meshes, const States& states) {
+osg::ref_ptr<osg::Group> makeGroup(const ExportModel& model, const std::string& name, const Meshes& meshes,
+                                   const States& states) {
     osg::ref_ptr<osg::Group> group = new osg::Group;
     group->setName(name);
     for (const auto& mesh : meshes) {
         osg::ref_ptr<osg::Geometry> geometry = makeGeometry(*mesh);
-        geometry->setStateSet(states[static_cast<std::size_t>(mesh->surface)]);
+        geometry->setStateSet(states[model.lookIndex(*mesh)]);
         group->addChild(geometry);
     }
     return group;
@@ -57,14 +59,14 @@ osg::ref_ptr<osg::Node> makeNode(const ExportModel& model) {
     constexpr float kScreen = 1080;
     States states;
     for (const SurfaceLook& look : model.looks) states.push_back(stateOf(look));
-    if (model.coarser.empty()) return makeGroup(model.name, model.meshes, states);
+    if (model.coarser.empty()) return makeGroup(model, model.name, model.meshes, states);
     osg::ref_ptr<osg::LOD> root = new osg::LOD;
     root->setName(model.name);
     root->setRangeMode(osg::LOD::PIXEL_SIZE_ON_SCREEN);
     float high = FLT_MAX;
     for (std::size_t lod = 0; lod <= model.coarser.size(); ++lod) {
         const float low = kScreen * static_cast<float>(kScreenCoverage[std::min(lod, kScreenCoverage.size() - 1)]);
-        root->addChild(makeGroup(model.name + "_LOD" + std::to_string(lod),
+        root->addChild(makeGroup(model, model.name + "_LOD" + std::to_string(lod),
                                  lod == 0 ? model.meshes : model.coarser[lod - 1], states),
                        low, high);
         high = low;

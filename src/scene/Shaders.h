@@ -2,56 +2,140 @@
 
 namespace stromar {
 
-// GLSL 1.20: OpenGL 2.1 and later. Directions in eye space; the sun stands still in the world.
+// GLSL 1.20: OpenGL 2.1 and later. All in the world's axes; colours are linear until they are shown.
+
+/// What both tree and ground need to know of the light.
+inline constexpr const char* kLightFunctions = R"(
+uniform vec3 sun, sunlight, zenith, haze, bounce;
+uniform sampler2DShadow shadows;
+uniform float shadowTexel; // 0: there are none
+vec3 linear(vec3 c) { return c * (c * (c * 0.305306011 + 0.682171111) + 0.012522878); }
+vec3 shown(vec3 c) {
+    c = max(mix(vec3(dot(c, vec3(0.25, 0.65, 0.1))), c, 0.86) * 0.82, 0.0);
+    c = (c * (2.51 * c + 0.03)) / (c * (2.43 * c + 0.59) + 0.14);
+    return pow(clamp(c, 0.0, 1.0), vec3(1.0 / 2.2));
+}
+float noiseOfPixel() { return fract(52.9829189 * fract(dot(gl_FragCoord.xy, vec2(0.06711056, 0.00583715)))); }
+// The part of the sun that is seen, over a disc of so many texels.
+float sunSeen(vec3 place, float radius) {
+    if (shadowTexel == 0.0 || place.z > 1.0) return 1.0;
+    float turn = 6.2831853 * noiseOfPixel(), seen = 0.0;
+    for (int i = 0; i < 8; ++i) {
+        float out_ = sqrt((float(i) + 0.5) / 8.0) * radius * shadowTexel, a = turn + 2.3999632 * float(i);
+        seen += shadow2D(shadows, vec3(place.xy + out_ * vec2(cos(a), sin(a)), place.z)).r;
+    }
+    return seen / 8.0;
+}
+vec3 skyIn(vec3 ray) {
+    vec3 sky = mix(haze, zenith, 0.25 * smoothstep(0.0, 0.06, abs(ray.z)) + 0.75 * smoothstep(0.0, 0.5, abs(ray.z)));
+    float glow = max(dot(ray, sun), 0.0);
+    return sky + sunlight * (0.10 * pow(glow, 8.0) + 0.25 * pow(glow, 200.0));
+}
+)";
 
 inline constexpr const char* kTreeVertexShader = R"(#version 120
-uniform mat4 osg_ViewMatrix;
-uniform vec3 crownMiddle, crownSize;
+uniform vec3 crownMiddle, crownSize, sun;
+uniform mat4 shadowMatrix;
+uniform float shadowOffset; // metres
 attribute float openAt;
-varying vec3 eyeNormal, eyePosition, sun;
+varying vec3 place, normal, inShadow;
 varying float openness, shade;
 void main() {
     gl_Position = ftransform();
     gl_TexCoord[0] = gl_MultiTexCoord0;
-    eyeNormal = gl_NormalMatrix * gl_Normal;
-    eyePosition = (gl_ModelViewMatrix * gl_Vertex).xyz;
-    sun = (osg_ViewMatrix * vec4(normalize(vec3(0.45, -0.6, 0.75)), 0.0)).xyz;
+    place = gl_Vertex.xyz;
+    normal = gl_Normal;
+    inShadow = (shadowMatrix * vec4(place + shadowOffset * (sun + normal * sign(dot(normal, sun))), 1.0)).xyz;
     // Inside the crown less of the sky is seen.
-    vec3 out_ = (gl_Vertex.xyz - crownMiddle) / crownSize;
-    openness = smoothstep(0.1, 1.0, length(out_) * 0.8 + 0.25 * out_.z) * openAt;
+    vec3 out_ = (place - crownMiddle) / crownSize;
+    openness = (0.35 + 0.65 * smoothstep(0.05, 1.0, length(out_) * 0.8 + 0.25 * out_.z)) * openAt;
     // All corners of a leaf share its normal: a number of its own.
     shade = fract(sin(dot(gl_Normal, vec3(127.1, 311.7, 74.7))) * 437.5);
 }
 )";
 
-inline constexpr const char* kTreeFragmentShader = R"(#version 120
-uniform mat4 osg_ViewMatrix;
-uniform sampler2D picture;
-uniform float leaf, tinted, generation;
-varying vec3 eyeNormal, eyePosition, sun;
+inline constexpr const char* kTreeFragmentShader = R"(
+uniform mat4 osg_ViewMatrixInverse;
+uniform sampler2D picture, relief, gloss; // albedo; normals; roughness and what goes through
+uniform float leaf, tinted, generation, reliefDepth, smoothEdges, alphaCut;
+uniform int view; // 0 lit, 1 material, 2 occlusion, 3 normals
+varying vec3 place, normal, inShadow;
 varying float openness, shade;
+vec3 withRelief(vec3 n) {
+    vec3 along = dFdx(place), up = dFdy(place);
+    vec2 du = dFdx(gl_TexCoord[0].st), dv = dFdy(gl_TexCoord[0].st);
+    vec3 across = cross(up, n), ahead = cross(n, along);
+    vec3 t = across * du.x + ahead * dv.x, b = across * du.y + ahead * dv.y;
+    float size = inversesqrt(max(max(dot(t, t), dot(b, b)), 1e-30));
+    vec3 bump = texture2D(relief, gl_TexCoord[0].st).xyz * 2.0 - 1.0;
+    bump.xy *= reliefDepth;
+    return normalize(mat3(t * size, b * size, n) * bump);
+}
 void main() {
     vec4 colour = texture2D(picture, gl_TexCoord[0].st);
-    if (colour.a < 0.4) discard;
-    // Leaves let one see the stems that are in hand.
-    if (leaf > 0.5 && tinted > -0.5 && mod(floor(gl_FragCoord.x) + floor(gl_FragCoord.y), 2.0) > 0.5) discard;
-    vec3 n = normalize(eyeNormal);
-    if (dot(n, eyePosition) > 0.0) n = -n;
-    vec3 up = (osg_ViewMatrix * vec4(0.0, 0.0, 1.0, 0.0)).xyz;
-    float facing = dot(n, normalize(sun));
-    float direct = max(facing, 0.0) + leaf * 0.55 * max(-facing, 0.0);
-    vec3 sky = mix(vec3(0.44, 0.43, 0.34), vec3(0.70, 0.78, 0.88), 0.5 + 0.5 * dot(n, up));
-    colour.rgb *= mix(vec3(1.0), vec3(0.82 + 0.36 * shade, 0.88 + 0.24 * shade, 0.80 + 0.2 * shade), leaf);
-    vec3 light = sky * mix(0.55, 0.95, openness) + vec3(1.05, 0.99, 0.86) * direct * mix(0.5, 1.0, openness);
-    vec3 seen = colour.rgb * light;
+    float cover = 1.0;
+    if (leaf > 0.5) {
+        cover = colour.a;
+        if (smoothEdges > 0.5) cover = clamp((cover - alphaCut) / max(fwidth(cover), 1e-4) + 0.5, 0.0, 1.0);
+        if (cover < (smoothEdges > 0.5 ? 0.02 : alphaCut)) discard;
+        // Leaves let one see the stems that are in hand.
+        if (tinted > -0.5 && mod(floor(gl_FragCoord.x) + floor(gl_FragCoord.y), 2.0) > 0.5) discard;
+    }
+    vec3 eye = osg_ViewMatrixInverse[3].xyz, toEye = normalize(eye - place);
+    vec3 n = normalize(normal);
+    bool back = leaf > 0.5 && dot(n, toEye) < 0.0;
+    if (back) n = -n;
+    if (reliefDepth > 0.0) n = withRelief(n);
+    vec3 albedo = linear(colour.rgb);
+    albedo *= mix(vec3(1.0), vec3(0.72 + 0.5 * shade, 0.8 + 0.38 * shade, 0.7 + 0.4 * shade), leaf);
+    if (back) albedo = mix(albedo, vec3(dot(albedo, vec3(0.3, 0.6, 0.1))), 0.25) * 1.15;
+    vec2 skin = texture2D(gloss, gl_TexCoord[0].st).rg;
+    float rough = clamp(back ? skin.x + 0.2 : skin.x, 0.15, 1.0), through = leaf * skin.y;
+
+    float facing = dot(n, sun);
+    float seen = sunSeen(inShadow, leaf > 0.5 ? 2.5 : 2.0);
+    vec3 direct = sunlight * seen;
+    vec3 above = mix(haze, zenith, 0.35) * 1.05;
+    vec3 around = mix(bounce, above, 0.5 + 0.5 * n.z) * openness;
+    vec3 light = albedo * (around + direct * max(facing, 0.0));
+    // Light that went through a blade is warmer and greener than what it throws back.
+    vec3 passed = albedo * vec3(1.3, 1.25, 0.6);
+    light += through * passed * (direct * max(-facing, 0.0) + 0.35 * mix(above, bounce, 0.5 + 0.5 * n.z) * openness);
+    vec3 half_ = normalize(sun + toEye);
+    float sharp = 2.0 / (rough * rough * rough * rough) - 2.0 + 1e-3;
+    float mirror = 0.04 + 0.96 * pow(1.0 - max(dot(toEye, half_), 0.0), 5.0);
+    light += direct * max(facing, 0.0) * mirror * (sharp + 8.0) / 25.0 * pow(max(dot(n, half_), 0.0), sharp);
+    float rim = 0.04 + 0.5 * pow(1.0 - max(dot(n, toEye), 0.0), 5.0);
+    light += rim * (1.0 - rough) * openness * skyIn(reflect(-toEye, n)) * step(0.0, reflect(-toEye, n).z);
+
+    vec3 result = shown(light);
+    if (view == 1) result = colour.rgb;
+    if (view == 2) result = vec3(openness);
+    if (view == 3) result = n * 0.5 + 0.5;
     if (abs(tinted - generation) < 0.5)
-        seen = mix(seen, vec3(1.0, 0.55, 0.12) * (0.45 + 0.6 * dot(seen, vec3(0.35, 0.5, 0.15))), 0.6);
-    gl_FragColor = vec4(seen, 1.0);
+        result = mix(result, vec3(1.0, 0.55, 0.12) * (0.45 + 0.6 * dot(result, vec3(0.35, 0.5, 0.15))), 0.6);
+    gl_FragColor = vec4(result, smoothEdges > 0.5 ? cover : 1.0);
 }
 )";
 
 inline constexpr const char* kPlainVertexShader = R"(#version 120
 void main() { gl_Position = ftransform(); }
+)";
+
+// Depth alone, cut out by the pictures.
+inline constexpr const char* kShadowVertexShader = R"(#version 120
+void main() {
+    gl_Position = ftransform();
+    gl_TexCoord[0] = gl_MultiTexCoord0;
+}
+)";
+inline constexpr const char* kShadowFragmentShader = R"(#version 120
+uniform sampler2D picture;
+uniform float leaf, alphaCut;
+void main() {
+    if (leaf > 0.5 && texture2D(picture, gl_TexCoord[0].st).a < alphaCut) discard;
+    gl_FragColor = vec4(1.0);
+}
 )";
 
 // Upright and towards the eye, its feet at `place`.
@@ -80,24 +164,37 @@ void main() {
 }
 )";
 
-// The ground is the plane z = 0, seen along each ray, with a soft shadow under the crown and a grid of metres.
-inline constexpr const char* kBackgroundFragmentShader = R"(#version 120
-uniform mat4 osg_ViewMatrixInverse;
+// The ground is the plane z = 0, seen along each ray, with the tree's shadow and a grid of metres.
+inline constexpr const char* kBackgroundFragmentShader = R"(
+uniform mat4 osg_ViewMatrixInverse, shadowMatrix;
 uniform vec3 crownMiddle, crownSize;
 uniform int backdrop;
 uniform float grid;
 varying vec4 near_, far_;
-const vec3 haze = vec3(0.86, 0.89, 0.90);
 float size() { return max(crownSize.x, max(crownSize.y, crownSize.z)); }
-float shadowAt(vec2 place) {
-    vec2 inShadow = (place - crownMiddle.xy - vec2(-0.35, 0.45) * crownMiddle.z) / (crownSize.xy + 0.02 * size());
-    float shadow = 0.45 * (1.0 - smoothstep(0.25, 1.15, length(inShadow)));
-    return max(shadow, 0.35 * (1.0 - smoothstep(0.0, 0.25, length(place) / size())));
+float random(vec2 p) { return fract(sin(dot(p, vec2(12.9898, 78.233))) * 43758.5453); }
+float noise(vec2 p) {
+    vec2 i = floor(p), f = fract(p);
+    f *= f * (3.0 - 2.0 * f);
+    return mix(mix(random(i), random(i + vec2(1.0, 0.0)), f.x),
+               mix(random(i + vec2(0.0, 1.0)), random(i + 1.0), f.x), f.y);
+}
+// Less of the sky is seen below the crown and at the trunk.
+float openness(vec2 place) {
+    vec2 below = (place - crownMiddle.xy) / (crownSize.xy + 0.02 * size());
+    float crown = 0.35 * (1.0 - smoothstep(0.0, 1.3, length(below)));
+    return 1.0 - max(crown, 0.5 * (1.0 - smoothstep(0.0, 0.12, length(place) / size())));
 }
 float lines(vec2 place, float cell) {
     vec2 at = place / cell, width = fwidth(at);
     vec2 off = abs(fract(at - 0.5) - 0.5) / max(width, vec2(1e-6));
     return (1.0 - min(min(off.x, off.y), 1.0)) * (1.0 - smoothstep(0.1, 0.5, max(width.x, width.y)));
+}
+vec3 meadow(vec2 place, float away) {
+    float near = exp(-0.6 * away);
+    float patches = noise(place * 0.35) * 0.6 + noise(place * 1.3 + 7.0) * 0.4;
+    float blades = mix(0.5, 0.65 * noise(place * 9.0) + 0.35 * noise(place * 37.0), near);
+    return mix(vec3(0.055, 0.085, 0.028), vec3(0.125, 0.14, 0.06), 0.55 * patches + 0.45 * blades);
 }
 void main() {
     vec3 start = near_.xyz / near_.w;
@@ -106,17 +203,19 @@ void main() {
     vec2 place = start.xy - ray.xy * start.z / (down ? ray.z : -1.0);
     float line = grid * max(0.35 * lines(place, 1.0), 0.7 * lines(place, 10.0));
     float away = max(length(place - crownMiddle.xy) / size() - 1.0, 0.0);
-    float fade = exp(-0.09 * away);
+    vec3 at = (shadowMatrix * vec4(place, 0.0, 1.0)).xyz;
+    bool inMap = all(greaterThan(at.xy, vec2(0.0))) && all(lessThan(at.xy, vec2(1.0)));
+    float seen = inMap ? sunSeen(at, 6.0) : 1.0, open = openness(place);
     vec3 colour;
     if (backdrop == 0) {
-        vec3 sky = mix(haze, vec3(0.47, 0.63, 0.81), smoothstep(0.0, 0.45, abs(ray.z)));
-        vec3 ground = mix(vec3(0.55, 0.60, 0.44) * (1.0 - shadowAt(place)), vec3(0.20, 0.23, 0.16), line);
-        colour = down ? mix(haze, ground, fade) : sky;
+        vec3 light = mix(haze, zenith, 0.35) * open + sunlight * max(sun.z, 0.0) * seen;
+        vec3 ground = mix(meadow(place, away) * light, vec3(0.03, 0.04, 0.02), line);
+        colour = shown(down ? mix(haze, ground, exp(-0.025 * away)) : skyIn(ray));
     } else {
         vec3 plain = backdrop == 1 ? vec3(0.88) : vec3(0.17, 0.18, 0.19);
         vec3 ink = backdrop == 1 ? vec3(0.35) : vec3(0.55);
-        vec3 ground = mix(plain * (1.0 - 0.7 * shadowAt(place)), ink, line);
-        colour = down ? mix(plain, ground, fade) : plain;
+        vec3 ground = mix(plain * open * mix(0.72, 1.0, seen), ink, line);
+        colour = down ? mix(plain, ground, exp(-0.09 * away)) : plain;
     }
     gl_FragColor = backdrop == 3 ? vec4(0.0) : vec4(colour, 1.0);
 }

@@ -1,6 +1,7 @@
 #include "stromar/app/Pictures.h"
 #include "stromar/app/Export.h"
 #include "stromar/params/TreeFile.h"
+#include "stromar/texture/Draw.h"
 #include "util/TemporaryFolder.h"
 #include <cstdlib>
 #include <gtest/gtest.h>

@@ -45,7 +45,7 @@ TEST(TreeCreator, GivesTheSameModelAgain) {
         const auto second = creator.create(smallTree(), detail, CProgress(2));
         EXPECT_EQ(first->tree, second->tree);
         EXPECT_EQ(first->stems, second->stems);
-        EXPECT_EQ(first->leaves, second->leaves);
+        EXPECT_EQ(first->leaves(), second->leaves());
         EXPECT_EQ(first->detail, &detail);
     }
 }
@@ -63,7 +63,7 @@ TEST(TreeCreator, SharesTheGenerationsBeforeAnEditedLevel) {
             EXPECT_EQ(before->stems[i] == after->stems[i], g < level) << "level " << level << ", generation " << g;
             EXPECT_EQ(before->tree->generations()[i] == after->tree->generations()[i], g < level);
         }
-        EXPECT_NE(before->leaves, after->leaves);
+        EXPECT_NE(before->leaves(), after->leaves());
     }
 }
 
@@ -74,7 +74,7 @@ TEST(TreeCreator, KeepsStemsWhenOnlyLeavesChange) {
     params.global.leafScale *= 2;
     const auto after = creator.create(params, detailOf(Model::Full), CProgress(2));
     EXPECT_EQ(before->stems, after->stems);
-    EXPECT_NE(before->leaves, after->leaves);
+    EXPECT_NE(before->leaves(), after->leaves());
     EXPECT_EQ(modelDifference(*after, *createAnew(params, detailOf(Model::Full))), "");
 }
 
@@ -88,7 +88,7 @@ TEST(TreeCreator, KeepsEverythingWhenOnlyTextsChange) {
         const auto after = creator.create(params, detailOf(Model::Simple), CProgress(2));
         EXPECT_EQ(before->tree, after->tree) << text.key;
         EXPECT_EQ(before->stems, after->stems) << text.key;
-        EXPECT_EQ(before->leaves, after->leaves) << text.key;
+        EXPECT_EQ(before->leaves(), after->leaves()) << text.key;
         EXPECT_EQ(after->params, params) << text.key;
     }
 }
@@ -156,7 +156,7 @@ TEST(TreeCreator, ForgettingStartsAnew) {
     const auto after = creator.create(smallTree(), detailOf(Model::Full), CProgress(2));
     EXPECT_NE(before->tree, after->tree);
     EXPECT_EQ(sharedStems(*before, *after), 0);
-    EXPECT_NE(before->leaves, after->leaves);
+    EXPECT_NE(before->leaves(), after->leaves());
     EXPECT_EQ(modelDifference(*before, *after), "");
 }
 

@@ -44,7 +44,7 @@ void buildMeshes(State& state, const CParams& params, const Detail& detail) {
         vertices = 0;
         const std::vector<StemMesh> all = meshAllStems(*tree, params, detail, progress);
         for (const StemMesh& stems : all) vertices += stems.mesh->vertexCount();
-        vertices += meshOfLeaves(*tree, all.back().plan, params, detail, progress)->vertexCount();
+        vertices += meshOfOrgans(*tree, Organ::Leaf, all.back().plan, params, detail, progress)->vertexCount();
     }
     state.counters["vertices/s"] = perSecond(double(vertices));
 }

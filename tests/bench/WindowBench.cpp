@@ -1,6 +1,6 @@
+#include "Display.h"
 #include "MainWindow.h"
 #include "ParamPanel.h"
-#include "SceneRenderer.h"
 #include "stromar/params/ParamText.h"
 #include <QApplication>
 #include <QEventLoop>
@@ -84,7 +84,7 @@ int main(int argc, char** argv) {
     QCoreApplication::setOrganizationName(QStringLiteral("Stromar"));
     QCoreApplication::setApplicationName(QStringLiteral("Bench"));
     QCoreApplication::setAttribute(Qt::AA_ShareOpenGLContexts);
-    QSurfaceFormat::setDefaultFormat(CSceneRenderer::surfaceFormat(0));
+    QSurfaceFormat::setDefaultFormat(display::surfaceFormat(0));
     QApplication app(argc, argv);
     benchmark::Initialize(&argc, argv);
     benchmark::RunSpecifiedBenchmarks();

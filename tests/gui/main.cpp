@@ -1,6 +1,6 @@
 #include "Autosave.h"
+#include "Display.h"
 #include "MainWindow.h"
-#include "SceneRenderer.h"
 #include "Support.h"
 #include <QApplication>
 #include <QTemporaryDir>
@@ -31,7 +31,7 @@ int main(int argc, char** argv) {
     QCoreApplication::setOrganizationName(QStringLiteral("Stromar"));
     QCoreApplication::setApplicationName(QStringLiteral("Test"));
     QCoreApplication::setAttribute(Qt::AA_ShareOpenGLContexts);
-    QSurfaceFormat::setDefaultFormat(stromar::CSceneRenderer::surfaceFormat(0));
+    QSurfaceFormat::setDefaultFormat(stromar::display::surfaceFormat(0));
     QApplication app(argc, argv);
     if (app.arguments().contains(QStringLiteral("--be-killed"))) return waitToBeKilled();
     return RUN_ALL_TESTS();

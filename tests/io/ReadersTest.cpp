@@ -18,7 +18,7 @@ TEST(Readers, TheSamplesShowMuch) {
     EXPECT_GT(sampleModel("tupelo").triangleCount(), 200'000u);
     for (const SampleModel& sample : sampleModels()) {
         EXPECT_GE(sample.model->stems.size(), 3u) << sample.name;
-        EXPECT_GT(sample.model->leaves->triangleCount(), 0u) << sample.name;
+        EXPECT_GT(sample.model->leaves()->triangleCount(), 0u) << sample.name;
     }
     EXPECT_LT(sampleModel("small").triangleCount(), 10'000u);
 }

@@ -92,7 +92,10 @@ TEST(ViewScene, ShowsWhatItIsGiven) {
     }
     for (int times = 0; times < 2; ++times) {
         scene.show(parts);
-        EXPECT_EQ(drawablesUnder(*scene.root()), stage + parts.size()) << "the older tree is replaced";
+        EXPECT_EQ(drawablesUnder(*scene.root()), stage + 2 * parts.size())
+            << "by the eye and by the sun; the older tree is replaced";
+        scene.finishFrame();
+        EXPECT_EQ(drawablesUnder(*scene.root()), stage + parts.size()) << "the shadows are there";
         EXPECT_EQ(scene.bounds()._min, wanted._min);
         EXPECT_EQ(scene.bounds()._max, wanted._max);
     }

@@ -21,6 +21,7 @@ struct Format {
     Pictures pictures = Pictures::Beside;
     bool lods = false;  ///< holds levels of detail in one file
     bool anyUp = false; ///< readers do not mind which axis is up
+    bool maps = false;  ///< holds pictures of the relief
 };
 
 std::span<const Format> formatTable();

@@ -1,21 +1,25 @@
 #pragma once
-#include "stromar/mesh/Mesh.h"
+#include "stromar/mesh/Model.h"
 #include "stromar/params/Params.h"
 #include "stromar/util/Progress.h"
 #include <filesystem>
-#include <string_view>
+#include <string>
 
 namespace stromar {
 
 /// The folder of the presets, textures and manual that come with the program.
 std::filesystem::path dataFolder();
 
-/// Whether a texture of a tree is not a file but a recipe: "bark:furrowed ridges=9".
-bool isRecipe(std::string_view texture);
+/// What a surface shows: the tree's own picture or recipe, with the month where it changes a recipe, else the standard.
+std::string pictureOf(const CParams& params, Surface surface);
 
-/// The picture a surface shows: the tree's own (its path starts at `folder`, that of the .tree file), that of its recipe,
+/// The file of that picture: the tree's own (its path starts at `folder`, that of the .tree file), that of a recipe,
 /// which makePictures() draws, or the built-in one.
 std::filesystem::path textureOf(const CParams& params, Surface surface, const std::filesystem::path& folder);
+
+/// The same for all surfaces; empty for blossoms and fruits that the tree has not.
+using SurfaceTextures = std::array<std::filesystem::path, kSurfaces.size()>;
+SurfaceTextures texturesOf(const CParams& params, const std::filesystem::path& folder);
 
 /// Draws the pictures of a tree's recipes that are not there yet; they are kept in the user's cache. A second or two
 /// each. Any thread. Throws CError, which says what is wrong with a recipe, and CCancelled.

@@ -13,16 +13,18 @@ struct TreeModel {
     CParams params;
     const Detail* detail;
     std::shared_ptr<const CTree> tree;
-    std::vector<std::shared_ptr<const CMesh>> stems; ///< by generation
-    std::shared_ptr<const CMesh> leaves;
+    std::vector<std::shared_ptr<const CMesh>> stems;                 ///< by generation
+    std::array<std::shared_ptr<const CMesh>, kOrgans.size()> organs; ///< by Organ
     struct {
         double structure = 0, smooth = 0, mesh = 0, total = 0;
     } milliseconds;
 
-    static constexpr int kLeaves = -1;
+    const std::shared_ptr<const CMesh>& leaves() const { return organs[static_cast<std::size_t>(Organ::Leaf)]; }
+
+    static constexpr int kLeaves = -1; ///< then −2 the blossoms, −3 the fruits
     using MeshVisitor = std::function<void(const std::shared_ptr<const CMesh>& mesh, int generation)>;
 
-    /// Visits the meshes that have vertices: stems by generation, then the leaves (kLeaves).
+    /// Visits the meshes that have vertices: stems by generation, then the organs (kLeaves …).
     void visitMeshes(const MeshVisitor& visit) const;
     std::vector<std::shared_ptr<const CMesh>> meshes() const;
     std::size_t vertexCount() const;
@@ -45,12 +47,12 @@ public:
 
 private:
     struct MadeMesh {
-        std::shared_ptr<const void> source; ///< the generation or the leaves it shows
-        StemMesh stems;                     ///< of leaves only the mesh
+        std::shared_ptr<const void> source; ///< the generation or the organs it shows
+        StemMesh stems;                     ///< of organs only the mesh
         CParams params;
         bool sparse = false; ///< only a part of the generation was drawn
     };
-    using MadeMeshes = std::vector<MadeMesh>; ///< by generation, the leaves last
+    using MadeMeshes = std::vector<MadeMesh>; ///< by generation, the organs last
 
     void refuseTooLarge(const CParams& params, const Detail& detail) const;
     void updateTree(const CParams& params, const CProgress& progress);

@@ -1,19 +1,22 @@
 #pragma once
 #include "stromar/mesh/Mesh.h"
 #include <array>
+#include <memory>
 #include <optional>
 #include <osg/Geometry>
 #include <osg/Group>
-#include <osg/Texture2D>
+#include <osg/Uniform>
 #include <string>
 #include <vector>
 
 namespace stromar {
 
+class CShadowMap;
+
 /// A mesh ready to be drawn.
 struct ViewPart {
-    static constexpr int kLeaves = -1;
-    static constexpr int kNone = -2;
+    static constexpr int kLeaves = -1; ///< then −2 the blossoms, −3 the fruits
+    static constexpr int kNone = -100;
 
     osg::ref_ptr<osg::Geometry> geometry;
     Surface surface;
@@ -22,12 +25,17 @@ struct ViewPart {
 
 enum class Backdrop { Sky, Light, Dark, Nothing }; ///< Nothing: transparent
 enum class Wires { Off, Only, Over };
+enum class Shading { Lit, Material, Occlusion, Normals };
 
 /// What is drawn beside the tree, and how.
 struct ViewLook {
     Backdrop backdrop = Backdrop::Sky;
     Wires wires = Wires::Off;
-    bool leaves = true;
+    Shading shading = Shading::Lit;
+    double hour = 10;   ///< of the day, 0..24: where the sun stands
+    double sunTurn = 0; ///< turns its way about the tree, degrees
+    bool leaves = true; ///< and blossoms and fruits
+    bool shadows = true;
     bool ground = false; ///< a grid of metres, and a person of 1.75 m beside the tree
     bool operator==(const ViewLook&) const = default;
 };
@@ -41,6 +49,8 @@ struct ViewHit {
 /// What the viewport shows: the tree, the ground it stands on, the sky. All members: the thread that draws.
 class CViewScene {
 public:
+    ~CViewScene();
+
     static constexpr double kPersonHeight = 1.75; ///< metres
 
     CViewScene();
@@ -56,17 +66,25 @@ public:
     void tint(int generation);
     int tinted() const { return m_tinted; }
     osg::BoundingBox bounds() const;
+    /// Pixels of a side of the picture that shadows come from.
+    void setShadowSize(int pixels);
+    /// For who draws: what lay on the graphics card is lost; frame buffers have so many samples.
+    void startContext(int samples);
+    /// For who draws: after each frame.
+    void finishFrame();
     /// Where the person of the ground stands; z is the top of the head.
     osg::Vec3d personAt() const;
     /// The nearest visible triangle along a ray. Cost: every triangle near it.
     std::optional<ViewHit> pick(const osg::Vec3d& from, const osg::Vec3d& direction) const;
 
 private:
+    void updateCrown();
     void updateLight();
 
-    osg::ref_ptr<osg::Group> m_root, m_tree, m_wires, m_person;
-    std::array<osg::ref_ptr<osg::Group>, 2> m_surfaces;
-    osg::ref_ptr<osg::Uniform> m_crownMiddle, m_crownSize, m_backdrop, m_grid, m_tint, m_personPlace;
+    osg::ref_ptr<osg::Group> m_root, m_tree, m_wires, m_person, m_surfaceGroup;
+    std::array<osg::ref_ptr<osg::Group>, kSurfaces.size()> m_surfaces;
+    std::unique_ptr<CShadowMap> m_shadows;
+    osg::ref_ptr<osg::StateSet> m_state; ///< of everything
     std::vector<ViewPart> m_parts;
     ViewLook m_look;
     int m_tinted = ViewPart::kNone;

@@ -1,0 +1,39 @@
+#pragma once
+#include "stromar/app/TreeCreator.h"
+#include "stromar/texture/Opacity.h"
+#include <filesystem>
+#include <span>
+#include <string_view>
+
+namespace stromar {
+
+/// Where a picture is taken from.
+struct RenderView {
+    std::string_view name;
+    double yaw, pitch; ///< degrees; yaw 0 the front, 90 the right
+    double part;       ///< of the tree's height and width that fills the picture
+    double from;       ///< height of the part's middle, 0 at the ground, 1 at the top
+};
+std::span<const RenderView> renderViews();
+
+/// A season by its name, for those who do not count months.
+struct SeasonName {
+    std::string_view name;
+    double month;
+};
+std::span<const SeasonName> seasonNames();
+
+struct RenderOptions {
+    int width = 800, height = 800;
+    int view = 0; ///< row of renderViews()
+    int samples = 4;
+    double hour = 10;
+    bool transparent = false;
+};
+
+/// The picture that the viewport would show, without a window. Draws the tree's recipes first, where they are new.
+/// Throws CError, which says what is missing, and CCancelled.
+Pixels renderPicture(const TreeModel& model, const std::filesystem::path& treeFolder, const RenderOptions& options,
+                     const CProgress& progress);
+
+} // namespace stromar

@@ -1,0 +1,29 @@
+#pragma once
+#include "stromar/scene/SceneRenderer.h"
+#include "stromar/texture/Opacity.h"
+#include <memory>
+
+namespace stromar {
+
+/// Draws pictures without a window: through EGL where there is one, else through an X server (perhaps Xvfb). One
+/// thread.
+class CHeadlessPainter {
+public:
+    /// `samples`: for smooth edges; 1 for none. Throws CError, which says what is needed.
+    CHeadlessPainter(CViewScene& scene, int samples);
+    ~CHeadlessPainter();
+
+    /// Rows from the top. Throws CError when the graphics card has no room.
+    Pixels paint(const CCamera& camera, int width, int height);
+
+private:
+    class CContext;
+    class CEglContext;
+    class CXContext;
+
+    std::unique_ptr<CContext> m_context;
+    CSceneRenderer m_renderer;
+    int m_samples;
+};
+
+} // namespace stromar

@@ -1,0 +1,18 @@
+#pragma once
+#include <QString>
+#include <QSurfaceFormat>
+
+namespace stromar {
+
+/// What this display can draw.
+namespace display {
+
+/// OpenGL with its fixed functions, which OpenSceneGraph uses.
+QSurfaceFormat surfaceFormat(int samples);
+/// Whether this display has the OpenGL that is needed; else `why` tells the user what is missing.
+bool available(QString& why);
+/// For multisampling: 0 where pictures are computed by the processor (llvmpipe …), which is far too slow for more.
+int bestSamples();
+
+} // namespace display
+} // namespace stromar

@@ -1,0 +1,52 @@
+#include "stromar/scene/SceneRenderer.h"
+#include <algorithm>
+#include <osg/DisplaySettings>
+
+namespace stromar {
+
+CSceneRenderer::CSceneRenderer(CViewScene& scene) : m_scene(scene), m_viewer(new osgViewer::Viewer) {
+    osg::DisplaySettings::instance()->setVertexBufferHint(osg::DisplaySettings::VERTEX_BUFFER_OBJECT);
+    m_viewer->setThreadingModel(osgViewer::ViewerBase::SingleThreaded);
+    m_viewer->setKeyEventSetsDone(0);
+    m_viewer->setQuitEventSetsDone(false);
+    m_viewer->setReleaseContextAtEndOfFrameHint(false);
+    m_viewer->setLightingMode(osg::View::NO_LIGHT);
+    osg::Camera* camera = m_viewer->getCamera();
+    camera->setDrawBuffer(GL_COLOR_ATTACHMENT0); // a frame buffer object, not a window
+    camera->setReadBuffer(GL_COLOR_ATTACHMENT0);
+    camera->setClearColor(osg::Vec4(0, 0, 0, 0));
+    m_viewer->setSceneData(scene.root());
+}
+
+void CSceneRenderer::attach(int samples) {
+    m_window = new osgViewer::GraphicsWindowEmbedded(0, 0, 16, 16);
+    m_viewer->getCamera()->setGraphicsContext(m_window.get());
+    m_viewer->getCamera()->setViewport(0, 0, 16, 16);
+    m_viewer->realize();
+    m_scene.startContext(samples);
+}
+
+void CSceneRenderer::detach() {
+    if (!m_window) return;
+    m_window->close();
+    m_viewer->getCamera()->setGraphicsContext(nullptr);
+    m_window = nullptr;
+}
+
+const osg::GLExtensions& CSceneRenderer::extensions() const {
+    return *osg::GLExtensions::Get(m_window->getState()->getContextID(), true);
+}
+
+void CSceneRenderer::draw(unsigned frameBuffer, int width, int height, const CCamera& camera) {
+    const double aspect = double(width) / std::max(1, height);
+    m_window->resized(0, 0, width, height);
+    m_window->setDefaultFboId(frameBuffer); // changes when a widget is resized or moved to another parent
+    osg::Camera* eye = m_viewer->getCamera();
+    eye->setViewport(0, 0, width, height);
+    eye->setProjectionMatrix(camera.projection(aspect));
+    eye->setViewMatrix(camera.view());
+    m_viewer->frame();
+    m_scene.finishFrame();
+}
+
+} // namespace stromar

@@ -1,0 +1,35 @@
+#pragma once
+#include <osg/BoundingBox>
+#include <osg/Camera>
+#include <osg/Texture2D>
+#include <osg/Uniform>
+
+namespace stromar {
+
+/// How far the sun reaches: a picture of depths seen from it. Drawn anew only when it is stale; other frames keep it.
+class CShadowMap {
+public:
+    /// `casters` are what throws shadows; they stay where they are in the scene.
+    explicit CShadowMap(osg::Group* casters);
+
+    /// To be put into the scene: draws the map before everything else.
+    osg::Camera* camera() { return m_camera; }
+    /// What shaders need is added to this state. The map takes this texture unit.
+    void addTo(osg::StateSet* state, unsigned unit) const;
+    void aim(const osg::BoundingBox& box, const osg::Vec3& sun);
+    /// Pixels of a side; 0 for no shadows.
+    void setSize(int size);
+    void setStale();
+    /// After a frame: the map is there now.
+    void setDrawn();
+
+private:
+    void resize();
+
+    osg::ref_ptr<osg::Camera> m_camera;
+    osg::ref_ptr<osg::Texture2D> m_depth;
+    osg::ref_ptr<osg::Uniform> m_texel, m_matrix, m_offset;
+    int m_size = 2048;
+};
+
+} // namespace stromar
