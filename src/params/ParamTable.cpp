@@ -351,7 +351,7 @@ constexpr ParamInfo kParams[] = {
     {.key = "BlossomMonth", .label = N_("Month"), .group = Group::Blossom, .section = N_("Blossoms"), .field = &G::blossomMonth,
      .range = {0, 12}, .useful = {0, 12}, .step = 0.1, .decimals = 2, .defaults = {4.5}, .obsolete = kLeafMesh,
      .help = N_("When the tree is in full blossom; it begins and ends most of a month before and after."),
-     .idle = kNeedsBlossoms},
+     .idle = kNeedsBlossoms, .shown = {"Leaves=0 Blossoms=8 Season=4.5 BlossomScale=0.15", {4, 4.5, 6}}},
     {.key = "Fruits", .label = N_("Number"), .group = Group::Blossom, .section = N_("Fruits"), .field = &G::fruits,
      .range = {0, 5000}, .useful = {0, 30}, .step = 1, .defaults = {0}, .obsolete = kLeavesOnly,
      .help = N_("The most fruits that a stem of the last level bears."),
@@ -371,7 +371,7 @@ constexpr ParamInfo kParams[] = {
     {.key = "FruitMonth", .label = N_("Month"), .group = Group::Blossom, .section = N_("Fruits"), .field = &G::fruitMonth,
      .range = {0, 12}, .useful = {0, 12}, .step = 0.1, .decimals = 2, .defaults = {9}, .obsolete = kLeafMesh,
      .help = N_("When the fruits are ripe. They grow in the two months before and fall in the month after."),
-     .idle = kNeedsFruits},
+     .idle = kNeedsFruits, .shown = {"Leaves=0 Fruits=4 Season=9 FruitScale=0.12", {9, 10, 10.8}}},
 
     // Pruning
     {.key = "PruneRatio", .label = N_("Strength"), .group = Group::Pruning, .section = N_("Envelope"), .field = &G::pruneRatio,
