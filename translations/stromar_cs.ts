@@ -323,6 +323,38 @@
         <source>&amp;Help</source>
         <translation>&amp;Nápověda</translation>
     </message>
+    <message>
+        <source>&amp;Lit</source>
+        <translation>&amp;Osvětleně</translation>
+    </message>
+    <message>
+        <source>The tree in the light</source>
+        <translation>Strom ve světle</translation>
+    </message>
+    <message>
+        <source>&amp;Material Alone</source>
+        <translation>Jen &amp;materiál</translation>
+    </message>
+    <message>
+        <source>The pictures without light</source>
+        <translation>Obrázky bez světla</translation>
+    </message>
+    <message>
+        <source>O&amp;cclusion Alone</source>
+        <translation>Jen &amp;zastínění</translation>
+    </message>
+    <message>
+        <source>How much of the sky each place sees</source>
+        <translation>Kolik oblohy které místo vidí</translation>
+    </message>
+    <message>
+        <source>&amp;Normals Alone</source>
+        <translation>Jen &amp;normály</translation>
+    </message>
+    <message>
+        <source>Where each place faces, as a colour</source>
+        <translation>Kam které místo míří, jako barva</translation>
+    </message>
 </context>
 <context>
     <name>stromar</name>
@@ -1291,10 +1323,6 @@
         <translation>Listy</translation>
     </message>
     <message>
-        <source>The picture on the leaves, transparent outside the blade. Empty takes the built-in one.</source>
-        <translation>Obrázek na listech, průhledný mimo čepel. Prázdné vezme vestavěný.</translation>
-    </message>
-    <message>
         <source>The tree has no stems of this level: see Levels of stems.</source>
         <translation>Strom nemá větve této úrovně: viz Úrovně větvení.</translation>
     </message>
@@ -1446,6 +1474,422 @@
         <source>The colour of what lies deep.</source>
         <translation>Barva toho, co leží hluboko.</translation>
     </message>
+    <message>
+        <source>Time of day</source>
+        <translation>Denní doba</translation>
+    </message>
+    <message>
+        <source>Where the sun stands: low and red in the morning and in the evening.</source>
+        <translation>Kde stojí slunce: ráno a večer nízko a rudé.</translation>
+    </message>
+    <message>
+        <source>Sun direction</source>
+        <translation>Směr slunce</translation>
+    </message>
+    <message>
+        <source>Turns the sun&apos;s way about the tree.</source>
+        <translation>Otáčí dráhu slunce kolem stromu.</translation>
+    </message>
+    <message>
+        <source>lance</source>
+        <translation>kopinatý</translation>
+    </message>
+    <message>
+        <source>heart</source>
+        <translation>srdčitý</translation>
+    </message>
+    <message>
+        <source>pinnate</source>
+        <translation>zpeřený</translation>
+    </message>
+    <message>
+        <source>palmate</source>
+        <translation>dlanitý</translation>
+    </message>
+    <message>
+        <source>fan</source>
+        <translation>vějíř</translation>
+    </message>
+    <message>
+        <source>Only cards have several planes: set Form to card.</source>
+        <translation>Více rovin mají jen karty: nastavte Formu na kartu.</translation>
+    </message>
+    <message>
+        <source>The tree has only one trunk.</source>
+        <translation>Strom má jen jeden kmen.</translation>
+    </message>
+    <message>
+        <source>The tree has no leaves, blossoms or fruits.</source>
+        <translation>Strom nemá listy, květy ani plody.</translation>
+    </message>
+    <message>
+        <source>The tree has no blossoms: their Number is 0.</source>
+        <translation>Strom nemá květy: jejich Počet je 0.</translation>
+    </message>
+    <message>
+        <source>The tree has no fruits: their Number is 0.</source>
+        <translation>Strom nemá plody: jejich Počet je 0.</translation>
+    </message>
+    <message>
+        <source>Month</source>
+        <translation>Měsíc</translation>
+    </message>
+    <message>
+        <source>Season</source>
+        <translation>Roční období</translation>
+    </message>
+    <message>
+        <source>The time of the year: 0 is New Year, 4.5 spring, 7 summer, 10 autumn. Leaves, their colour, blossoms and fruits follow.</source>
+        <translation>Doba roku: 0 je Nový rok, 4,5 jaro, 7 léto, 10 podzim. Řídí se jí listy, jejich barva, květy a plody.</translation>
+    </message>
+    <message>
+        <source>Evergreen</source>
+        <translation>Stálezelený</translation>
+    </message>
+    <message>
+        <source>On: the leaves stay, and stay green, through the winter.</source>
+        <translation>Zapnuto: listy zůstávají přes zimu, a zelené.</translation>
+    </message>
+    <message>
+        <source>Trunks</source>
+        <translation>Kmeny</translation>
+    </message>
+    <message>
+        <source>Several trunks</source>
+        <translation>Více kmenů</translation>
+    </message>
+    <message>
+        <source>How many trunks rise from one base: shrubs, clumps of bamboo.</source>
+        <translation>Kolik kmenů roste z jednoho základu: keře, trsy bambusu.</translation>
+    </message>
+    <message>
+        <source>Spread</source>
+        <translation>Rozestup</translation>
+    </message>
+    <message>
+        <source>How far from the middle the outermost trunk stands.</source>
+        <translation>Jak daleko od středu stojí krajní kmen.</translation>
+    </message>
+    <message>
+        <source>Lean</source>
+        <translation>Náklon</translation>
+    </message>
+    <message>
+        <source>How far the outermost trunk leans outwards; the others less.</source>
+        <translation>Jak moc se krajní kmen kloní ven; ostatní méně.</translation>
+    </message>
+    <message>
+        <source>At one place</source>
+        <translation>Na jednom místě</translation>
+    </message>
+    <message>
+        <source>How many branches leave their parent at the same height, all around it: 2 are opposite, more a whorl.</source>
+        <translation>Kolik větví vyrůstá ve stejné výšce kolem dokola: 2 jsou vstřícné, více tvoří přeslen.</translation>
+    </message>
+    <message>
+        <source>How many leaves leave a stem at the same place: 1 are alternate, 2 opposite, more a whorl.</source>
+        <translation>Kolik listů vyrůstá na stejném místě: 1 střídavé, 2 vstřícné, více přeslen.</translation>
+    </message>
+    <message>
+        <source>Planes</source>
+        <translation>Roviny</translation>
+    </message>
+    <message>
+        <source>How many cards, turned about their length, make one leaf: 2 or 3 for tufts and twigs of needles.</source>
+        <translation>Kolik karet pootočených kolem délky tvoří jeden list: 2 nebo 3 pro svazky a větvičky jehlic.</translation>
+    </message>
+    <message>
+        <source>Blossoms</source>
+        <translation>Květy</translation>
+    </message>
+    <message>
+        <source>The most blossoms that a stem of the last level bears. They stand where leaves could.</source>
+        <translation>Nejvyšší počet květů na stonku poslední úrovně. Stojí tam, kde by mohly být listy.</translation>
+    </message>
+    <message>
+        <source>The length and width of a blossom, or of the cluster that its picture shows.</source>
+        <translation>Délka a šířka květu, nebo květenství na jeho obrázku.</translation>
+    </message>
+    <message>
+        <source>When the tree is in full blossom; it begins and ends most of a month before and after.</source>
+        <translation>Kdy je strom v plném květu; začíná a končí skoro měsíc předtím a potom.</translation>
+    </message>
+    <message>
+        <source>Fruits</source>
+        <translation>Plody</translation>
+    </message>
+    <message>
+        <source>The most fruits that a stem of the last level bears.</source>
+        <translation>Nejvyšší počet plodů na stonku poslední úrovně.</translation>
+    </message>
+    <message>
+        <source>The length of a ripe fruit.</source>
+        <translation>Délka zralého plodu.</translation>
+    </message>
+    <message>
+        <source>The width of a fruit as a part of its length: small for cones and pods.</source>
+        <translation>Šířka plodu jako díl jeho délky: malá pro šišky a lusky.</translation>
+    </message>
+    <message>
+        <source>The length of the stalk that a fruit hangs on, as a part of its own length.</source>
+        <translation>Délka stopky, na které plod visí, jako díl jeho délky.</translation>
+    </message>
+    <message>
+        <source>When the fruits are ripe. They grow in the two months before and fall in the month after.</source>
+        <translation>Kdy jsou plody zralé. Rostou dva měsíce předtím a padají měsíc potom.</translation>
+    </message>
+    <message>
+        <source>The picture on the leaves, transparent outside the blade. A recipe as leaf:oak seed=3 is drawn. Empty takes the built-in one.</source>
+        <translation>Obrázek na listech, mimo čepel průhledný. Recept jako leaf:oak seed=3 se nakreslí. Prázdné bere vestavěný.</translation>
+    </message>
+    <message>
+        <source>Blossom texture</source>
+        <translation>Textura květů</translation>
+    </message>
+    <message>
+        <source>Blossoms and fruits</source>
+        <translation>Květy a plody</translation>
+    </message>
+    <message>
+        <source>The picture on the blossoms. Empty draws leaf:blossom.</source>
+        <translation>Obrázek na květech. Prázdné kreslí leaf:blossom.</translation>
+    </message>
+    <message>
+        <source>Fruit texture</source>
+        <translation>Textura plodů</translation>
+    </message>
+    <message>
+        <source>The skin of the fruits. Empty draws a red one.</source>
+        <translation>Slupka plodů. Prázdné kreslí červenou.</translation>
+    </message>
+    <message>
+        <source>Blossoms and fruits grow on branches, and the tree is a bare trunk.</source>
+        <translation>Květy a plody rostou na větvích a strom je holý kmen.</translation>
+    </message>
+    <message>
+        <source>Blossom</source>
+        <translation>Květ</translation>
+    </message>
+    <message>
+        <source>beech</source>
+        <translation>buk</translation>
+    </message>
+    <message>
+        <source>oak</source>
+        <translation>dub</translation>
+    </message>
+    <message>
+        <source>aspen</source>
+        <translation>osika</translation>
+    </message>
+    <message>
+        <source>lime</source>
+        <translation>lípa</translation>
+    </message>
+    <message>
+        <source>apple</source>
+        <translation>jabloň</translation>
+    </message>
+    <message>
+        <source>olive</source>
+        <translation>oliva</translation>
+    </message>
+    <message>
+        <source>bamboo</source>
+        <translation>bambus</translation>
+    </message>
+    <message>
+        <source>maple</source>
+        <translation>javor</translation>
+    </message>
+    <message>
+        <source>japanese-maple</source>
+        <translation>javor dlanitolistý</translation>
+    </message>
+    <message>
+        <source>ash</source>
+        <translation>jasan</translation>
+    </message>
+    <message>
+        <source>acacia</source>
+        <translation>akácie</translation>
+    </message>
+    <message>
+        <source>frond</source>
+        <translation>palmový list</translation>
+    </message>
+    <message>
+        <source>chestnut</source>
+        <translation>jírovec</translation>
+    </message>
+    <message>
+        <source>pine</source>
+        <translation>borovice</translation>
+    </message>
+    <message>
+        <source>spruce</source>
+        <translation>smrk</translation>
+    </message>
+    <message>
+        <source>larch</source>
+        <translation>modřín</translation>
+    </message>
+    <message>
+        <source>cedar</source>
+        <translation>cedr</translation>
+    </message>
+    <message>
+        <source>cypress</source>
+        <translation>cypřiš</translation>
+    </message>
+    <message>
+        <source>flower</source>
+        <translation>květ</translation>
+    </message>
+    <message>
+        <source>blossom</source>
+        <translation>květenství</translation>
+    </message>
+    <message>
+        <source>Another leaf of the same kind.</source>
+        <translation>Jiný list téhož druhu.</translation>
+    </message>
+    <message>
+        <source>The width of the picture as a part of its length. Give Width of the tree&apos;s leaves the same value.</source>
+        <translation>Šířka obrázku jako díl délky. Šířce listů stromu dejte stejnou hodnotu.</translation>
+    </message>
+    <message>
+        <source>The part of the length that is stalk.</source>
+        <translation>Díl délky, který je řapík.</translation>
+    </message>
+    <message>
+        <source>Where a blade is widest, from 0 at its foot to 1 at its tip.</source>
+        <translation>Kde je čepel nejširší, od 0 u paty po 1 na špičce.</translation>
+    </message>
+    <message>
+        <source>Base</source>
+        <translation>Pata</translation>
+    </message>
+    <message>
+        <source>Below 1 the blade begins round, above 1 like a wedge.</source>
+        <translation>Pod 1 začíná čepel zaobleně, nad 1 klínovitě.</translation>
+    </message>
+    <message>
+        <source>Tip</source>
+        <translation>Špička</translation>
+    </message>
+    <message>
+        <source>Below 1 the blade ends round, above 1 in a drawn-out point.</source>
+        <translation>Pod 1 končí čepel zaobleně, nad 1 protáhlou špičkou.</translation>
+    </message>
+    <message>
+        <source>Heart</source>
+        <translation>Srdce</translation>
+    </message>
+    <message>
+        <source>How far the blade reaches back beside its stalk.</source>
+        <translation>Jak daleko sahá čepel zpět podél řapíku.</translation>
+    </message>
+    <message>
+        <source>Teeth</source>
+        <translation>Zuby</translation>
+    </message>
+    <message>
+        <source>How many teeth each half of a blade has.</source>
+        <translation>Kolik zubů má každá půle čepele.</translation>
+    </message>
+    <message>
+        <source>Depth of teeth</source>
+        <translation>Hloubka zubů</translation>
+    </message>
+    <message>
+        <source>How deep they are cut, as a part of the half&apos;s width.</source>
+        <translation>Jak hluboko jsou vykrojeny, jako díl šířky půle.</translation>
+    </message>
+    <message>
+        <source>How many lobes a half, or a hand-shaped leaf, has. Of blossoms: how many flowers.</source>
+        <translation>Kolik laloků má půle nebo dlanitý list. U květenství: kolik květů.</translation>
+    </message>
+    <message>
+        <source>Depth of lobes</source>
+        <translation>Hloubka laloků</translation>
+    </message>
+    <message>
+        <source>How deep they are cut. Of leaflets and needles: how wide they are.</source>
+        <translation>Jak hluboko jsou vykrojeny. U lístků a jehlic: jak jsou široké.</translation>
+    </message>
+    <message>
+        <source>Slant</source>
+        <translation>Sklon</translation>
+    </message>
+    <message>
+        <source>How far teeth and lobes lean towards the tip.</source>
+        <translation>Jak moc se zuby a laloky kloní ke špičce.</translation>
+    </message>
+    <message>
+        <source>Leaflets</source>
+        <translation>Lístky</translation>
+    </message>
+    <message>
+        <source>Pairs of leaflets, leaflets of a hand, needles or petals.</source>
+        <translation>Páry lístků, lístky dlaně, jehlice nebo okvětní lístky.</translation>
+    </message>
+    <message>
+        <source>How far lobes, leaflets or needles stand off, in degrees.</source>
+        <translation>Jak daleko odstávají laloky, lístky nebo jehlice, ve stupních.</translation>
+    </message>
+    <message>
+        <source>Veins</source>
+        <translation>Žilky</translation>
+    </message>
+    <message>
+        <source>How many veins leave the midrib on each side.</source>
+        <translation>Kolik žilek vychází z hlavní žilky na každé straně.</translation>
+    </message>
+    <message>
+        <source>Blemishes</source>
+        <translation>Vady</translation>
+    </message>
+    <message>
+        <source>How many spots and worn places there are.</source>
+        <translation>Kolik je skvrn a opotřebených míst.</translation>
+    </message>
+    <message>
+        <source>Gloss</source>
+        <translation>Lesk</translation>
+    </message>
+    <message>
+        <source>How much the upper side shines.</source>
+        <translation>Jak moc se leskne horní strana.</translation>
+    </message>
+    <message>
+        <source>Colour</source>
+        <translation>Barva</translation>
+    </message>
+    <message>
+        <source>The colour in summer.</source>
+        <translation>Barva v létě.</translation>
+    </message>
+    <message>
+        <source>Veins&apos; colour</source>
+        <translation>Barva žilek</translation>
+    </message>
+    <message>
+        <source>The colour of veins and stalks.</source>
+        <translation>Barva žilek a řapíků.</translation>
+    </message>
+    <message>
+        <source>Autumn colour</source>
+        <translation>Podzimní barva</translation>
+    </message>
+    <message>
+        <source>The colour when the green has gone.</source>
+        <translation>Barva, když zeleň zmizí.</translation>
+    </message>
+    <message>
+        <source>0.5 is the middle of January, 7 the height of summer, 10.5 late autumn.</source>
+        <translation>0,5 je polovina ledna, 7 vrchol léta, 10,5 pozdní podzim.</translation>
+    </message>
 </context>
 <context>
     <name>stromar::CDocument</name>
@@ -1526,6 +1970,13 @@
     <message>
         <source>Contents</source>
         <translation>Obsah</translation>
+    </message>
+</context>
+<context>
+    <name>stromar::CLightPanel</name>
+    <message>
+        <source>Usual light</source>
+        <translation>Obvyklé světlo</translation>
     </message>
 </context>
 <context>
@@ -1828,6 +2279,10 @@
         <source>Save the changes of %1?</source>
         <translation>Uložit změny v %1?</translation>
     </message>
+    <message>
+        <source>Light</source>
+        <translation>Světlo</translation>
+    </message>
 </context>
 <context>
     <name>stromar::CMessageBar</name>
@@ -1874,8 +2329,12 @@
         <translation>Nakreslit</translation>
     </message>
     <message>
-        <source>A bark that Stromar draws; the words behind its name can be changed</source>
-        <translation>Kůra, kterou Stromar nakreslí; slova za jejím názvem lze měnit</translation>
+        <source>A picture that Stromar draws; the words behind its name can be changed</source>
+        <translation>Obrázek, který kreslí Stromar; slova za jménem lze měnit</translation>
+    </message>
+    <message>
+        <source>Texture Workshop…</source>
+        <translation>Dílna textur…</translation>
     </message>
 </context>
 <context>
@@ -2024,6 +2483,29 @@
     <message>
         <source>%1 cannot be removed.</source>
         <translation>%1 nelze odstranit.</translation>
+    </message>
+</context>
+<context>
+    <name>stromar::CTextureWorkshop</name>
+    <message>
+        <source>Texture Workshop</source>
+        <translation>Dílna textur</translation>
+    </message>
+    <message>
+        <source>Save Pictures…</source>
+        <translation>Uložit obrázky…</translation>
+    </message>
+    <message>
+        <source>Save Pictures</source>
+        <translation>Uložit obrázky</translation>
+    </message>
+    <message>
+        <source>Pictures (*.png)</source>
+        <translation>Obrázky (*.png)</translation>
+    </message>
+    <message>
+        <source>Cannot save the pictures</source>
+        <translation>Obrázky nelze uložit</translation>
     </message>
 </context>
 <context>

@@ -323,6 +323,38 @@
         <source>&amp;Help</source>
         <translation>&amp;Справка</translation>
     </message>
+    <message>
+        <source>&amp;Lit</source>
+        <translation>&amp;Освещённо</translation>
+    </message>
+    <message>
+        <source>The tree in the light</source>
+        <translation>Дерево в свете</translation>
+    </message>
+    <message>
+        <source>&amp;Material Alone</source>
+        <translation>Только &amp;материал</translation>
+    </message>
+    <message>
+        <source>The pictures without light</source>
+        <translation>Картинки без света</translation>
+    </message>
+    <message>
+        <source>O&amp;cclusion Alone</source>
+        <translation>Только &amp;затенение</translation>
+    </message>
+    <message>
+        <source>How much of the sky each place sees</source>
+        <translation>Сколько неба видно из каждой точки</translation>
+    </message>
+    <message>
+        <source>&amp;Normals Alone</source>
+        <translation>Только &amp;нормали</translation>
+    </message>
+    <message>
+        <source>Where each place faces, as a colour</source>
+        <translation>Куда обращена каждая точка, цветом</translation>
+    </message>
 </context>
 <context>
     <name>stromar</name>
@@ -1291,10 +1323,6 @@
         <translation>Листья</translation>
     </message>
     <message>
-        <source>The picture on the leaves, transparent outside the blade. Empty takes the built-in one.</source>
-        <translation>Картинка на листьях, прозрачная вне пластинки. Пусто — встроенная.</translation>
-    </message>
-    <message>
         <source>The tree has no stems of this level: see Levels of stems.</source>
         <translation>У дерева нет ветвей этого уровня: см. «Уровни ветвления».</translation>
     </message>
@@ -1446,6 +1474,422 @@
         <source>The colour of what lies deep.</source>
         <translation>Цвет глубокого.</translation>
     </message>
+    <message>
+        <source>Time of day</source>
+        <translation>Время суток</translation>
+    </message>
+    <message>
+        <source>Where the sun stands: low and red in the morning and in the evening.</source>
+        <translation>Где стоит солнце: утром и вечером низко и красно.</translation>
+    </message>
+    <message>
+        <source>Sun direction</source>
+        <translation>Направление солнца</translation>
+    </message>
+    <message>
+        <source>Turns the sun&apos;s way about the tree.</source>
+        <translation>Поворачивает путь солнца вокруг дерева.</translation>
+    </message>
+    <message>
+        <source>lance</source>
+        <translation>ланцетный</translation>
+    </message>
+    <message>
+        <source>heart</source>
+        <translation>сердцевидный</translation>
+    </message>
+    <message>
+        <source>pinnate</source>
+        <translation>перистый</translation>
+    </message>
+    <message>
+        <source>palmate</source>
+        <translation>пальчатый</translation>
+    </message>
+    <message>
+        <source>fan</source>
+        <translation>веер</translation>
+    </message>
+    <message>
+        <source>Only cards have several planes: set Form to card.</source>
+        <translation>Несколько плоскостей бывает только у карточек: выберите форму «карточка».</translation>
+    </message>
+    <message>
+        <source>The tree has only one trunk.</source>
+        <translation>У дерева только один ствол.</translation>
+    </message>
+    <message>
+        <source>The tree has no leaves, blossoms or fruits.</source>
+        <translation>У дерева нет ни листьев, ни цветов, ни плодов.</translation>
+    </message>
+    <message>
+        <source>The tree has no blossoms: their Number is 0.</source>
+        <translation>У дерева нет цветов: их Число равно 0.</translation>
+    </message>
+    <message>
+        <source>The tree has no fruits: their Number is 0.</source>
+        <translation>У дерева нет плодов: их Число равно 0.</translation>
+    </message>
+    <message>
+        <source>Month</source>
+        <translation>Месяц</translation>
+    </message>
+    <message>
+        <source>Season</source>
+        <translation>Время года</translation>
+    </message>
+    <message>
+        <source>The time of the year: 0 is New Year, 4.5 spring, 7 summer, 10 autumn. Leaves, their colour, blossoms and fruits follow.</source>
+        <translation>Время года: 0 — Новый год, 4,5 — весна, 7 — лето, 10 — осень. За ним следуют листья, их цвет, цветы и плоды.</translation>
+    </message>
+    <message>
+        <source>Evergreen</source>
+        <translation>Вечнозелёное</translation>
+    </message>
+    <message>
+        <source>On: the leaves stay, and stay green, through the winter.</source>
+        <translation>Включено: листья остаются на зиму и остаются зелёными.</translation>
+    </message>
+    <message>
+        <source>Trunks</source>
+        <translation>Стволы</translation>
+    </message>
+    <message>
+        <source>Several trunks</source>
+        <translation>Несколько стволов</translation>
+    </message>
+    <message>
+        <source>How many trunks rise from one base: shrubs, clumps of bamboo.</source>
+        <translation>Сколько стволов растёт из одного основания: кусты, заросли бамбука.</translation>
+    </message>
+    <message>
+        <source>Spread</source>
+        <translation>Разброс</translation>
+    </message>
+    <message>
+        <source>How far from the middle the outermost trunk stands.</source>
+        <translation>Как далеко от середины стоит крайний ствол.</translation>
+    </message>
+    <message>
+        <source>Lean</source>
+        <translation>Наклон</translation>
+    </message>
+    <message>
+        <source>How far the outermost trunk leans outwards; the others less.</source>
+        <translation>Насколько крайний ствол наклонён наружу; остальные меньше.</translation>
+    </message>
+    <message>
+        <source>At one place</source>
+        <translation>В одном месте</translation>
+    </message>
+    <message>
+        <source>How many branches leave their parent at the same height, all around it: 2 are opposite, more a whorl.</source>
+        <translation>Сколько ветвей отходит на одной высоте вокруг: 2 — супротивные, больше — мутовка.</translation>
+    </message>
+    <message>
+        <source>How many leaves leave a stem at the same place: 1 are alternate, 2 opposite, more a whorl.</source>
+        <translation>Сколько листьев отходит в одном месте: 1 — очередные, 2 — супротивные, больше — мутовка.</translation>
+    </message>
+    <message>
+        <source>Planes</source>
+        <translation>Плоскости</translation>
+    </message>
+    <message>
+        <source>How many cards, turned about their length, make one leaf: 2 or 3 for tufts and twigs of needles.</source>
+        <translation>Сколько карточек, повёрнутых вокруг длины, составляют лист: 2 или 3 для пучков и веточек хвои.</translation>
+    </message>
+    <message>
+        <source>Blossoms</source>
+        <translation>Цветы</translation>
+    </message>
+    <message>
+        <source>The most blossoms that a stem of the last level bears. They stand where leaves could.</source>
+        <translation>Наибольшее число цветов на стебле последнего уровня. Они стоят там, где могли бы быть листья.</translation>
+    </message>
+    <message>
+        <source>The length and width of a blossom, or of the cluster that its picture shows.</source>
+        <translation>Длина и ширина цветка или соцветия на его картинке.</translation>
+    </message>
+    <message>
+        <source>When the tree is in full blossom; it begins and ends most of a month before and after.</source>
+        <translation>Когда дерево в полном цвету; начинается и кончается почти за месяц до и после.</translation>
+    </message>
+    <message>
+        <source>Fruits</source>
+        <translation>Плоды</translation>
+    </message>
+    <message>
+        <source>The most fruits that a stem of the last level bears.</source>
+        <translation>Наибольшее число плодов на стебле последнего уровня.</translation>
+    </message>
+    <message>
+        <source>The length of a ripe fruit.</source>
+        <translation>Длина спелого плода.</translation>
+    </message>
+    <message>
+        <source>The width of a fruit as a part of its length: small for cones and pods.</source>
+        <translation>Ширина плода как доля длины: малая для шишек и стручков.</translation>
+    </message>
+    <message>
+        <source>The length of the stalk that a fruit hangs on, as a part of its own length.</source>
+        <translation>Длина плодоножки как доля длины плода.</translation>
+    </message>
+    <message>
+        <source>When the fruits are ripe. They grow in the two months before and fall in the month after.</source>
+        <translation>Когда плоды спелые. Они растут два месяца до этого и опадают за месяц после.</translation>
+    </message>
+    <message>
+        <source>The picture on the leaves, transparent outside the blade. A recipe as leaf:oak seed=3 is drawn. Empty takes the built-in one.</source>
+        <translation>Картинка на листьях, прозрачная вне пластинки. Рецепт вида leaf:oak seed=3 рисуется. Пустое значит встроенную.</translation>
+    </message>
+    <message>
+        <source>Blossom texture</source>
+        <translation>Текстура цветов</translation>
+    </message>
+    <message>
+        <source>Blossoms and fruits</source>
+        <translation>Цветы и плоды</translation>
+    </message>
+    <message>
+        <source>The picture on the blossoms. Empty draws leaf:blossom.</source>
+        <translation>Картинка на цветах. Пустое рисует leaf:blossom.</translation>
+    </message>
+    <message>
+        <source>Fruit texture</source>
+        <translation>Текстура плодов</translation>
+    </message>
+    <message>
+        <source>The skin of the fruits. Empty draws a red one.</source>
+        <translation>Кожица плодов. Пустое рисует красную.</translation>
+    </message>
+    <message>
+        <source>Blossoms and fruits grow on branches, and the tree is a bare trunk.</source>
+        <translation>Цветы и плоды растут на ветвях, а дерево — голый ствол.</translation>
+    </message>
+    <message>
+        <source>Blossom</source>
+        <translation>Цветение</translation>
+    </message>
+    <message>
+        <source>beech</source>
+        <translation>бук</translation>
+    </message>
+    <message>
+        <source>oak</source>
+        <translation>дуб</translation>
+    </message>
+    <message>
+        <source>aspen</source>
+        <translation>осина</translation>
+    </message>
+    <message>
+        <source>lime</source>
+        <translation>липа</translation>
+    </message>
+    <message>
+        <source>apple</source>
+        <translation>яблоня</translation>
+    </message>
+    <message>
+        <source>olive</source>
+        <translation>олива</translation>
+    </message>
+    <message>
+        <source>bamboo</source>
+        <translation>бамбук</translation>
+    </message>
+    <message>
+        <source>maple</source>
+        <translation>клён</translation>
+    </message>
+    <message>
+        <source>japanese-maple</source>
+        <translation>японский клён</translation>
+    </message>
+    <message>
+        <source>ash</source>
+        <translation>ясень</translation>
+    </message>
+    <message>
+        <source>acacia</source>
+        <translation>акация</translation>
+    </message>
+    <message>
+        <source>frond</source>
+        <translation>пальмовый лист</translation>
+    </message>
+    <message>
+        <source>chestnut</source>
+        <translation>каштан</translation>
+    </message>
+    <message>
+        <source>pine</source>
+        <translation>сосна</translation>
+    </message>
+    <message>
+        <source>spruce</source>
+        <translation>ель</translation>
+    </message>
+    <message>
+        <source>larch</source>
+        <translation>лиственница</translation>
+    </message>
+    <message>
+        <source>cedar</source>
+        <translation>кедр</translation>
+    </message>
+    <message>
+        <source>cypress</source>
+        <translation>кипарис</translation>
+    </message>
+    <message>
+        <source>flower</source>
+        <translation>цветок</translation>
+    </message>
+    <message>
+        <source>blossom</source>
+        <translation>соцветие</translation>
+    </message>
+    <message>
+        <source>Another leaf of the same kind.</source>
+        <translation>Другой лист того же вида.</translation>
+    </message>
+    <message>
+        <source>The width of the picture as a part of its length. Give Width of the tree&apos;s leaves the same value.</source>
+        <translation>Ширина картинки как доля длины. Дайте Ширине листьев дерева то же значение.</translation>
+    </message>
+    <message>
+        <source>The part of the length that is stalk.</source>
+        <translation>Доля длины, которую занимает черешок.</translation>
+    </message>
+    <message>
+        <source>Where a blade is widest, from 0 at its foot to 1 at its tip.</source>
+        <translation>Где пластинка шире всего, от 0 у основания до 1 на кончике.</translation>
+    </message>
+    <message>
+        <source>Base</source>
+        <translation>Основание</translation>
+    </message>
+    <message>
+        <source>Below 1 the blade begins round, above 1 like a wedge.</source>
+        <translation>Меньше 1 — начинается округло, больше 1 — клином.</translation>
+    </message>
+    <message>
+        <source>Tip</source>
+        <translation>Кончик</translation>
+    </message>
+    <message>
+        <source>Below 1 the blade ends round, above 1 in a drawn-out point.</source>
+        <translation>Меньше 1 — заканчивается округло, больше 1 — вытянутым остриём.</translation>
+    </message>
+    <message>
+        <source>Heart</source>
+        <translation>Сердце</translation>
+    </message>
+    <message>
+        <source>How far the blade reaches back beside its stalk.</source>
+        <translation>Как далеко пластинка заходит назад вдоль черешка.</translation>
+    </message>
+    <message>
+        <source>Teeth</source>
+        <translation>Зубцы</translation>
+    </message>
+    <message>
+        <source>How many teeth each half of a blade has.</source>
+        <translation>Сколько зубцов у каждой половины пластинки.</translation>
+    </message>
+    <message>
+        <source>Depth of teeth</source>
+        <translation>Глубина зубцов</translation>
+    </message>
+    <message>
+        <source>How deep they are cut, as a part of the half&apos;s width.</source>
+        <translation>Насколько глубоко вырезаны, как доля ширины половины.</translation>
+    </message>
+    <message>
+        <source>How many lobes a half, or a hand-shaped leaf, has. Of blossoms: how many flowers.</source>
+        <translation>Сколько лопастей у половины или у пальчатого листа. У соцветий: сколько цветков.</translation>
+    </message>
+    <message>
+        <source>Depth of lobes</source>
+        <translation>Глубина лопастей</translation>
+    </message>
+    <message>
+        <source>How deep they are cut. Of leaflets and needles: how wide they are.</source>
+        <translation>Насколько глубоко вырезаны. У листочков и игл: насколько широки.</translation>
+    </message>
+    <message>
+        <source>Slant</source>
+        <translation>Скос</translation>
+    </message>
+    <message>
+        <source>How far teeth and lobes lean towards the tip.</source>
+        <translation>Насколько зубцы и лопасти наклонены к кончику.</translation>
+    </message>
+    <message>
+        <source>Leaflets</source>
+        <translation>Листочки</translation>
+    </message>
+    <message>
+        <source>Pairs of leaflets, leaflets of a hand, needles or petals.</source>
+        <translation>Пары листочков, листочки ладони, иглы или лепестки.</translation>
+    </message>
+    <message>
+        <source>How far lobes, leaflets or needles stand off, in degrees.</source>
+        <translation>Насколько отстоят лопасти, листочки или иглы, в градусах.</translation>
+    </message>
+    <message>
+        <source>Veins</source>
+        <translation>Жилки</translation>
+    </message>
+    <message>
+        <source>How many veins leave the midrib on each side.</source>
+        <translation>Сколько жилок отходит от главной с каждой стороны.</translation>
+    </message>
+    <message>
+        <source>Blemishes</source>
+        <translation>Изъяны</translation>
+    </message>
+    <message>
+        <source>How many spots and worn places there are.</source>
+        <translation>Сколько пятен и изношенных мест.</translation>
+    </message>
+    <message>
+        <source>Gloss</source>
+        <translation>Блеск</translation>
+    </message>
+    <message>
+        <source>How much the upper side shines.</source>
+        <translation>Насколько блестит верхняя сторона.</translation>
+    </message>
+    <message>
+        <source>Colour</source>
+        <translation>Цвет</translation>
+    </message>
+    <message>
+        <source>The colour in summer.</source>
+        <translation>Цвет летом.</translation>
+    </message>
+    <message>
+        <source>Veins&apos; colour</source>
+        <translation>Цвет жилок</translation>
+    </message>
+    <message>
+        <source>The colour of veins and stalks.</source>
+        <translation>Цвет жилок и черешков.</translation>
+    </message>
+    <message>
+        <source>Autumn colour</source>
+        <translation>Осенний цвет</translation>
+    </message>
+    <message>
+        <source>The colour when the green has gone.</source>
+        <translation>Цвет, когда зелень ушла.</translation>
+    </message>
+    <message>
+        <source>0.5 is the middle of January, 7 the height of summer, 10.5 late autumn.</source>
+        <translation>0,5 — середина января, 7 — разгар лета, 10,5 — поздняя осень.</translation>
+    </message>
 </context>
 <context>
     <name>stromar::CDocument</name>
@@ -1526,6 +1970,13 @@
     <message>
         <source>Contents</source>
         <translation>Содержание</translation>
+    </message>
+</context>
+<context>
+    <name>stromar::CLightPanel</name>
+    <message>
+        <source>Usual light</source>
+        <translation>Обычный свет</translation>
     </message>
 </context>
 <context>
@@ -1828,6 +2279,10 @@
         <source>Save the changes of %1?</source>
         <translation>Сохранить изменения в %1?</translation>
     </message>
+    <message>
+        <source>Light</source>
+        <translation>Свет</translation>
+    </message>
 </context>
 <context>
     <name>stromar::CMessageBar</name>
@@ -1874,8 +2329,12 @@
         <translation>Рисовать</translation>
     </message>
     <message>
-        <source>A bark that Stromar draws; the words behind its name can be changed</source>
-        <translation>Кора, которую рисует Stromar; слова за её именем можно менять</translation>
+        <source>A picture that Stromar draws; the words behind its name can be changed</source>
+        <translation>Картинка, которую рисует Stromar; слова за именем можно менять</translation>
+    </message>
+    <message>
+        <source>Texture Workshop…</source>
+        <translation>Мастерская текстур…</translation>
     </message>
 </context>
 <context>
@@ -2024,6 +2483,29 @@
     <message>
         <source>%1 cannot be removed.</source>
         <translation>%1 не удаётся удалить.</translation>
+    </message>
+</context>
+<context>
+    <name>stromar::CTextureWorkshop</name>
+    <message>
+        <source>Texture Workshop</source>
+        <translation>Мастерская текстур</translation>
+    </message>
+    <message>
+        <source>Save Pictures…</source>
+        <translation>Сохранить картинки…</translation>
+    </message>
+    <message>
+        <source>Save Pictures</source>
+        <translation>Сохранить картинки</translation>
+    </message>
+    <message>
+        <source>Pictures (*.png)</source>
+        <translation>Картинки (*.png)</translation>
+    </message>
+    <message>
+        <source>Cannot save the pictures</source>
+        <translation>Картинки не удаётся сохранить</translation>
     </message>
 </context>
 <context>

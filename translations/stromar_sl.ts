@@ -323,6 +323,38 @@
         <source>&amp;Help</source>
         <translation>&amp;Pomoč</translation>
     </message>
+    <message>
+        <source>&amp;Lit</source>
+        <translation>&amp;Osvetljeno</translation>
+    </message>
+    <message>
+        <source>The tree in the light</source>
+        <translation>Drevo v svetlobi</translation>
+    </message>
+    <message>
+        <source>&amp;Material Alone</source>
+        <translation>Samo &amp;material</translation>
+    </message>
+    <message>
+        <source>The pictures without light</source>
+        <translation>Slike brez svetlobe</translation>
+    </message>
+    <message>
+        <source>O&amp;cclusion Alone</source>
+        <translation>Samo &amp;zasenčenje</translation>
+    </message>
+    <message>
+        <source>How much of the sky each place sees</source>
+        <translation>Koliko neba vidi vsako mesto</translation>
+    </message>
+    <message>
+        <source>&amp;Normals Alone</source>
+        <translation>Samo &amp;normale</translation>
+    </message>
+    <message>
+        <source>Where each place faces, as a colour</source>
+        <translation>Kam je obrnjeno vsako mesto, kot barva</translation>
+    </message>
 </context>
 <context>
     <name>stromar</name>
@@ -1291,10 +1323,6 @@
         <translation>Listi</translation>
     </message>
     <message>
-        <source>The picture on the leaves, transparent outside the blade. Empty takes the built-in one.</source>
-        <translation>Slika na listih, prosojna zunaj ploskve. Prazno vzame vgrajeno.</translation>
-    </message>
-    <message>
         <source>The tree has no stems of this level: see Levels of stems.</source>
         <translation>Drevo nima vej te ravni: glejte Ravni vejitve.</translation>
     </message>
@@ -1446,6 +1474,422 @@
         <source>The colour of what lies deep.</source>
         <translation>Barva tega, kar leži globoko.</translation>
     </message>
+    <message>
+        <source>Time of day</source>
+        <translation>Čas dneva</translation>
+    </message>
+    <message>
+        <source>Where the sun stands: low and red in the morning and in the evening.</source>
+        <translation>Kje stoji sonce: zjutraj in zvečer nizko in rdeče.</translation>
+    </message>
+    <message>
+        <source>Sun direction</source>
+        <translation>Smer sonca</translation>
+    </message>
+    <message>
+        <source>Turns the sun&apos;s way about the tree.</source>
+        <translation>Zavrti sončno pot okoli drevesa.</translation>
+    </message>
+    <message>
+        <source>lance</source>
+        <translation>suličast</translation>
+    </message>
+    <message>
+        <source>heart</source>
+        <translation>srčast</translation>
+    </message>
+    <message>
+        <source>pinnate</source>
+        <translation>pernat</translation>
+    </message>
+    <message>
+        <source>palmate</source>
+        <translation>dlanast</translation>
+    </message>
+    <message>
+        <source>fan</source>
+        <translation>pahljača</translation>
+    </message>
+    <message>
+        <source>Only cards have several planes: set Form to card.</source>
+        <translation>Več ravnin imajo le kartice: Obliko nastavite na kartico.</translation>
+    </message>
+    <message>
+        <source>The tree has only one trunk.</source>
+        <translation>Drevo ima le eno deblo.</translation>
+    </message>
+    <message>
+        <source>The tree has no leaves, blossoms or fruits.</source>
+        <translation>Drevo nima listov, cvetov ne plodov.</translation>
+    </message>
+    <message>
+        <source>The tree has no blossoms: their Number is 0.</source>
+        <translation>Drevo nima cvetov: njihovo Število je 0.</translation>
+    </message>
+    <message>
+        <source>The tree has no fruits: their Number is 0.</source>
+        <translation>Drevo nima plodov: njihovo Število je 0.</translation>
+    </message>
+    <message>
+        <source>Month</source>
+        <translation>Mesec</translation>
+    </message>
+    <message>
+        <source>Season</source>
+        <translation>Letni čas</translation>
+    </message>
+    <message>
+        <source>The time of the year: 0 is New Year, 4.5 spring, 7 summer, 10 autumn. Leaves, their colour, blossoms and fruits follow.</source>
+        <translation>Čas v letu: 0 je novo leto, 4,5 pomlad, 7 poletje, 10 jesen. Sledijo mu listi, njihova barva, cvetovi in plodovi.</translation>
+    </message>
+    <message>
+        <source>Evergreen</source>
+        <translation>Zimzeleno</translation>
+    </message>
+    <message>
+        <source>On: the leaves stay, and stay green, through the winter.</source>
+        <translation>Vklopljeno: listi ostanejo čez zimo, in to zeleni.</translation>
+    </message>
+    <message>
+        <source>Trunks</source>
+        <translation>Debla</translation>
+    </message>
+    <message>
+        <source>Several trunks</source>
+        <translation>Več debel</translation>
+    </message>
+    <message>
+        <source>How many trunks rise from one base: shrubs, clumps of bamboo.</source>
+        <translation>Koliko debel raste iz enega dna: grmi, šopi bambusa.</translation>
+    </message>
+    <message>
+        <source>Spread</source>
+        <translation>Razmik</translation>
+    </message>
+    <message>
+        <source>How far from the middle the outermost trunk stands.</source>
+        <translation>Kako daleč od sredine stoji skrajno deblo.</translation>
+    </message>
+    <message>
+        <source>Lean</source>
+        <translation>Nagib</translation>
+    </message>
+    <message>
+        <source>How far the outermost trunk leans outwards; the others less.</source>
+        <translation>Koliko se skrajno deblo nagiba navzven; druga manj.</translation>
+    </message>
+    <message>
+        <source>At one place</source>
+        <translation>Na enem mestu</translation>
+    </message>
+    <message>
+        <source>How many branches leave their parent at the same height, all around it: 2 are opposite, more a whorl.</source>
+        <translation>Koliko vej izrašča na isti višini vse naokoli: 2 sta nasprotni, več jih je vretence.</translation>
+    </message>
+    <message>
+        <source>How many leaves leave a stem at the same place: 1 are alternate, 2 opposite, more a whorl.</source>
+        <translation>Koliko listov izrašča na istem mestu: 1 premenjalni, 2 nasprotna, več vretence.</translation>
+    </message>
+    <message>
+        <source>Planes</source>
+        <translation>Ravnine</translation>
+    </message>
+    <message>
+        <source>How many cards, turned about their length, make one leaf: 2 or 3 for tufts and twigs of needles.</source>
+        <translation>Koliko kartic, zasukanih okoli dolžine, sestavlja en list: 2 ali 3 za šope in vejice iglic.</translation>
+    </message>
+    <message>
+        <source>Blossoms</source>
+        <translation>Cvetovi</translation>
+    </message>
+    <message>
+        <source>The most blossoms that a stem of the last level bears. They stand where leaves could.</source>
+        <translation>Največ cvetov na steblu zadnje ravni. Stojijo tam, kjer bi lahko bili listi.</translation>
+    </message>
+    <message>
+        <source>The length and width of a blossom, or of the cluster that its picture shows.</source>
+        <translation>Dolžina in širina cveta ali socvetja na njegovi sliki.</translation>
+    </message>
+    <message>
+        <source>When the tree is in full blossom; it begins and ends most of a month before and after.</source>
+        <translation>Kdaj je drevo v polnem cvetu; začne in konča skoraj mesec prej in pozneje.</translation>
+    </message>
+    <message>
+        <source>Fruits</source>
+        <translation>Plodovi</translation>
+    </message>
+    <message>
+        <source>The most fruits that a stem of the last level bears.</source>
+        <translation>Največ plodov na steblu zadnje ravni.</translation>
+    </message>
+    <message>
+        <source>The length of a ripe fruit.</source>
+        <translation>Dolžina zrelega ploda.</translation>
+    </message>
+    <message>
+        <source>The width of a fruit as a part of its length: small for cones and pods.</source>
+        <translation>Širina ploda kot del dolžine: majhna za storže in stroke.</translation>
+    </message>
+    <message>
+        <source>The length of the stalk that a fruit hangs on, as a part of its own length.</source>
+        <translation>Dolžina peclja, na katerem visi plod, kot del njegove dolžine.</translation>
+    </message>
+    <message>
+        <source>When the fruits are ripe. They grow in the two months before and fall in the month after.</source>
+        <translation>Kdaj so plodovi zreli. Rastejo dva meseca prej in odpadejo mesec pozneje.</translation>
+    </message>
+    <message>
+        <source>The picture on the leaves, transparent outside the blade. A recipe as leaf:oak seed=3 is drawn. Empty takes the built-in one.</source>
+        <translation>Slika na listih, zunaj ploskve prozorna. Recept kot leaf:oak seed=3 se nariše. Prazno vzame vgrajeno.</translation>
+    </message>
+    <message>
+        <source>Blossom texture</source>
+        <translation>Tekstura cvetov</translation>
+    </message>
+    <message>
+        <source>Blossoms and fruits</source>
+        <translation>Cvetovi in plodovi</translation>
+    </message>
+    <message>
+        <source>The picture on the blossoms. Empty draws leaf:blossom.</source>
+        <translation>Slika na cvetovih. Prazno nariše leaf:blossom.</translation>
+    </message>
+    <message>
+        <source>Fruit texture</source>
+        <translation>Tekstura plodov</translation>
+    </message>
+    <message>
+        <source>The skin of the fruits. Empty draws a red one.</source>
+        <translation>Lupina plodov. Prazno nariše rdečo.</translation>
+    </message>
+    <message>
+        <source>Blossoms and fruits grow on branches, and the tree is a bare trunk.</source>
+        <translation>Cvetovi in plodovi rastejo na vejah, drevo pa je golo deblo.</translation>
+    </message>
+    <message>
+        <source>Blossom</source>
+        <translation>Cvet</translation>
+    </message>
+    <message>
+        <source>beech</source>
+        <translation>bukev</translation>
+    </message>
+    <message>
+        <source>oak</source>
+        <translation>hrast</translation>
+    </message>
+    <message>
+        <source>aspen</source>
+        <translation>trepetlika</translation>
+    </message>
+    <message>
+        <source>lime</source>
+        <translation>lipa</translation>
+    </message>
+    <message>
+        <source>apple</source>
+        <translation>jablana</translation>
+    </message>
+    <message>
+        <source>olive</source>
+        <translation>oljka</translation>
+    </message>
+    <message>
+        <source>bamboo</source>
+        <translation>bambus</translation>
+    </message>
+    <message>
+        <source>maple</source>
+        <translation>javor</translation>
+    </message>
+    <message>
+        <source>japanese-maple</source>
+        <translation>japonski javor</translation>
+    </message>
+    <message>
+        <source>ash</source>
+        <translation>jesen</translation>
+    </message>
+    <message>
+        <source>acacia</source>
+        <translation>akacija</translation>
+    </message>
+    <message>
+        <source>frond</source>
+        <translation>palmov list</translation>
+    </message>
+    <message>
+        <source>chestnut</source>
+        <translation>kostanj</translation>
+    </message>
+    <message>
+        <source>pine</source>
+        <translation>bor</translation>
+    </message>
+    <message>
+        <source>spruce</source>
+        <translation>smreka</translation>
+    </message>
+    <message>
+        <source>larch</source>
+        <translation>macesen</translation>
+    </message>
+    <message>
+        <source>cedar</source>
+        <translation>cedra</translation>
+    </message>
+    <message>
+        <source>cypress</source>
+        <translation>cipresa</translation>
+    </message>
+    <message>
+        <source>flower</source>
+        <translation>cvet</translation>
+    </message>
+    <message>
+        <source>blossom</source>
+        <translation>socvetje</translation>
+    </message>
+    <message>
+        <source>Another leaf of the same kind.</source>
+        <translation>Drug list iste vrste.</translation>
+    </message>
+    <message>
+        <source>The width of the picture as a part of its length. Give Width of the tree&apos;s leaves the same value.</source>
+        <translation>Širina slike kot del dolžine. Širini listov drevesa dajte enako vrednost.</translation>
+    </message>
+    <message>
+        <source>The part of the length that is stalk.</source>
+        <translation>Del dolžine, ki je pecelj.</translation>
+    </message>
+    <message>
+        <source>Where a blade is widest, from 0 at its foot to 1 at its tip.</source>
+        <translation>Kje je ploskev najširša, od 0 pri dnu do 1 na konici.</translation>
+    </message>
+    <message>
+        <source>Base</source>
+        <translation>Dno</translation>
+    </message>
+    <message>
+        <source>Below 1 the blade begins round, above 1 like a wedge.</source>
+        <translation>Pod 1 se ploskev začne okroglo, nad 1 klinasto.</translation>
+    </message>
+    <message>
+        <source>Tip</source>
+        <translation>Konica</translation>
+    </message>
+    <message>
+        <source>Below 1 the blade ends round, above 1 in a drawn-out point.</source>
+        <translation>Pod 1 se ploskev konča okroglo, nad 1 v podaljšani konici.</translation>
+    </message>
+    <message>
+        <source>Heart</source>
+        <translation>Srce</translation>
+    </message>
+    <message>
+        <source>How far the blade reaches back beside its stalk.</source>
+        <translation>Kako daleč sega ploskev nazaj ob peclju.</translation>
+    </message>
+    <message>
+        <source>Teeth</source>
+        <translation>Zobci</translation>
+    </message>
+    <message>
+        <source>How many teeth each half of a blade has.</source>
+        <translation>Koliko zobcev ima vsaka polovica ploskve.</translation>
+    </message>
+    <message>
+        <source>Depth of teeth</source>
+        <translation>Globina zobcev</translation>
+    </message>
+    <message>
+        <source>How deep they are cut, as a part of the half&apos;s width.</source>
+        <translation>Kako globoko so zarezani, kot del širine polovice.</translation>
+    </message>
+    <message>
+        <source>How many lobes a half, or a hand-shaped leaf, has. Of blossoms: how many flowers.</source>
+        <translation>Koliko krp ima polovica ali dlanast list. Pri socvetjih: koliko cvetov.</translation>
+    </message>
+    <message>
+        <source>Depth of lobes</source>
+        <translation>Globina krp</translation>
+    </message>
+    <message>
+        <source>How deep they are cut. Of leaflets and needles: how wide they are.</source>
+        <translation>Kako globoko so zarezane. Pri lističih in iglicah: kako široki so.</translation>
+    </message>
+    <message>
+        <source>Slant</source>
+        <translation>Poševnost</translation>
+    </message>
+    <message>
+        <source>How far teeth and lobes lean towards the tip.</source>
+        <translation>Koliko se zobci in krpe nagibajo h konici.</translation>
+    </message>
+    <message>
+        <source>Leaflets</source>
+        <translation>Lističi</translation>
+    </message>
+    <message>
+        <source>Pairs of leaflets, leaflets of a hand, needles or petals.</source>
+        <translation>Pari lističev, lističi dlani, iglice ali venčni listi.</translation>
+    </message>
+    <message>
+        <source>How far lobes, leaflets or needles stand off, in degrees.</source>
+        <translation>Koliko štrlijo krpe, lističi ali iglice, v stopinjah.</translation>
+    </message>
+    <message>
+        <source>Veins</source>
+        <translation>Žile</translation>
+    </message>
+    <message>
+        <source>How many veins leave the midrib on each side.</source>
+        <translation>Koliko žil zapusti glavno žilo na vsaki strani.</translation>
+    </message>
+    <message>
+        <source>Blemishes</source>
+        <translation>Madeži</translation>
+    </message>
+    <message>
+        <source>How many spots and worn places there are.</source>
+        <translation>Koliko je peg in obrabljenih mest.</translation>
+    </message>
+    <message>
+        <source>Gloss</source>
+        <translation>Sijaj</translation>
+    </message>
+    <message>
+        <source>How much the upper side shines.</source>
+        <translation>Koliko se sveti zgornja stran.</translation>
+    </message>
+    <message>
+        <source>Colour</source>
+        <translation>Barva</translation>
+    </message>
+    <message>
+        <source>The colour in summer.</source>
+        <translation>Barva poleti.</translation>
+    </message>
+    <message>
+        <source>Veins&apos; colour</source>
+        <translation>Barva žil</translation>
+    </message>
+    <message>
+        <source>The colour of veins and stalks.</source>
+        <translation>Barva žil in pecljev.</translation>
+    </message>
+    <message>
+        <source>Autumn colour</source>
+        <translation>Jesenska barva</translation>
+    </message>
+    <message>
+        <source>The colour when the green has gone.</source>
+        <translation>Barva, ko zelena izgine.</translation>
+    </message>
+    <message>
+        <source>0.5 is the middle of January, 7 the height of summer, 10.5 late autumn.</source>
+        <translation>0,5 je sredina januarja, 7 višek poletja, 10,5 pozna jesen.</translation>
+    </message>
 </context>
 <context>
     <name>stromar::CDocument</name>
@@ -1526,6 +1970,13 @@
     <message>
         <source>Contents</source>
         <translation>Vsebina</translation>
+    </message>
+</context>
+<context>
+    <name>stromar::CLightPanel</name>
+    <message>
+        <source>Usual light</source>
+        <translation>Običajna svetloba</translation>
     </message>
 </context>
 <context>
@@ -1828,6 +2279,10 @@
         <source>Save the changes of %1?</source>
         <translation>Shranim spremembe v %1?</translation>
     </message>
+    <message>
+        <source>Light</source>
+        <translation>Svetloba</translation>
+    </message>
 </context>
 <context>
     <name>stromar::CMessageBar</name>
@@ -1874,8 +2329,12 @@
         <translation>Nariši</translation>
     </message>
     <message>
-        <source>A bark that Stromar draws; the words behind its name can be changed</source>
-        <translation>Lubje, ki ga nariše Stromar; besede za njegovim imenom je mogoče spremeniti</translation>
+        <source>A picture that Stromar draws; the words behind its name can be changed</source>
+        <translation>Slika, ki jo nariše Stromar; besede za imenom je mogoče spremeniti</translation>
+    </message>
+    <message>
+        <source>Texture Workshop…</source>
+        <translation>Delavnica tekstur…</translation>
     </message>
 </context>
 <context>
@@ -2024,6 +2483,29 @@
     <message>
         <source>%1 cannot be removed.</source>
         <translation>%1 ni mogoče odstraniti.</translation>
+    </message>
+</context>
+<context>
+    <name>stromar::CTextureWorkshop</name>
+    <message>
+        <source>Texture Workshop</source>
+        <translation>Delavnica tekstur</translation>
+    </message>
+    <message>
+        <source>Save Pictures…</source>
+        <translation>Shrani slike…</translation>
+    </message>
+    <message>
+        <source>Save Pictures</source>
+        <translation>Shrani slike</translation>
+    </message>
+    <message>
+        <source>Pictures (*.png)</source>
+        <translation>Slike (*.png)</translation>
+    </message>
+    <message>
+        <source>Cannot save the pictures</source>
+        <translation>Slik ni mogoče shraniti</translation>
     </message>
 </context>
 <context>

@@ -79,13 +79,13 @@ void makePictures(const CParams& params, const CProgress& progress) {
     for (const Surface surface : kSurfaces) {
         const std::string recipe = pictureOf(params, surface);
         if (!isRecipe(recipe) || !isShown(params, surface)) continue;
-        checkRecipe(recipe);
+        const CRecipe drawn(recipe);
         const fs::path file = textureOf(params, surface, {});
         if (fs::exists(file)) continue;
         std::error_code problem; // creating the file says it better
         fs::create_directories(file.parent_path(), problem);
         CFileSet files;
-        writePngs(drawRecipe(recipe, sizeOf(surface), progress), file, files);
+        writePngs(drawn.draw(sizeOf(surface), progress), file, files);
         files.commit();
     }
 }

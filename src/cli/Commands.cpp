@@ -222,13 +222,15 @@ void writeTexture(const std::vector<std::string>& recipe, int size, const std::s
     std::string text;
     for (const std::string& word : recipe) text += (text.empty() ? "" : " ") + word;
     refuseUnlessPng(path);
-    try {
-        checkRecipe(text);
-    } catch (const CError& e) {
-        throw CUsageError(e.what());
-    }
+    const CRecipe drawn = [&] {
+        try {
+            return CRecipe(text);
+        } catch (const CError& e) {
+            throw CUsageError(e.what());
+        }
+    }();
     CFileSet files(progress);
-    writePngs(drawRecipe(text, size, progress), path, files);
+    writePngs(drawn.draw(size, progress), path, files);
     files.commit();
 }
 

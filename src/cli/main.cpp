@@ -137,7 +137,7 @@ void addRender(CLI::App& command, Options& options) {
     command.add_option("--season", options.season, "A season, " + joined(namesOf(seasonNames())) + ", or a month")
         ->type_name("NAME");
     command.add_option("--hour", options.rendered.hour, "The time of the day: where the sun stands")
-        ->check(CLI::Range(0, 24));
+        ->check(CLI::Range(0.0, 24.0));
     command.add_option("--samples", options.rendered.samples, "For smooth edges; 1 is fast")->check(CLI::Range(1, 16));
     command.add_flag("--transparent", options.rendered.transparent, "No sky and no ground");
 }

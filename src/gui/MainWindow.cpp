@@ -5,6 +5,7 @@
 #include "ExportJob.h"
 #include "Gesture.h"
 #include "HelpWindow.h"
+#include "LightPanel.h"
 #include "MessageBar.h"
 #include "ParamPanel.h"
 #include "PreferencesDialog.h"
@@ -88,7 +89,7 @@ CMainWindow::CMainWindow(double mostVertices, std::shared_ptr<CDocument> documen
 
 CMainWindow::~CMainWindow() = default;
 
-bool CMainWindow::busy() const { return !m_started || m_thumbnails->busy() || m_thread->progress(); }
+bool CMainWindow::busy() const { return !m_started || m_thumbnails->busy() || m_thread->progress() || m_viewport->settling(); }
 
 void CMainWindow::makeCentre() {
     auto* centre = new QWidget;
@@ -133,6 +134,8 @@ void CMainWindow::makeDocks() {
     steps->setEmptyLabel(tr("As opened"));
     steps->setAccessibleName(tr("History"));
     QDockWidget* history = addDock("history", tr("History"), steps, Qt::LeftDockWidgetArea);
+    m_light = new CLightPanel;
+    QDockWidget* light = addDock("light", tr("Light"), m_light, Qt::LeftDockWidgetArea);
     m_messages = new QListWidget;
     m_messages->setObjectName(QStringLiteral("messageList"));
     m_messages->setAlternatingRowColors(true);
@@ -141,6 +144,7 @@ void CMainWindow::makeDocks() {
     m_messageDock->hide();
     tabifyDockWidget(presets, variants);
     tabifyDockWidget(variants, history);
+    tabifyDockWidget(history, light);
     presets->raise();
     resizeDocks({presets}, {200}, Qt::Horizontal);
 }
@@ -229,8 +233,12 @@ void CMainWindow::makeStatusBar() {
 void CMainWindow::connectParts() {
     connect(m_panel, &CParamPanel::pathWanted, this,
             [this](const TextInfo* text) { chooseTexture(QByteArray(text->key.data(), qsizetype(text->key.size()))); });
+    connect(m_panel, &CParamPanel::workshopWanted, this, [this](const TextInfo* text) { openWorkshop(*text); });
     connect(m_panel, &CParamPanel::released, this, [this] { m_pause.start(); });
     connect(m_desk, &CViewDesk::released, this, [this] { m_pause.start(); });
+    const auto relight = [this] { m_desk->setLook([this](ViewLook& look) { m_light->applyTo(look); }); };
+    connect(m_light, &CLightPanel::changed, this, relight);
+    relight();
     connect(m_desk, &CViewDesk::notice, m_notice, &QLabel::setText);
     connect(m_presets, &CPresetBrowser::chosen, this, &CMainWindow::openPreset);
     connect(m_presets, &CPresetBrowser::saveWanted, this, &CMainWindow::savePreset);

@@ -22,6 +22,7 @@ struct Command;
 class CAutosave;
 class CExportJob;
 class CHelpWindow;
+class CLightPanel;
 class CMessageBar;
 class CParamPanel;
 class CPresetBrowser;
@@ -100,7 +101,7 @@ protected:
     void dropEvent(QDropEvent* event) override;
 
 private:
-    static constexpr int kLayoutVersion = 1; ///< rises when docks come or go
+    static constexpr int kLayoutVersion = 2; ///< rises when docks come or go
 
     void makeCentre();
     void makeDocks();
@@ -129,6 +130,7 @@ private:
     void offerSmaller(double vertices);
     void updateTitle();
     void updateTextures();
+    void openWorkshop(const TextInfo& text);
     void updateMessages();
     void updateProgress();
     void updateAutosave();
@@ -150,6 +152,7 @@ private:
     CPresetBrowser* m_presets;
     CVariants* m_variants;
     CMessageBar* m_bar;
+    CLightPanel* m_light = nullptr;
     CViewDesk* m_desk;
     QPointer<CHelpWindow> m_help;
     QMenu* m_recentMenu = nullptr;

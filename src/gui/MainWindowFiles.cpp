@@ -5,6 +5,7 @@
 #include "ParamPanel.h"
 #include "PresetBrowser.h"
 #include "QtText.h"
+#include "TextureWorkshop.h"
 #include "stromar/app/Prediction.h"
 #include "stromar/texture/Draw.h"
 #include <QCloseEvent>
@@ -212,6 +213,19 @@ void CMainWindow::setTexture(const TextInfo& text, const QString& path) {
                                                 toPath(QFileInfo(path).absolutePath()), m_document->folder())
                                   : path.toStdString();
     m_document->setText(text, QString::fromStdString(own));
+}
+
+/// With the recipe that the surface has, or with the first of the book.
+void CMainWindow::openWorkshop(const TextInfo& text) {
+    const std::string& own = m_document->params().text.*text.field;
+    std::string start = isRecipe(own) ? own : plainRecipes(text.recipes).front();
+    try {
+        CTextureWorkshop workshop{CRecipe(start), this};
+        if (workshop.exec() == QDialog::Accepted)
+            m_document->setText(text, QString::fromStdString(workshop.recipe().text()));
+    } catch (const CError& e) {
+        onFailed(QString::fromUtf8(e.what()));
+    }
 }
 
 void CMainWindow::updateTextures() {

@@ -265,6 +265,8 @@ QWidget* CParamPanel::makePathEditor(const TextInfo& text, QLineEdit* line) {
     for (const std::string& recipe : plainRecipes(text.recipes))
         menu->addAction(trText(std::string_view(recipe).substr(start.size())), this,
                         [this, &text, recipe] { emit textEdited(&text, toQString(recipe)); });
+    menu->addSeparator();
+    menu->addAction(tr("Texture Workshop…"), this, [this, &text] { emit workshopWanted(&text); });
     drawn->setMenu(menu);
     layout->addWidget(drawn);
     return row;

@@ -46,6 +46,8 @@ signals:
     void textEdited(const stromar::TextInfo* text, const QString& value);
     /// The user wants to choose a file for this path.
     void pathWanted(const stromar::TextInfo* text);
+    /// The user wants to change its recipe.
+    void workshopWanted(const stromar::TextInfo* text);
     /// The value under the mouse, else the one with the focus.
     void touched(const std::optional<stromar::ParamRef>& ref);
 

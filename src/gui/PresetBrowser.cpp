@@ -99,6 +99,13 @@ void CPresetBrowser::refresh() {
     updateVisibility();
 }
 
+/// The picture that came with a preset of ours; empty when there is none.
+QString CPresetBrowser::shippedPicture(const QFileInfo& preset) {
+    const QString picture = fromPath(dataFolder() / "docs" / "images" / "presets") + QLatin1Char('/') +
+                            preset.completeBaseName() + QStringLiteral(".png");
+    return QFileInfo::exists(picture) ? picture : QString();
+}
+
 void CPresetBrowser::addFolder(const QString& folder, bool own) {
     if (!m_watcher.directories().contains(folder)) m_watcher.addPath(folder);
     for (const QFileInfo& file : QDir(folder).entryInfoList({QStringLiteral("*.tree")}, QDir::Files, QDir::Name)) {
@@ -118,7 +125,11 @@ void CPresetBrowser::addFolder(const QString& folder, bool own) {
                                       tr("By %1").arg(toQString(text.author)).toHtmlEscaped()));
             item->setData(SearchRole, item->text() + QLatin1Char(' ') + file.fileName() + QLatin1Char(' ') +
                                           toQString(text.description) + QLatin1Char(' ') + toQString(text.author));
-            m_thumbnails.request(QLatin1String(kIdStart) + file.absoluteFilePath(), tree.params(), toPath(folder),
+            const QString made = own ? QString() : shippedPicture(file);
+            if (!made.isEmpty())
+                showThumbnail(QLatin1String(kIdStart) + file.absoluteFilePath(), QImage(made));
+            else
+                m_thumbnails.request(QLatin1String(kIdStart) + file.absoluteFilePath(), tree.params(), toPath(folder),
                                  QSize(kPictureSize, kPictureSize) * devicePixelRatioF(), CThumbnails::Keep::OnDisk);
         } catch (const std::exception& e) {
             item->setIcon(placeholder(palette(), true, devicePixelRatioF()));

@@ -1,5 +1,6 @@
 #pragma once
 #include <QFileSystemWatcher>
+#include <QFileInfo>
 #include <QWidget>
 
 class QComboBox;
@@ -31,6 +32,7 @@ signals:
     void saveWanted();
 
 private:
+    static QString shippedPicture(const QFileInfo& preset);
     void addFolder(const QString& folder, bool own);
     void showThumbnail(const QString& id, const QImage& image);
     void updateVisibility();

@@ -10,6 +10,7 @@
 namespace stromar {
 
 namespace {
+constexpr std::chrono::milliseconds kSettle{200};
 constexpr double kClickPixels = 4; // a drag is longer
 constexpr double kDegreesPerPixel = 0.35;
 constexpr double kZoomPerPixel = 0.006, kZoomPerNotch = 0.14;
@@ -23,6 +24,11 @@ CViewport::CViewport(QWidget* parent)
     setMouseTracking(true);
     setMinimumSize(160, 160);
     setAccessibleName(tr("Picture of the tree"));
+    m_settle.setSingleShot(true);
+    connect(&m_settle, &QTimer::timeout, this, [this] {
+        m_scene.renewShadows();
+        update();
+    });
 }
 
 CViewport::~CViewport() {
@@ -63,7 +69,8 @@ void CViewport::changed() {
 }
 
 void CViewport::show(const std::vector<ViewPart>& parts) {
-    m_scene.show(parts);
+    m_scene.show(parts, m_settle.isActive() ? CViewScene::Shadows::Kept : CViewScene::Shadows::New);
+    m_settle.start(kSettle);
     changed();
 }
 
@@ -120,6 +127,7 @@ QImage CViewport::picture(const QSize& pixels, const ViewLook& look, const CCame
     QOpenGLFramebufferObject buffer(pixels, format);
     QImage image;
     if (buffer.isValid()) {
+        m_scene.renewShadows();
         const ViewLook before = m_scene.look();
         const int tinted = m_scene.tinted();
         m_scene.setLook(look);

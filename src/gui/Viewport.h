@@ -3,6 +3,7 @@
 #include "ViewOverlay.h"
 #include "stromar/scene/SceneRenderer.h"
 #include <QOpenGLWidget>
+#include <QTimer>
 
 namespace stromar {
 
@@ -40,6 +41,8 @@ public:
     /// The tree with its backdrop, without the overlay. Null when there is no OpenGL.
     QImage picture(const QSize& pixels, const ViewLook& look, const CCamera& camera);
     int framesDrawn() const { return m_frames; }
+    /// Whether shadows still have to follow the tree.
+    bool settling() const { return m_settle.isActive(); }
 
 signals:
     void drawn();
@@ -73,6 +76,7 @@ private:
     CViewOverlay* m_overlay;
     const Navigation* m_navigation;
     QMetaObject::Connection m_contextDies;
+    QTimer m_settle; ///< runs while the tree changes: shadows follow when it rests
     QPointF m_pressed, m_last;
     std::optional<std::size_t> m_handle; ///< that is being dragged
     int m_gesture = 0;

@@ -26,12 +26,14 @@ osg::ref_ptr<osg::Geometry> makeBackground() {
     background->setCullingActive(false);
     background->setComputeBoundingBoxCallback(new NoBounds);
     osg::StateSet* state = background->getOrCreateStateSet();
-    state->setAttributeAndModes(
-        makeProgram("background", kBackgroundVertexShader,
-                    std::string("#version 120\n") + kLightFunctions + kBackgroundFragmentShader));
     state->setAttributeAndModes(new osg::Depth(osg::Depth::ALWAYS, 0, 1, false));
     state->setRenderBinDetails(-10, "RenderBin");
     return background;
+}
+
+osg::ref_ptr<osg::Program> makeBackgroundProgram(const char* looks) {
+    return makeProgram("background", kBackgroundVertexShader,
+                       std::string(looks) + kLightFunctions + kBackgroundFragmentShader);
 }
 
 namespace {

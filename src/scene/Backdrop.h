@@ -1,12 +1,14 @@
 #pragma once
 #include <osg/Geometry>
 #include <osg/Group>
+#include <osg/Program>
 #include <osg/Uniform>
 
 namespace stromar {
 
-/// Sky and ground, behind everything; they take no room.
+/// Sky and ground, behind everything; they take no room. The program still has to be set.
 osg::ref_ptr<osg::Geometry> makeBackground();
+osg::ref_ptr<osg::Program> makeBackgroundProgram(const char* looks);
 
 /// A person of 1.75 m at `place`, upright and turned to the eye.
 osg::ref_ptr<osg::Group> makePerson(osg::Uniform* place);

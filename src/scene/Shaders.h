@@ -4,6 +4,10 @@ namespace stromar {
 
 // GLSL 1.20: OpenGL 2.1 and later. All in the world's axes; colours are linear until they are shown.
 
+/// In front of the fragments' shaders: the best looks, or lesser ones where the processor draws.
+inline constexpr const char* kBestLooks = "#version 120\n#define BEST 1\n";
+inline constexpr const char* kFastLooks = "#version 120\n#define BEST 0\n";
+
 /// What both tree and ground need to know of the light.
 inline constexpr const char* kLightFunctions = R"(
 uniform vec3 sun, sunlight, zenith, haze, bounce;
@@ -13,23 +17,34 @@ vec3 linear(vec3 c) { return c * (c * (c * 0.305306011 + 0.682171111) + 0.012522
 vec3 shown(vec3 c) {
     c = max(mix(vec3(dot(c, vec3(0.25, 0.65, 0.1))), c, 0.86) * 0.82, 0.0);
     c = (c * (2.51 * c + 0.03)) / (c * (2.43 * c + 0.59) + 0.14);
-    return pow(clamp(c, 0.0, 1.0), vec3(1.0 / 2.2));
+    vec3 a = sqrt(clamp(c, 0.0, 1.0)), b = sqrt(a); // sRGB's curve
+    return 0.585122381 * a + 0.783140355 * b - 0.368262736 * sqrt(b);
 }
 float noiseOfPixel() { return fract(52.9829189 * fract(dot(gl_FragCoord.xy, vec2(0.06711056, 0.00583715)))); }
 // The part of the sun that is seen, over a disc of so many texels.
 float sunSeen(vec3 place, float radius) {
     if (shadowTexel == 0.0 || place.z > 1.0) return 1.0;
+#if BEST
     float turn = 6.2831853 * noiseOfPixel(), seen = 0.0;
     for (int i = 0; i < 8; ++i) {
         float out_ = sqrt((float(i) + 0.5) / 8.0) * radius * shadowTexel, a = turn + 2.3999632 * float(i);
         seen += shadow2D(shadows, vec3(place.xy + out_ * vec2(cos(a), sin(a)), place.z)).r;
     }
     return seen / 8.0;
+#else
+    return shadow2D(shadows, place).r;
+#endif
 }
 vec3 skyIn(vec3 ray) {
     vec3 sky = mix(haze, zenith, 0.25 * smoothstep(0.0, 0.06, abs(ray.z)) + 0.75 * smoothstep(0.0, 0.5, abs(ray.z)));
     float glow = max(dot(ray, sun), 0.0);
-    return sky + sunlight * (0.10 * pow(glow, 8.0) + 0.25 * pow(glow, 200.0));
+    glow *= glow;
+    glow *= glow;
+    glow *= glow; // the eighth power
+    float disc = glow * glow * glow;
+    disc *= disc;
+    disc *= disc;
+    return sky + sunlight * (0.10 * glow + 0.25 * disc * disc);
 }
 )";
 
@@ -89,7 +104,11 @@ void main() {
     vec3 albedo = linear(colour.rgb);
     albedo *= mix(vec3(1.0), vec3(0.72 + 0.5 * shade, 0.8 + 0.38 * shade, 0.7 + 0.4 * shade), leaf);
     if (back) albedo = mix(albedo, vec3(dot(albedo, vec3(0.3, 0.6, 0.1))), 0.25) * 1.15;
+#if BEST
     vec2 skin = texture2D(gloss, gl_TexCoord[0].st).rg;
+#else
+    vec2 skin = vec2(0.8, 0.6);
+#endif
     float rough = clamp(back ? skin.x + 0.2 : skin.x, 0.15, 1.0), through = leaf * skin.y;
 
     float facing = dot(n, sun);
@@ -101,12 +120,14 @@ void main() {
     // Light that went through a blade is warmer and greener than what it throws back.
     vec3 passed = albedo * vec3(1.3, 1.25, 0.6);
     light += through * passed * (direct * max(-facing, 0.0) + 0.35 * mix(above, bounce, 0.5 + 0.5 * n.z) * openness);
+#if BEST
     vec3 half_ = normalize(sun + toEye);
     float sharp = 2.0 / (rough * rough * rough * rough) - 2.0 + 1e-3;
     float mirror = 0.04 + 0.96 * pow(1.0 - max(dot(toEye, half_), 0.0), 5.0);
     light += direct * max(facing, 0.0) * mirror * (sharp + 8.0) / 25.0 * pow(max(dot(n, half_), 0.0), sharp);
     float rim = 0.04 + 0.5 * pow(1.0 - max(dot(n, toEye), 0.0), 5.0);
     light += rim * (1.0 - rough) * openness * skyIn(reflect(-toEye, n)) * step(0.0, reflect(-toEye, n).z);
+#endif
 
     vec3 result = shown(light);
     if (view == 1) result = colour.rgb;
@@ -172,7 +193,11 @@ uniform int backdrop;
 uniform float grid;
 varying vec4 near_, far_;
 float size() { return max(crownSize.x, max(crownSize.y, crownSize.z)); }
-float random(vec2 p) { return fract(sin(dot(p, vec2(12.9898, 78.233))) * 43758.5453); }
+float random(vec2 p) {
+    vec3 q = fract(p.xyx * 0.1031);
+    q += dot(q, q.yzx + 33.33);
+    return fract((q.x + q.y) * q.z);
+}
 float noise(vec2 p) {
     vec2 i = floor(p), f = fract(p);
     f *= f * (3.0 - 2.0 * f);
@@ -192,8 +217,12 @@ float lines(vec2 place, float cell) {
 }
 vec3 meadow(vec2 place, float away) {
     float near = exp(-0.6 * away);
+#if BEST
     float patches = noise(place * 0.35) * 0.6 + noise(place * 1.3 + 7.0) * 0.4;
     float blades = mix(0.5, 0.65 * noise(place * 9.0) + 0.35 * noise(place * 37.0), near);
+#else
+    float patches = noise(place * 0.7), blades = mix(0.5, noise(place * 11.0), near);
+#endif
     return mix(vec3(0.055, 0.085, 0.028), vec3(0.125, 0.14, 0.06), 0.55 * patches + 0.45 * blades);
 }
 void main() {

@@ -80,15 +80,19 @@ ImageRef glossImage(const osg::Image* roughness, const osg::Image* through, bool
     if (!roughness) return plainImage({kPlainRoughness, cutOut ? kLeafThrough : 0, 0, 1});
     ImageRef image = new osg::Image;
     image->allocateImage(roughness->s(), roughness->t(), 1, GL_RGB, GL_UNSIGNED_BYTE);
-    const bool same = through && through->s() == roughness->s() && through->t() == roughness->t();
-    for (int y = 0; y < roughness->t(); ++y)
-        for (int x = 0; x < roughness->s(); ++x) {
-            const auto ux = static_cast<unsigned>(x), uy = static_cast<unsigned>(y);
-            unsigned char* pixel = image->data(ux, uy);
-            pixel[0] = *roughness->data(ux, uy);
-            pixel[1] = same ? *through->data(ux, uy) : static_cast<unsigned char>(cutOut ? 255 * kLeafThrough : 0);
+    const bool same = through && through->s() == roughness->s() && through->t() == roughness->t() &&
+                      through->getPixelSizeInBits() == roughness->getPixelSizeInBits();
+    const auto other = static_cast<unsigned char>(cutOut ? 255 * kLeafThrough : 0);
+    const unsigned step = roughness->getPixelSizeInBits() / 8;
+    for (unsigned y = 0; y < static_cast<unsigned>(roughness->t()); ++y) {
+        unsigned char* pixel = image->data(0, y);
+        const unsigned char *rough = roughness->data(0, y), *passes = same ? through->data(0, y) : nullptr;
+        for (int x = 0; x < roughness->s(); ++x, pixel += 3, rough += step) {
+            pixel[0] = *rough;
+            pixel[1] = passes ? passes[static_cast<unsigned>(x) * step] : other;
             pixel[2] = 0;
         }
+    }
     return image;
 }
 } // namespace

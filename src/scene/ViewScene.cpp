@@ -21,6 +21,8 @@ namespace {
 constexpr unsigned GL_SAMPLE_ALPHA_TO_COVERAGE = 0x809E, GL_SAMPLE_ALPHA_TO_ONE = 0x809F;
 #endif
 
+constexpr int kBestShadow = 2048, kFastShadow = 1024; // pixels of a side
+
 template <typename Value>
 void setUniform(osg::StateSet* state, const char* name, osg::Uniform::Type type, const Value& value) {
     state->getOrCreateUniform(name, type)->set(value);
@@ -35,9 +37,9 @@ void setInteger(osg::StateSet* state, const char* name, int value) {
     setUniform(state, name, osg::Uniform::INT, value);
 }
 
-osg::ref_ptr<osg::Program> makeTreeProgram() {
+osg::ref_ptr<osg::Program> makeTreeProgram(const char* looks) {
     const osg::ref_ptr<osg::Program> program =
-        makeProgram("tree", kTreeVertexShader, std::string("#version 120\n") + kLightFunctions + kTreeFragmentShader);
+        makeProgram("tree", kTreeVertexShader, std::string(looks) + kLightFunctions + kTreeFragmentShader);
     program->addBindAttribLocation("openAt", kOpennessAttribute);
     return program;
 }
@@ -57,6 +59,7 @@ void show(osg::Node& node, bool on) { node.setNodeMask(on ? ~0u : 0u); }
 
 CViewScene::CViewScene()
     : m_root(new osg::Group), m_tree(new osg::Group), m_wires(new osg::Group), m_surfaceGroup(new osg::Group),
+      m_background(makeBackground()),
       m_state(m_root->getOrCreateStateSet()) {
     for (const Surface surface : kSurfaces) {
         const auto i = static_cast<std::size_t>(surface);
@@ -71,7 +74,7 @@ CViewScene::CViewScene()
     m_tree->addChild(m_surfaceGroup);
     m_wires->addChild(m_surfaceGroup);
     m_root->addChild(m_shadows->camera());
-    m_root->addChild(makeBackground());
+    m_root->addChild(m_background);
     m_root->addChild(m_tree);
     m_root->addChild(m_wires);
     setInteger(m_state, "picture", kAlbedoUnit);
@@ -80,17 +83,18 @@ CViewScene::CViewScene()
     setFloat(m_state, "alphaCut", kAlphaCut);
     setFloat(m_state, "smoothEdges", 0);
     osg::StateSet* state = m_tree->getOrCreateStateSet();
-    state->setAttributeAndModes(makeTreeProgram());
     state->setMode(GL_CULL_FACE, osg::StateAttribute::OFF);
     styleWires(m_wires->getOrCreateStateSet());
     tint(ViewPart::kNone);
     setLook({});
+    setQuality(1);
     updateCrown();
 }
 
 CViewScene::~CViewScene() = default;
 
-void CViewScene::show(const std::vector<ViewPart>& parts) {
+void CViewScene::show(const std::vector<ViewPart>& parts, Shadows shadows) {
+    m_shadowsBehind = shadows == Shadows::Kept;
     for (auto& surface : m_surfaces) surface->removeChildren(0, surface->getNumChildren());
     for (const ViewPart& part : parts) {
         osg::StateSet* state = part.geometry->getOrCreateStateSet();
@@ -144,20 +148,23 @@ std::string CViewScene::setTexture(Surface surface, const std::string& file) {
     return showSurface(state, file, plain, info.cutOut);
 }
 
-void CViewScene::setShadowSize(int pixels) {
-    m_shadows->setSize(pixels);
-    updateLight();
-}
-
 void CViewScene::startContext(int samples) {
     m_shadows->setStale();
-    const bool smooth = samples > 1;
-    setFloat(m_state, "smoothEdges", smooth);
+    setQuality(samples);
+}
+
+void CViewScene::setQuality(int samples) {
+    const bool best = samples > 1;
+    const char* looks = best ? kBestLooks : kFastLooks;
+    m_tree->getOrCreateStateSet()->setAttributeAndModes(makeTreeProgram(looks));
+    m_background->getOrCreateStateSet()->setAttributeAndModes(makeBackgroundProgram(looks));
+    m_shadows->setSize(best ? kBestShadow : kFastShadow);
+    setFloat(m_state, "smoothEdges", best);
     for (const Surface surface : kSurfaces) {
         if (!surfaceOf(surface).cutOut) continue;
         osg::StateSet* state = m_surfaces[static_cast<std::size_t>(surface)]->getOrCreateStateSet();
         for (const unsigned mode : {GL_SAMPLE_ALPHA_TO_COVERAGE, GL_SAMPLE_ALPHA_TO_ONE})
-            state->setMode(mode, smooth ? osg::StateAttribute::ON : osg::StateAttribute::OFF);
+            state->setMode(mode, best ? osg::StateAttribute::ON : osg::StateAttribute::OFF);
     }
 }
 
@@ -191,7 +198,13 @@ void CViewScene::updateLight() {
     setVector(m_state, "bounce", light.ground);
     osg::BoundingBox box = bounds();
     if (!box.valid()) box = osg::BoundingBox(-1, -1, 0, 1, 1, 2);
-    m_shadows->aim(box, light.sun);
+    if (!m_shadowsBehind) m_shadows->aim(box, light.sun);
+}
+
+void CViewScene::renewShadows() {
+    if (!m_shadowsBehind) return;
+    m_shadowsBehind = false;
+    updateLight();
 }
 
 osg::Vec3d CViewScene::personAt() const {

@@ -4,8 +4,6 @@
 
 namespace stromar {
 
-template struct RecipeBook<BarkParams>;
-
 namespace {
 using std::string_view;
 using B = BarkParams;
@@ -103,5 +101,7 @@ static_assert(std::size(kKinds) == std::size(kBarks));
 } // namespace
 
 const RecipeBook<BarkParams>& barkBook() { return kBook; }
+
+template struct RecipeBook<BarkParams>;
 
 } // namespace stromar

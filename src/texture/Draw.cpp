@@ -1,58 +1,97 @@
 #include "stromar/texture/Draw.h"
-#include "stromar/texture/Bark.h"
-#include "stromar/texture/Leaf.h"
-#include <functional>
-#include <tuple>
+#include <type_traits>
 
 namespace stromar {
 
 namespace {
-/// All books and what draws their pages.
-const auto kBooks = std::tuple{std::pair{&barkBook(), &makeBark}, std::pair{&leafBook(), &makeLeaf}};
+using Params = std::variant<BarkParams, LeafParams>;
 
-/// Calls use(book, draw, rest of the text) for the book that a text names; false when it names none.
-template <typename Use>
-bool withBook(std::string_view text, Use&& use) {
-    const std::size_t colon = text.find(':');
-    if (colon == std::string_view::npos) return false;
-    const std::string_view name = text.substr(0, colon), rest = text.substr(colon + 1);
-    return std::apply(
-        [&](const auto&... entry) {
-            return ((entry.first->what == name && (use(*entry.first, entry.second, rest), true)) || ...);
-        },
-        kBooks);
+// The books, by what they hold.
+const RecipeBook<BarkParams>& bookOf(const BarkParams&) { return barkBook(); }
+const RecipeBook<LeafParams>& bookOf(const LeafParams&) { return leafBook(); }
+TextureMaps drawn(const BarkParams& bark, int size, const CProgress& progress) { return makeBark(bark, size, progress); }
+TextureMaps drawn(const LeafParams& leaf, int size, const CProgress& progress) { return makeLeaf(leaf, size, progress); }
+
+/// Calls use(book, …) with the book that has this name; false when there is none.
+template <std::size_t I = 0, typename Use>
+bool withBook(std::string_view name, Use&& use) {
+    if constexpr (I == std::variant_size_v<Params>)
+        return false;
+    else {
+        const auto& book = bookOf(std::variant_alternative_t<I, Params>());
+        if (book.what != name) return withBook<I + 1>(name, use);
+        use(book);
+        return true;
+    }
 }
 
-[[noreturn]] void refuse(std::string_view recipe) {
-    throw CError("'" + std::string(recipe) + "' is no recipe; it starts with bark: or leaf:");
+std::string_view bookName(std::string_view text) {
+    const std::size_t colon = text.find(':');
+    return colon == std::string_view::npos ? std::string_view() : text.substr(0, colon);
+}
+
+template <typename Field>
+CRecipe::Type typeOf(const Field& field) {
+    return field.index() == 0 ? CRecipe::Type::Whole : field.index() == 1 ? CRecipe::Type::Number : CRecipe::Type::Tint;
 }
 } // namespace
 
+CRecipe::CRecipe(std::string_view text) {
+    const auto read = [&](const auto& book) { m_params = book.read(text.substr(book.what.size() + 1)); };
+    if (!withBook(bookName(text), read))
+        throw CError("'" + std::string(text) + "' is no recipe; it starts with bark: or leaf:");
+}
+
+std::string CRecipe::text() const {
+    return std::visit(
+        [](const auto& params) { return std::string(bookOf(params).what) + ":" + bookOf(params).text(params); }, m_params);
+}
+
+std::span<const std::string_view> CRecipe::kinds() const {
+    return std::visit([](const auto& params) { return bookOf(params).kinds; }, m_params);
+}
+
+int CRecipe::kind() const {
+    return std::visit([](const auto& params) { return params.kind; }, m_params);
+}
+
+void CRecipe::setKind(int kind) {
+    std::visit([&](auto& params) { params = bookOf(params).of(kind); }, m_params);
+}
+
+std::vector<CRecipe::Row> CRecipe::rows() const {
+    std::vector<Row> rows;
+    std::visit(
+        [&](const auto& params) {
+            for (const auto& row : bookOf(params).table)
+                rows.push_back({row.key, row.label, row.help, typeOf(row.field), row.min, row.max});
+        },
+        m_params);
+    return rows;
+}
+
+std::string CRecipe::value(std::size_t row) const {
+    return std::visit([&](const auto& params) { return bookOf(params).valueText(params, bookOf(params).table[row]); },
+                      m_params);
+}
+
+void CRecipe::setValue(std::size_t row, const std::string& value) {
+    std::visit([&](auto& params) { bookOf(params).setValue(params, bookOf(params).table[row], value); }, m_params);
+}
+
+TextureMaps CRecipe::draw(int size, const CProgress& progress) const {
+    return std::visit([&](const auto& params) { return drawn(params, size, progress); }, m_params);
+}
+
 bool isRecipe(std::string_view text) {
-    return withBook(text, [](const auto&, const auto&, std::string_view) {});
+    return withBook(bookName(text), [](const auto&) {});
 }
 
-void checkRecipe(std::string_view recipe) {
-    if (!withBook(recipe, [](const auto& book, const auto&, std::string_view rest) { book.read(rest); }))
-        refuse(recipe);
-}
-
-TextureMaps drawRecipe(std::string_view recipe, int size, const CProgress& progress) {
-    TextureMaps maps;
-    const auto draw = [&](const auto& book, const auto& make, std::string_view rest) {
-        maps = make(book.read(rest), size, progress);
-    };
-    if (!withBook(recipe, draw)) refuse(recipe);
-    return maps;
-}
-
-std::vector<std::string> plainRecipes(std::string_view wanted) {
+std::vector<std::string> plainRecipes(std::string_view book) {
     std::vector<std::string> all;
-    const auto add = [&](const auto& book) {
-        if (book.what != wanted) return;
-        for (const std::string_view kind : book.kinds) all.push_back(std::string(book.what) + ":" + std::string(kind));
-    };
-    std::apply([&](const auto&... entry) { (add(*entry.first), ...); }, kBooks);
+    withBook(book, [&](const auto& found) {
+        for (const std::string_view kind : found.kinds) all.push_back(std::string(book) + ":" + std::string(kind));
+    });
     return all;
 }
 

@@ -4,8 +4,6 @@
 
 namespace stromar {
 
-template struct RecipeBook<LeafParams>;
-
 namespace {
 using std::string_view;
 using L = LeafParams;
@@ -90,7 +88,7 @@ constexpr RecipeParam<L> kTable[] = {
     {"veins", N_("Veins"), N_("How many veins leave the midrib on each side."), &L::veins, 0, 40},
     {"spots", N_("Blemishes"), N_("How many spots and worn places there are."), &L::spots, 0, 1},
     {"gloss", N_("Gloss"), N_("How much the upper side shines."), &L::gloss, 0, 1},
-    {"season", N_("Month"), N_("1.5 is the middle of January, 7 the height of summer, 10.5 late autumn."), &L::season, 0, 12},
+    {"season", N_("Month"), N_("0.5 is the middle of January, 7 the height of summer, 10.5 late autumn."), &L::season, 0, 12},
     {"green", N_("Colour"), N_("The colour in summer."), &L::green, 0, 255},
     {"vein", N_("Veins' colour"), N_("The colour of veins and stalks."), &L::vein, 0, 255},
     {"autumn", N_("Autumn colour"), N_("The colour when the green has gone."), &L::autumn, 0, 255},
@@ -102,5 +100,7 @@ static_assert(std::size(kKinds) == std::size(kLeaves));
 } // namespace
 
 const RecipeBook<LeafParams>& leafBook() { return kBook; }
+
+template struct RecipeBook<LeafParams>;
 
 } // namespace stromar

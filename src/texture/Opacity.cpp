@@ -50,6 +50,7 @@ double coverage(const Pixels& pixels, double cut, double scale) {
 
 /// By what opacities have to be multiplied for the wanted coverage. The blades' own edges make it monotonous.
 double scaleFor(const Pixels& pixels, double cut, double wanted) {
+    if (coverage(pixels, cut, 1) == wanted) return 1;
     double low = 0.25, high = 8;
     for (int i = 0; i < 14; ++i) {
         const double middle = std::sqrt(low * high);

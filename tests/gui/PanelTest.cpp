@@ -73,7 +73,7 @@ TEST(Panel, TabsAreThoseOfTheTree) {
     QStringList tabs;
     for (int i = 0; i < panel.tabs().count(); ++i) tabs << panel.tabs().tabText(i);
     EXPECT_EQ(tabs.join(QLatin1Char('|')).toStdString(),
-              "Tree|Trunk|Branches 1|Branches 2|Branches 3|Leaves|Pruning|Textures");
+              "Tree|Trunk|Branches 1|Branches 2|Branches 3|Leaves|Blossom|Pruning|Textures");
 }
 
 TEST(Panel, ShowingValuesTellsNothing) {

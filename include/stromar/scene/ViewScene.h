@@ -35,7 +35,6 @@ struct ViewLook {
     double hour = 10;   ///< of the day, 0..24: where the sun stands
     double sunTurn = 0; ///< turns its way about the tree, degrees
     bool leaves = true; ///< and blossoms and fruits
-    bool shadows = true;
     bool ground = false; ///< a grid of metres, and a person of 1.75 m beside the tree
     bool operator==(const ViewLook&) const = default;
 };
@@ -56,8 +55,11 @@ public:
     CViewScene();
 
     osg::Group* root() { return m_root; }
-    /// Replaces the tree; parts that were shown before stay on the graphics card.
-    void show(const std::vector<ViewPart>& parts);
+    enum class Shadows { New, Kept };
+    /// Replaces the tree; parts that were shown before stay on the graphics card. Shadows may be those of the tree
+    /// before until renewShadows(): a tree that changes many times a second saves half the drawing.
+    void show(const std::vector<ViewPart>& parts, Shadows shadows = Shadows::New);
+    void renewShadows();
     /// Empty on success, else why the picture cannot be shown; then the surface is plain.
     std::string setTexture(Surface surface, const std::string& file);
     void setLook(const ViewLook& look);
@@ -66,9 +68,8 @@ public:
     void tint(int generation);
     int tinted() const { return m_tinted; }
     osg::BoundingBox bounds() const;
-    /// Pixels of a side of the picture that shadows come from.
-    void setShadowSize(int pixels);
-    /// For who draws: what lay on the graphics card is lost; frame buffers have so many samples.
+    /// For who draws: what lay on the graphics card is lost; frame buffers have so many samples. One sample stands for
+    /// drawing by the processor: lesser looks.
     void startContext(int samples);
     /// For who draws: after each frame.
     void finishFrame();
@@ -78,15 +79,18 @@ public:
     std::optional<ViewHit> pick(const osg::Vec3d& from, const osg::Vec3d& direction) const;
 
 private:
+    void setQuality(int samples);
     void updateCrown();
     void updateLight();
 
     osg::ref_ptr<osg::Group> m_root, m_tree, m_wires, m_person, m_surfaceGroup;
+    osg::ref_ptr<osg::Geometry> m_background;
     std::array<osg::ref_ptr<osg::Group>, kSurfaces.size()> m_surfaces;
     std::unique_ptr<CShadowMap> m_shadows;
     osg::ref_ptr<osg::StateSet> m_state; ///< of everything
     std::vector<ViewPart> m_parts;
     ViewLook m_look;
+    bool m_shadowsBehind = false; ///< they are those of an older tree
     int m_tinted = ViewPart::kNone;
 };
 

@@ -1,0 +1,110 @@
+#include "cli/Cli.h"
+#include "util/TemporaryFolder.h"
+#include <array>
+#include <gtest/gtest.h>
+#include <png.h>
+
+namespace stromar::test {
+namespace {
+
+struct Picture {
+    unsigned width = 0, height = 0;
+    std::vector<std::uint8_t> rgba;
+
+    std::array<int, 4> mean(unsigned x0, unsigned y0, unsigned x1, unsigned y1) const {
+        std::array<int, 4> sum{};
+        for (unsigned y = y0; y < y1; ++y)
+            for (unsigned x = x0; x < x1; ++x)
+                for (unsigned c = 0; c < 4; ++c) sum[c] += rgba[4 * (y * width + x) + c];
+        for (int& c : sum) c /= static_cast<int>((x1 - x0) * (y1 - y0));
+        return sum;
+    }
+};
+
+Picture readPng(const std::filesystem::path& path) {
+    png_image image{};
+    image.version = PNG_IMAGE_VERSION;
+    if (!png_image_begin_read_from_file(&image, path.c_str())) return {};
+    image.format = PNG_FORMAT_RGBA;
+    Picture picture{image.width, image.height, std::vector<std::uint8_t>(PNG_IMAGE_SIZE(image))};
+    png_image_finish_read(&image, nullptr, picture.rgba.data(), 0, nullptr);
+    return picture;
+}
+
+class Render : public ::testing::Test {
+protected:
+    Picture render(const Words& more) {
+        Words words{"render", STROMAR_SOURCE "/presets/quaking_aspen.tree", "-o", path(), "--size", "200x240",
+                    "--samples", "1", "--set", "1Branches=20", "--set", "BarkTexture=", "--set", "LeafTexture="};
+        words.insert(words.end(), more.begin(), more.end());
+        const ProcessResult run = cli(words);
+        EXPECT_EQ(run.status, 0) << run.err;
+        return readPng(path());
+    }
+    std::string path() const { return (m_folder.path() / "tree.png").string(); }
+
+    CTemporaryFolder m_folder;
+};
+
+bool isGreen(const std::array<int, 4>& c) { return c[1] > c[0] && c[1] > c[2]; }
+} // namespace
+
+TEST_F(Render, ShowsSkyTreeAndGround) {
+    const Picture picture = render({});
+    ASSERT_EQ(picture.width, 200u);
+    ASSERT_EQ(picture.height, 240u);
+    const auto sky = picture.mean(0, 0, 40, 20), ground = picture.mean(150, 220, 200, 240),
+               crown = picture.mean(85, 80, 115, 120);
+    EXPECT_GT(sky[2], sky[0]) << "blue above";
+    EXPECT_TRUE(isGreen(ground));
+    EXPECT_TRUE(isGreen(crown));
+    EXPECT_LT(crown[0] + crown[1] + crown[2], sky[0] + sky[1] + sky[2] - 60);
+    EXPECT_EQ(sky[3], 255);
+}
+
+TEST_F(Render, CastsAShadowAwayFromTheSun) {
+    // In the morning the sun stands on the right.
+    const Picture morning = render({"--hour", "8.5"}), evening = render({"--hour", "15.5"});
+    const auto brightness = [](const Picture& p, unsigned x) {
+        const auto c = p.mean(x, 205, x + 30, 225);
+        return c[0] + c[1] + c[2];
+    };
+    EXPECT_LT(brightness(morning, 10) - brightness(morning, 160), brightness(evening, 10) - brightness(evening, 160) - 20);
+}
+
+TEST_F(Render, TransparentShowsTheTreeAlone) {
+    const Picture picture = render({"--transparent"});
+    EXPECT_EQ(picture.mean(0, 0, 40, 40)[3], 0);
+    EXPECT_EQ(picture.mean(150, 220, 200, 240)[3], 0);
+    EXPECT_GT(picture.mean(85, 80, 115, 120)[3], 100);
+}
+
+TEST_F(Render, WinterIsBare) {
+    const auto summer = render({}).mean(60, 60, 140, 160), winter = render({"--season", "winter"}).mean(60, 60, 140, 160);
+    EXPECT_GT(winter[2], summer[2] + 20) << "the sky is seen";
+}
+
+TEST_F(Render, ViewsDiffer) {
+    const Picture front = render({}), top = render({"--view", "top"}), close = render({"--view", "closeup"});
+    EXPECT_NE(front.rgba, top.rgba);
+    EXPECT_NE(front.rgba, close.rgba);
+}
+
+TEST_F(Render, SaysWhatIsWrong) {
+    const std::string preset = STROMAR_SOURCE "/presets/quaking_aspen.tree";
+    for (const auto& [words, said] : {std::pair{Words{"--size", "3x3"}, "WxH"},
+                                      {Words{"--size", "wide"}, "WxH"},
+                                      {Words{"--view", "below"}, "view"},
+                                      {Words{"--season", "monsoon"}, "Season"},
+                                      {Words{"--hour", "25"}, "hour"}}) {
+        Words all{"render", preset, "-o", path()};
+        all.insert(all.end(), words.begin(), words.end());
+        const ProcessResult run = cli(all);
+        EXPECT_EQ(run.status, 2) << said;
+        EXPECT_NE(run.err.find(said), std::string::npos) << run.err;
+    }
+    EXPECT_EQ(cli({"render", preset, "-o", path() + ".jpg"}).status, 2);
+    EXPECT_EQ(cli({"render", preset, "-o", "/no/such/folder/a.png", "--size", "32x32"}).status, 1);
+}
+
+} // namespace stromar::test

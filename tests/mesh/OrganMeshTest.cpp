@@ -1,0 +1,84 @@
+#include "mesh/MeshMeasures.h"
+#include "mesh/SampleTrees.h"
+#include "stromar/mesh/MeshCheck.h"
+#include <glm/geometric.hpp>
+#include <gtest/gtest.h>
+#include <set>
+
+namespace stromar::test {
+namespace {
+
+CParams orchard() {
+    CParams params = preset("apple");
+    params.global.fruits = 4;
+    params.global.blossoms = 3;
+    return params;
+}
+
+std::shared_ptr<const CMesh> organs(CParams params, Organ organ, double month, const Detail& detail) {
+    params.global.season = month;
+    const auto tree = grow(params);
+    const auto all = meshAllStems(*tree, params, detail, CProgress(2));
+    return meshOfOrgans(*tree, organ, all.back().plan, params, detail, CProgress(2));
+}
+const Detail& full(int lod = 0) { return detailOf(Model::Full, lod); }
+} // namespace
+
+TEST(OrganMesh, FruitsAreClosedAndSound) {
+    for (const Detail& detail : detailTable()) {
+        const auto fruits = organs(orchard(), Organ::Fruit, 9, detail);
+        ASSERT_GT(fruits->triangleCount(), 0u) << detail.name;
+        EXPECT_TRUE(checkLeaves(*fruits).sound()) << detail.name;
+        EXPECT_EQ(fruits->surface, Surface::Fruit);
+        const std::size_t each = verticesPerOrgan(orchard(), Organ::Fruit, detail);
+        EXPECT_EQ(fruits->vertexCount() % each, 0u);
+        EXPECT_GT(signedVolume(*fruits), 0) << detail.name << ": they face outwards";
+    }
+}
+
+TEST(OrganMesh, TheSeasonHasItsOrgans) {
+    const auto count = [](Organ organ, double month) {
+        return organs(orchard(), organ, month, full())->vertexCount();
+    };
+    EXPECT_EQ(count(Organ::Leaf, 1), 0u);
+    EXPECT_GT(count(Organ::Leaf, 7), count(Organ::Leaf, 10.6));
+    EXPECT_GT(count(Organ::Leaf, 10.6), 0u);
+    EXPECT_EQ(count(Organ::Blossom, 7), 0u);
+    EXPECT_GT(count(Organ::Blossom, 4.7), 0u);
+    EXPECT_EQ(count(Organ::Fruit, 4), 0u);
+    EXPECT_GT(count(Organ::Fruit, 9), 0u);
+}
+
+TEST(OrganMesh, LeavesThatFallEarlyAreGoneLater) {
+    const auto early = organs(orchard(), Organ::Leaf, 10.3, full()), late = organs(orchard(), Organ::Leaf, 10.8, full());
+    std::set<std::pair<float, float>> places;
+    for (const glm::vec3& p : early->positions) places.insert({p.x, p.z});
+    for (const glm::vec3& p : late->positions) ASSERT_TRUE(places.contains({p.x, p.z}));
+}
+
+TEST(OrganMesh, PlanesCrossInTheLengthOfTheirLeaf) {
+    CParams params = preset("quaking_aspen");
+    const auto one = organs(params, Organ::Leaf, 7, full());
+    params.global.leafPlanes = 3;
+    const auto three = organs(params, Organ::Leaf, 7, full());
+    EXPECT_EQ(three->vertexCount(), 3 * one->vertexCount());
+    EXPECT_TRUE(checkLeaves(*three).sound());
+    const auto middle = [](const CMesh& mesh, std::size_t card) {
+        return (mesh.positions[4 * card] + mesh.positions[4 * card + 1] + mesh.positions[4 * card + 2] +
+                mesh.positions[4 * card + 3]) / 4.0f;
+    };
+    for (std::size_t leaf = 0; leaf < 50; ++leaf)
+        for (std::size_t plane = 1; plane < 3; ++plane)
+            EXPECT_LT(glm::length(middle(*three, 3 * leaf) - middle(*three, 3 * leaf + plane)), 1e-4f);
+}
+
+TEST(OrganMesh, EveryLeafShapeIsSound) {
+    for (int shape = 0; shape <= 12; ++shape) {
+        CParams params = preset("quaking_aspen");
+        params.global.leafForm = 1;
+        params.global.leafShape = shape;
+        EXPECT_TRUE(checkLeaves(*organs(params, Organ::Leaf, 7, full())).sound()) << shape;
+    }
+}
+
+} // namespace stromar::test

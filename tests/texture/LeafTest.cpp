@@ -1,0 +1,149 @@
+#include "stromar/texture/Draw.h"
+#include "stromar/texture/Opacity.h"
+#include "stromar/util/Error.h"
+#include <cmath>
+#include <gtest/gtest.h>
+
+namespace stromar {
+namespace {
+
+TextureMaps drawn(const LeafParams& leaf, int size = 96, int threads = 2) {
+    return makeLeaf(leaf, size, CProgress(threads));
+}
+
+double coverage(const Pixels& pixels) {
+    return double(std::ranges::count_if(pixels, [](const auto& p) { return p[3] > 255 * kAlphaCut; })) /
+           double(pixels.size());
+}
+
+class LeafKind : public ::testing::TestWithParam<int> {
+protected:
+    LeafParams leaf() const { return leafBook().of(GetParam()); }
+};
+INSTANTIATE_TEST_SUITE_P(All, LeafKind, ::testing::Range(0, int(leafBook().kinds.size())), [](const auto& kind) {
+    std::string name(leafBook().kinds[std::size_t(kind.param)]);
+    std::erase(name, '-');
+    return name;
+});
+
+TEST_P(LeafKind, FillsItsCardAndLeavesRoom) {
+    const TextureMaps maps = drawn(leaf(), 128);
+    EXPECT_GT(coverage(maps.albedo), 0.15);
+    EXPECT_LT(coverage(maps.albedo), 0.9);
+    int highest = 128;
+    for (int y = 0; y < 128; ++y)
+        for (int x = 0; x < 128; ++x)
+            if (maps.albedo[maps.at(x, y)][3] > 128) highest = std::min(highest, y);
+    EXPECT_LT(highest, 26) << "the tip lies at the upper edge";
+}
+
+TEST_P(LeafKind, IsTheSameForAnyNumberOfThreadsAndNotForAnotherSeed) {
+    const TextureMaps one = drawn(leaf(), 64, 1), many = drawn(leaf(), 64, 5);
+    EXPECT_EQ(one.albedo, many.albedo);
+    EXPECT_EQ(one.back, many.back);
+    EXPECT_EQ(one.normal, many.normal);
+    EXPECT_EQ(one.roughness, many.roughness);
+    EXPECT_EQ(one.translucency, many.translucency);
+    LeafParams other = leaf();
+    other.seed = 77;
+    EXPECT_NE(one.albedo, drawn(other, 64).albedo);
+}
+
+TEST_P(LeafKind, AnotherSizeShowsTheSameLeaf) {
+    const double large = coverage(drawn(leaf(), 192).albedo), small = coverage(drawn(leaf(), 64).albedo);
+    EXPECT_NEAR(large, small, 0.12 * large);
+}
+
+TEST_P(LeafKind, ItsColoursGoOnUnderTheTransparentPart) {
+    const TextureMaps maps = drawn(leaf());
+    double mean[3] = {0, 0, 0}, outside[3] = {0, 0, 0}, in = 0, out = 0;
+    for (const auto& p : maps.albedo) {
+        (p[3] > 128 ? in : out) += 1;
+        for (std::size_t c = 0; c < 3; ++c) (p[3] > 128 ? mean : outside)[c] += p[c];
+    }
+    for (int c = 0; c < 3; ++c) EXPECT_NEAR(mean[c] / in, outside[c] / out, 45);
+}
+
+TEST_P(LeafKind, ItsTextSaysOnlyWhatDiffers) {
+    LeafParams own = leaf();
+    EXPECT_EQ(leafBook().text(own), leafBook().kinds[static_cast<std::size_t>(GetParam())]);
+    own.seed = 12;
+    own.green = {1, 2, 255};
+    EXPECT_TRUE(leafBook().read(leafBook().text(own)) == own);
+}
+
+TEST(Leaf, TheSeasonTurnsItsColour) {
+    const auto meanOf = [](double month) {
+        LeafParams leaf = leafBook().read("maple");
+        leaf.season = month;
+        double sum[3] = {0, 0, 0};
+        for (const auto& p : drawn(leaf).albedo)
+            for (std::size_t c = 0; c < 3; ++c) sum[c] += p[3] > 128 ? p[c] : 0;
+        return std::pair{sum[0] / sum[1], sum[2] / sum[1]}; // red and blue to green
+    };
+    EXPECT_EQ(meanOf(7), meanOf(8));
+    EXPECT_LT(meanOf(7).first, 0.9) << "green";
+    EXPECT_GT(meanOf(10.3).first, 1.2) << "yellow to red";
+    EXPECT_GT(meanOf(9.6).first, meanOf(9).first) << "little by little";
+}
+
+TEST(Leaf, LightGoesThroughTheBladeMoreThanThroughItsMidrib) {
+    const TextureMaps maps = drawn(leafBook().read("beech spots=0"), 256);
+    const auto through = [&](int x, int y) { return int(maps.translucency[maps.at(x, y)]); };
+    EXPECT_LT(through(128, 130), through(128 + 40, 124));
+}
+
+TEST(Opacity, SpreadColoursKeepsWhatIsOpaque) {
+    Pixels pixels(64, {0, 0, 0, 0});
+    pixels[27] = {200, 100, 50, 255};
+    spreadColours(pixels, 8, 8);
+    EXPECT_EQ(pixels[27], (std::array<std::uint8_t, 4>{200, 100, 50, 255}));
+    for (std::size_t i = 0; i < pixels.size(); ++i) {
+        EXPECT_EQ(pixels[i][3], i == 27 ? 255 : 0);
+        EXPECT_NEAR(pixels[i][0], 200, 1) << i;
+    }
+}
+
+TEST(Opacity, MipmapsKeepTheCoverage) {
+    for (const char* recipe : {"leaf:spruce", "leaf:ash", "leaf:pine", "leaf:maple"}) {
+        const TextureMaps maps = CRecipe(recipe).draw(256, CProgress());
+        const std::vector<Pixels> levels = mipmapsKeepingCoverage(maps.albedo, 256, 256);
+        ASSERT_EQ(levels.size(), 9u);
+        EXPECT_EQ(levels.back().size(), 1u);
+        const double wanted = coverage(levels[0]);
+        for (std::size_t i = 1; i + 3 < levels.size(); ++i) // the last ones have too few pixels
+            EXPECT_NEAR(coverage(levels[i]), wanted, 0.1 * wanted) << recipe << " level " << i;
+    }
+}
+
+TEST(Opacity, OddSizesAreHalvedToo) {
+    const Pixels pixels(5 * 3, {10, 20, 30, 255});
+    const auto levels = mipmapsKeepingCoverage(pixels, 5, 3);
+    ASSERT_EQ(levels.size(), 3u); // 5 × 3, 2 × 1, 1 × 1
+    EXPECT_EQ(levels[1].size(), 2u);
+    EXPECT_EQ(levels[2].size(), 1u);
+    EXPECT_EQ(levels[2][0], pixels[0]);
+}
+
+TEST(Recipe, OfAnyBookIsReadChangedAndWritten) {
+    for (const char* book : {"bark", "leaf"})
+        for (const std::string& text : plainRecipes(book)) {
+            CRecipe recipe(text);
+            EXPECT_EQ(recipe.text(), text);
+            const std::vector<CRecipe::Row> rows = recipe.rows();
+            for (std::size_t i = 0; i < rows.size(); ++i) {
+                recipe.setValue(i, recipe.value(i));
+                if (rows[i].type == CRecipe::Type::Tint) recipe.setValue(i, "#010203");
+            }
+            EXPECT_EQ(CRecipe(recipe.text()).text(), recipe.text());
+            recipe.setKind(recipe.kind());
+            EXPECT_EQ(recipe.text(), text);
+        }
+    EXPECT_THROW(CRecipe("oak"), CError);
+    EXPECT_THROW(CRecipe("wood:oak"), CError);
+    EXPECT_TRUE(isRecipe("leaf:oak"));
+    EXPECT_FALSE(isRecipe("leaf.png"));
+}
+
+} // namespace
+} // namespace stromar
