@@ -8,6 +8,7 @@ if(STROMAR_GUI)
   set(icons ${CMAKE_INSTALL_DATADIR}/icons/hicolor/scalable)
   install(FILES ui/icons/stromar.svg RENAME ${id}.svg DESTINATION ${icons}/apps)
   install(FILES ui/icons/stromar.svg RENAME application-x-stromar-tree.svg DESTINATION ${icons}/mimetypes)
+  install(FILES packaging/${id}.thumbnailer DESTINATION ${CMAKE_INSTALL_DATADIR}/thumbnailers)
   install(FILES packaging/stromar.1 DESTINATION ${CMAKE_INSTALL_MANDIR}/man1)
 endif()
 

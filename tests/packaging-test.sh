@@ -11,20 +11,28 @@ cmake --install "$build" --prefix "$root" >/dev/null
 share=$root/share
 for file in bin/stromar bin/stromar-cli share/man/man1/stromar.1 share/man/man1/stromar-cli.1 \
   share/applications/org.stromar.Stromar.desktop share/mime/packages/org.stromar.Stromar.xml \
-  share/icons/hicolor/scalable/apps/org.stromar.Stromar.svg share/stromar/docs/manual.md; do
+  share/icons/hicolor/scalable/apps/org.stromar.Stromar.svg share/stromar/docs/manual.md \
+  share/thumbnailers/org.stromar.Stromar.thumbnailer share/stromar/docs/images/presets/apple.png; do
   [ -s "$root/$file" ] || fail "$file is missing"
 done
 
 # It takes its data from where it is installed.
-env -u STROMAR_DATA "$root/bin/stromar-cli" export "$share/stromar/presets/quaking_aspen.tree" -o "$root/a.obj" --quiet --lod 3
+env -u STROMAR_DATA "$root/bin/stromar-cli" export "$share/stromar/presets/quaking_aspen.tree" -o "$root/a.obj" --quiet --lod 3 --set LeafTexture=
 cmp "$share/stromar/textures/leaf.png" "$root/a_leaf.png" || fail "not its own leaf"
+
+# File managers get pictures, without a display.
+thumbnail=$(sed -n 's/^Exec=//p' "$share/thumbnailers/org.stromar.Stromar.thumbnailer")
+thumbnail=${thumbnail//%i/$share/stromar/presets/sapling.tree}
+thumbnail=${thumbnail//%o/$root/thumbnail.png}
+env -u DISPLAY PATH="$root/bin:$PATH" sh -c "${thumbnail//%s/64}" || fail "no thumbnail"
+file "$root/thumbnail.png" | grep -q '64 x 64' || fail "the thumbnail has another size"
 
 # The manual pages know every option.
 for option in $("$root/bin/stromar" --help | grep -o -- '--[a-z-]*' | sort -u); do
   case $option in --help-all | --version | --help) continue ;; esac
   grep -q -- "${option//-/\\\\-}" "$share/man/man1/stromar.1" || fail "stromar.1 does not know $option"
 done
-for command in info structure check export params formats; do
+for command in info structure check export render texture params formats; do
   grep -q "^.SS $command" "$share/man/man1/stromar-cli.1" || fail "stromar-cli.1 does not know $command"
 done
 

@@ -1,6 +1,8 @@
 #include "cli/Cli.h"
 #include "util/TemporaryFolder.h"
+#include <algorithm>
 #include <array>
+#include <cstdlib>
 #include <gtest/gtest.h>
 #include <png.h>
 
@@ -34,8 +36,13 @@ Picture readPng(const std::filesystem::path& path) {
 class Render : public ::testing::Test {
 protected:
     Picture render(const Words& more) {
-        Words words{"render", STROMAR_SOURCE "/presets/quaking_aspen.tree", "-o", path(), "--size", "200x240",
-                    "--samples", "1", "--set", "1Branches=20", "--set", "BarkTexture=", "--set", "LeafTexture="};
+        Words words{"render",    STROMAR_SOURCE "/presets/quaking_aspen.tree",
+                    "-o",        path(),
+                    "--size",    "200x240",
+                    "--samples", "1",
+                    "--set",     "1Branches=20",
+                    "--set",     "BarkTexture=",
+                    "--set",     "LeafTexture="};
         words.insert(words.end(), more.begin(), more.end());
         const ProcessResult run = cli(words);
         EXPECT_EQ(run.status, 0) << run.err;
@@ -69,7 +76,8 @@ TEST_F(Render, CastsAShadowAwayFromTheSun) {
         const auto c = p.mean(x, 205, x + 30, 225);
         return c[0] + c[1] + c[2];
     };
-    EXPECT_LT(brightness(morning, 10) - brightness(morning, 160), brightness(evening, 10) - brightness(evening, 160) - 20);
+    EXPECT_LT(brightness(morning, 10) - brightness(morning, 160),
+              brightness(evening, 10) - brightness(evening, 160) - 20);
 }
 
 TEST_F(Render, TransparentShowsTheTreeAlone) {
@@ -80,7 +88,8 @@ TEST_F(Render, TransparentShowsTheTreeAlone) {
 }
 
 TEST_F(Render, WinterIsBare) {
-    const auto summer = render({}).mean(60, 60, 140, 160), winter = render({"--season", "winter"}).mean(60, 60, 140, 160);
+    const auto summer = render({}).mean(60, 60, 140, 160),
+               winter = render({"--season", "winter"}).mean(60, 60, 140, 160);
     EXPECT_GT(winter[2], summer[2] + 20) << "the sky is seen";
 }
 
@@ -105,6 +114,31 @@ TEST_F(Render, SaysWhatIsWrong) {
     }
     EXPECT_EQ(cli({"render", preset, "-o", path() + ".jpg"}).status, 2);
     EXPECT_EQ(cli({"render", preset, "-o", "/no/such/folder/a.png", "--size", "32x32"}).status, 1);
+}
+
+/// Every preset looks as it does in the window's library and in the manual.
+class SpeciesPicture : public ::testing::TestWithParam<std::string> {};
+
+std::vector<std::string> presetNames() {
+    std::vector<std::string> names;
+    for (const auto& file : std::filesystem::directory_iterator(STROMAR_SOURCE "/presets"))
+        if (file.path().extension() == ".tree") names.push_back(file.path().stem().string());
+    std::ranges::sort(names);
+    return names;
+}
+INSTANTIATE_TEST_SUITE_P(Slow, SpeciesPicture, ::testing::ValuesIn(presetNames()),
+                         [](const auto& name) { return name.param; });
+
+TEST_P(SpeciesPicture, IsThatOfTheManual) {
+    const CTemporaryFolder folder;
+    const std::string path = (folder.path() / "now.png").string();
+    const ProcessResult run = cli({"render", presetFile(GetParam()), "-o", path, "--size", "192x192", "--quiet"});
+    ASSERT_EQ(run.status, 0) << run.err;
+    const Picture now = readPng(path), shown = readPng(STROMAR_SOURCE "/docs/images/presets/" + GetParam() + ".png");
+    ASSERT_EQ(now.rgba.size(), shown.rgba.size()) << "run script/make-species";
+    double difference = 0;
+    for (std::size_t i = 0; i < now.rgba.size(); ++i) difference += std::abs(int(now.rgba[i]) - int(shown.rgba[i]));
+    EXPECT_LT(difference / double(now.rgba.size()), 2) << "run script/make-species and look";
 }
 
 } // namespace stromar::test
