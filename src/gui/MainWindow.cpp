@@ -89,7 +89,9 @@ CMainWindow::CMainWindow(double mostVertices, std::shared_ptr<CDocument> documen
 
 CMainWindow::~CMainWindow() = default;
 
-bool CMainWindow::busy() const { return !m_started || m_thumbnails->busy() || m_thread->progress() || m_viewport->settling(); }
+bool CMainWindow::busy() const {
+    return !m_started || m_thumbnails->busy() || m_thread->progress() || m_viewport->settling();
+}
 
 void CMainWindow::makeCentre() {
     auto* centre = new QWidget;

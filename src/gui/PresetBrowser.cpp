@@ -130,7 +130,8 @@ void CPresetBrowser::addFolder(const QString& folder, bool own) {
                 showThumbnail(QLatin1String(kIdStart) + file.absoluteFilePath(), QImage(made));
             else
                 m_thumbnails.request(QLatin1String(kIdStart) + file.absoluteFilePath(), tree.params(), toPath(folder),
-                                 QSize(kPictureSize, kPictureSize) * devicePixelRatioF(), CThumbnails::Keep::OnDisk);
+                                     QSize(kPictureSize, kPictureSize) * devicePixelRatioF(),
+                                     CThumbnails::Keep::OnDisk);
         } catch (const std::exception& e) {
             item->setIcon(placeholder(palette(), true, devicePixelRatioF()));
             item->setToolTip(QString::fromUtf8(e.what()).toHtmlEscaped());

@@ -1,6 +1,6 @@
 #pragma once
-#include <QFileSystemWatcher>
 #include <QFileInfo>
+#include <QFileSystemWatcher>
 #include <QWidget>
 
 class QComboBox;

@@ -59,8 +59,7 @@ void show(osg::Node& node, bool on) { node.setNodeMask(on ? ~0u : 0u); }
 
 CViewScene::CViewScene()
     : m_root(new osg::Group), m_tree(new osg::Group), m_wires(new osg::Group), m_surfaceGroup(new osg::Group),
-      m_background(makeBackground()),
-      m_state(m_root->getOrCreateStateSet()) {
+      m_background(makeBackground()), m_state(m_root->getOrCreateStateSet()) {
     for (const Surface surface : kSurfaces) {
         const auto i = static_cast<std::size_t>(surface);
         m_surfaces[i] = new osg::Group;

@@ -9,8 +9,12 @@ using Params = std::variant<BarkParams, LeafParams>;
 // The books, by what they hold.
 const RecipeBook<BarkParams>& bookOf(const BarkParams&) { return barkBook(); }
 const RecipeBook<LeafParams>& bookOf(const LeafParams&) { return leafBook(); }
-TextureMaps drawn(const BarkParams& bark, int size, const CProgress& progress) { return makeBark(bark, size, progress); }
-TextureMaps drawn(const LeafParams& leaf, int size, const CProgress& progress) { return makeLeaf(leaf, size, progress); }
+TextureMaps drawn(const BarkParams& bark, int size, const CProgress& progress) {
+    return makeBark(bark, size, progress);
+}
+TextureMaps drawn(const LeafParams& leaf, int size, const CProgress& progress) {
+    return makeLeaf(leaf, size, progress);
+}
 
 /// Calls use(book, …) with the book that has this name; false when there is none.
 template <std::size_t I = 0, typename Use>
@@ -44,7 +48,8 @@ CRecipe::CRecipe(std::string_view text) {
 
 std::string CRecipe::text() const {
     return std::visit(
-        [](const auto& params) { return std::string(bookOf(params).what) + ":" + bookOf(params).text(params); }, m_params);
+        [](const auto& params) { return std::string(bookOf(params).what) + ":" + bookOf(params).text(params); },
+        m_params);
 }
 
 std::span<const std::string_view> CRecipe::kinds() const {

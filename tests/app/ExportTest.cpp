@@ -77,8 +77,9 @@ TEST_P(Export, PutsPicturesBesideTheModel) {
         EXPECT_EQ(countOf(content + library, "\\" + picture), 0u) << picture;
         names.insert(picture);
     }
-    if (ending() == ".gltf") names.insert({"tree_bark_normal.png", "tree_bark_roughness.png", "tree_leaf_normal.png",
-                                            "tree_leaf_roughness.png"});
+    if (ending() == ".gltf")
+        names.insert(
+            {"tree_bark_normal.png", "tree_bark_roughness.png", "tree_leaf_normal.png", "tree_leaf_roughness.png"});
     EXPECT_EQ(m_folder.names(), names) << "other files lie about";
 }
 

@@ -38,8 +38,7 @@ TEST(ExportCommand, TakesEveryRowOfTheTableOfChoices) {
                                  "one-file", "--scale", "100", "--up", "y", "--textures", "copy"}));
     EXPECT_EQ(run.status, 0) << run.err;
     EXPECT_EQ(folder.names(), (std::set<std::string>{"a.glb", "a_bark.png", "a_bark_normal.png", "a_bark_roughness.png",
-                                                     "a_leaf.png",
-                                               "a_leaf_normal.png", "a_leaf_roughness.png"}));
+                                                     "a_leaf.png", "a_leaf_normal.png", "a_leaf_roughness.png"}));
     EXPECT_EQ(cli(smallTree("export", {"-o", (folder / "b.stl").string(), "--lods", "one-file"})).status, 2);
     EXPECT_EQ(cli(smallTree("export", {"-o", (folder / "b.glb").string(), "--up", "z"})).status, 2);
     EXPECT_EQ(cli(smallTree("export", {"-o", (folder / "b.glb").string(), "--up", "sideways"})).status, 2);

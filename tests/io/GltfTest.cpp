@@ -150,8 +150,9 @@ TEST_P(BlenderReads, TheWholeModel) {
     EXPECT_EQ(stats.at("materials"), (Json{"bark", "leaf"}));
     EXPECT_EQ(stats.at("objects"), (Json{"branches 1", "branches 2", "leaves", "trunk"}));
     const bool relief = std::string(GetParam()).starts_with(".gl");
-    EXPECT_EQ(stats.at("images"), relief ? (Json{{512, 512}, {512, 512}, {512, 512}, {1024, 1024}, {1024, 1024}, {1024, 1024}})
-                                         : (Json{{512, 512}, {1024, 1024}}));
+    EXPECT_EQ(stats.at("images"),
+              relief ? (Json{{512, 512}, {512, 512}, {512, 512}, {1024, 1024}, {1024, 1024}, {1024, 1024}})
+                     : (Json{{512, 512}, {1024, 1024}}));
     EXPECT_EQ(stats.at("without_uv"), 0);
     const Bounds box = boundsOf(model, zUp);
     for (int i = 0; i < 3; ++i) {

@@ -37,9 +37,7 @@ TEST(OrganMesh, FruitsAreClosedAndSound) {
 }
 
 TEST(OrganMesh, TheSeasonHasItsOrgans) {
-    const auto count = [](Organ organ, double month) {
-        return organs(orchard(), organ, month, full())->vertexCount();
-    };
+    const auto count = [](Organ organ, double month) { return organs(orchard(), organ, month, full())->vertexCount(); };
     EXPECT_EQ(count(Organ::Leaf, 1), 0u);
     EXPECT_GT(count(Organ::Leaf, 7), count(Organ::Leaf, 10.6));
     EXPECT_GT(count(Organ::Leaf, 10.6), 0u);
@@ -50,7 +48,8 @@ TEST(OrganMesh, TheSeasonHasItsOrgans) {
 }
 
 TEST(OrganMesh, LeavesThatFallEarlyAreGoneLater) {
-    const auto early = organs(orchard(), Organ::Leaf, 10.3, full()), late = organs(orchard(), Organ::Leaf, 10.8, full());
+    const auto early = organs(orchard(), Organ::Leaf, 10.3, full()),
+               late = organs(orchard(), Organ::Leaf, 10.8, full());
     std::set<std::pair<float, float>> places;
     for (const glm::vec3& p : early->positions) places.insert({p.x, p.z});
     for (const glm::vec3& p : late->positions) ASSERT_TRUE(places.contains({p.x, p.z}));
@@ -65,7 +64,8 @@ TEST(OrganMesh, PlanesCrossInTheLengthOfTheirLeaf) {
     EXPECT_TRUE(checkLeaves(*three).sound());
     const auto middle = [](const CMesh& mesh, std::size_t card) {
         return (mesh.positions[4 * card] + mesh.positions[4 * card + 1] + mesh.positions[4 * card + 2] +
-                mesh.positions[4 * card + 3]) / 4.0f;
+                mesh.positions[4 * card + 3]) /
+               4.0f;
     };
     for (std::size_t leaf = 0; leaf < 50; ++leaf)
         for (std::size_t plane = 1; plane < 3; ++plane)

@@ -1,6 +1,6 @@
-#include "stromar/params/TreeParams.h"
 #include "mesh/MeshMeasures.h"
 #include "mesh/SampleTrees.h"
+#include "stromar/params/TreeParams.h"
 #include <gtest/gtest.h>
 #include <utility>
 

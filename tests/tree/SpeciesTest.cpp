@@ -71,7 +71,8 @@ TEST(Trunks, StandInsideTheirSpreadAndLeanOutwards) {
         EXPECT_GT(glm::dot(away, lean), 0);
     }
     EXPECT_NEAR(outermost, 2, 1e-9);
-    EXPECT_EQ(grow(CParams())->generation(0).segments[0].position, glm::dvec3(0)) << "a single one stands in the middle";
+    EXPECT_EQ(grow(CParams())->generation(0).segments[0].position, glm::dvec3(0))
+        << "a single one stands in the middle";
 }
 
 TEST(Organs, BlossomsAndFruitsLeaveTheLeavesAlone) {

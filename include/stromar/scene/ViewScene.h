@@ -32,9 +32,9 @@ struct ViewLook {
     Backdrop backdrop = Backdrop::Sky;
     Wires wires = Wires::Off;
     Shading shading = Shading::Lit;
-    double hour = 10;   ///< of the day, 0..24: where the sun stands
-    double sunTurn = 0; ///< turns its way about the tree, degrees
-    bool leaves = true; ///< and blossoms and fruits
+    double hour = 10;    ///< of the day, 0..24: where the sun stands
+    double sunTurn = 0;  ///< turns its way about the tree, degrees
+    bool leaves = true;  ///< and blossoms and fruits
     bool ground = false; ///< a grid of metres, and a person of 1.75 m beside the tree
     bool operator==(const ViewLook&) const = default;
 };
