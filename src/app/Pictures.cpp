@@ -11,11 +11,14 @@ namespace stromar {
 namespace fs = std::filesystem;
 
 namespace {
-constexpr int kTileSize = 1024, kCutOutSize = 512;
+constexpr int kTileSize = 1024, kCutOutSize = 512, kPreviewSize = 96;
 constexpr double kSeasonSteps = 0.2;      // of a month: the picture follows the slider in so many
 constexpr std::uint64_t kLookVersion = 2; // rises when the same recipe is drawn differently
 
-int sizeOf(Surface surface) { return surfaceOf(surface).cutOut ? kCutOutSize : kTileSize; }
+int sizeOf(Surface surface, Drawn drawn) {
+    if (!surfaceOf(surface).cutOut) return kTileSize;
+    return drawn == Drawn::Preview ? kPreviewSize : kCutOutSize;
+}
 
 bool isShown(const CParams& params, Surface surface) {
     if (surface == Surface::Blossom) return params.global.blossoms > 0;
@@ -61,9 +64,9 @@ std::string pictureOf(const CParams& params, Surface surface) {
     return ages ? chosen + seasonWords(params) : chosen;
 }
 
-fs::path textureOf(const CParams& params, Surface surface, const fs::path& folder) {
+fs::path textureOf(const CParams& params, Surface surface, const fs::path& folder, Drawn drawn) {
     const std::string chosen = pictureOf(params, surface);
-    if (isRecipe(chosen)) return recipeFile(chosen, sizeOf(surface));
+    if (isRecipe(chosen)) return recipeFile(chosen, sizeOf(surface, drawn));
     const bool own = !(params.text.*surfaceOf(surface).texture).empty();
     return own ? folder / chosen : dataFolder() / "textures" / chosen;
 }
@@ -75,17 +78,19 @@ SurfaceTextures texturesOf(const CParams& params, const fs::path& folder) {
     return all;
 }
 
-void makePictures(const CParams& params, const CProgress& progress) {
+void makePictures(const CParams& params, const CProgress& progress, Drawn drawn) {
     for (const Surface surface : kSurfaces) {
         const std::string recipe = pictureOf(params, surface);
         if (!isRecipe(recipe) || !isShown(params, surface)) continue;
-        const CRecipe drawn(recipe);
-        const fs::path file = textureOf(params, surface, {});
-        if (fs::exists(file)) continue;
+        const CRecipe read(recipe);
+        const fs::path file = textureOf(params, surface, {}, drawn);
+        const bool enough = drawn == Drawn::Preview &&
+                            (!surfaceOf(surface).cutOut || fs::exists(textureOf(params, surface, {}, Drawn::Whole)));
+        if (enough || fs::exists(file)) continue;
         std::error_code problem; // creating the file says it better
         fs::create_directories(file.parent_path(), problem);
         CFileSet files;
-        writePngs(drawn.draw(sizeOf(surface), progress), file, files);
+        writePngs(read.draw(sizeOf(surface, drawn), progress), file, files);
         files.commit();
     }
 }

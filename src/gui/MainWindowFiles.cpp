@@ -230,14 +230,19 @@ void CMainWindow::openWorkshop(const TextInfo& text) {
 
 void CMainWindow::updateTextures() {
     const CParams& params = m_document->params();
-    const SurfaceTextures wanted = texturesOf(params, m_document->folder());
+    const SurfaceTextures whole = texturesOf(params, m_document->folder());
+    const auto isThere = [](const std::filesystem::path& file) {
+        std::error_code problem;
+        return std::filesystem::exists(file, problem);
+    };
     for (const Surface surface : kSurfaces) {
         const auto i = static_cast<std::size_t>(surface);
-        if (wanted[i] == m_shownTextures[i] || wanted[i].empty()) continue;
-        std::error_code problem; // a recipe's picture comes with its tree
-        if (isRecipe(pictureOf(params, surface)) && !std::filesystem::exists(wanted[i], problem)) continue;
-        m_shownTextures[i] = wanted[i];
-        if (const QString why = m_viewport->setTexture(surface, fromPath(wanted[i])); !why.isEmpty()) onFailed(why);
+        std::filesystem::path wanted = whole[i];
+        const bool drawn = isRecipe(pictureOf(params, surface)); // then it comes after its tree, first in small
+        if (drawn && !isThere(wanted)) wanted = textureOf(params, surface, {}, Drawn::Preview);
+        if (whole[i].empty() || wanted == m_shownTextures[i] || (drawn && !isThere(wanted))) continue;
+        m_shownTextures[i] = wanted;
+        if (const QString why = m_viewport->setTexture(surface, fromPath(wanted)); !why.isEmpty()) onFailed(why);
     }
 }
 

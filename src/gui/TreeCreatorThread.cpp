@@ -80,7 +80,10 @@ void CTreeCreatorThread::run() {
                 m_lastResult = Clock::now();
             }
             emit created(view);
-            makePictures(request->params, progress); // the tree does not wait for its bark
+            // The tree does not wait for its bark. Leaves in small follow a dragged month: no newer step cancels them.
+            makePictures(request->params, CProgress(progress.threads()), Drawn::Preview);
+            emit picturesMade();
+            makePictures(request->params, progress);
             emit picturesMade();
         } catch (const CCancelled&) {
             // The next request says what to do instead.

@@ -55,12 +55,12 @@ public:
         double around;   ///< times
         double perMetre; ///< along
     };
-    /// The trunk by TextureWrapX/Y (thesis §4.7). Other stems in the trunk's metres per repeat, but whole times around,
+    /// Each trunk by TextureWrapX/Y (thesis §4.7). Other stems in the first trunk's metres per repeat, but whole times around,
     /// at least once; along so that the picture keeps its shape.
     Bark barkOf(const CStem& stem) const {
         const double x = m_params.global().textureWrapX, y = m_params.global().textureWrapY;
+        if (m_trunk) return {x, y / std::max(1e-9, stem.measures.length)};
         const double perMetre = y / std::max(1e-9, m_trunkMeasures.length);
-        if (m_trunk) return {x, perMetre};
         const double exact = x * std::max(minRadius(), stem.measures.radius) / std::max(1e-9, m_trunkMeasures.radius);
         if (!(exact > 1e-6)) return {1, perMetre};
         const double around = std::max(1.0, std::round(exact));

@@ -38,10 +38,70 @@ TEST_F(RecipeTest, IsDrawnOnceAndKept) {
     EXPECT_NE(bark(), first);
 }
 
+TEST_F(RecipeTest, OfLeavesHasAPreviewUntilTheWholeIsThere) {
+    m_params.text.leafTexture = "leaf:maple";
+    const fs::path small = textureOf(m_params, Surface::Leaf, {}, Drawn::Preview),
+                   whole = textureOf(m_params, Surface::Leaf, {});
+    EXPECT_NE(small, whole);
+    EXPECT_EQ(textureOf(m_params, Surface::Bark, {}, Drawn::Preview), bark()) << "barks have none";
+    makePictures(m_params, CProgress(), Drawn::Preview);
+    EXPECT_TRUE(fs::exists(small));
+    EXPECT_FALSE(fs::exists(whole) || fs::exists(bark()));
+    makePictures(m_params, CProgress());
+    EXPECT_TRUE(fs::exists(whole));
+    fs::remove(small);
+    makePictures(m_params, CProgress(), Drawn::Preview);
+    EXPECT_FALSE(fs::exists(small)) << "the whole is better";
+}
+
+TEST_F(RecipeTest, OfLeavesFollowsTheMonth) {
+    m_params.text.leafTexture = "leaf:maple";
+    const auto at = [&](double month) {
+        m_params.global.season = month;
+        return pictureOf(m_params, Surface::Leaf);
+    };
+    EXPECT_EQ(at(7), "leaf:maple");
+    EXPECT_EQ(at(8), "leaf:maple") << "summer is one picture";
+    EXPECT_EQ(at(9.8), "leaf:maple season=9.8");
+    EXPECT_EQ(at(9.83), at(9.8)) << "in steps";
+    m_params.global.evergreen = 1;
+    EXPECT_EQ(at(9.8), "leaf:maple");
+    m_params.global.evergreen = 0;
+    m_params.text.leafTexture = "leaf:maple season=7";
+    EXPECT_EQ(at(9.8), "leaf:maple season=7") << "the recipe's own month";
+    m_params.text.leafTexture = "mine.png";
+    EXPECT_EQ(at(9.8), "mine.png");
+}
+
+TEST_F(RecipeTest, OfBlossomsAndFruitsIsDrawnOnlyForTreesThatHaveSome) {
+    const fs::path blossom = textureOf(m_params, Surface::Blossom, {});
+    EXPECT_TRUE(texturesOf(m_params, {})[std::size_t(Surface::Blossom)].empty());
+    makePictures(m_params, CProgress());
+    EXPECT_FALSE(fs::exists(blossom));
+    m_params.global.blossoms = 3;
+    makePictures(m_params, CProgress());
+    EXPECT_TRUE(fs::exists(blossom));
+    EXPECT_EQ(texturesOf(m_params, {})[std::size_t(Surface::Blossom)], blossom);
+}
+
 TEST_F(RecipeTest, GoesWithTheExportedModel) {
     const auto model = CTreeCreator().create(m_params, detailOf(Model::Simple), CProgress());
     exportModel(*model, {}, m_folder.path() / "tree.obj", CProgress());
     EXPECT_EQ(readFile(m_folder.path() / "tree_bark.png"), readFile(bark()));
+}
+
+TEST_F(RecipeTest, ExportedBlossomsAndFruitsHaveTheirMaterials) {
+    CParams params = CTreeFile::read(STROMAR_SOURCE "/presets/apple.tree").params();
+    params.level[1].branches = 8;
+    params.level[2].branches = 8;
+    params.global.season = 9;
+    const auto model = CTreeCreator().create(params, detailOf(Model::Full), CProgress());
+    exportModel(*model, {}, m_folder.path() / "tree.obj", CProgress());
+    const std::string library = readFile(m_folder.path() / "tree.mtl");
+    EXPECT_NE(library.find("newmtl fruit"), std::string::npos);
+    EXPECT_EQ(library.find("newmtl blossom"), std::string::npos) << "none is there in September";
+    EXPECT_TRUE(fs::exists(m_folder.path() / "tree_fruit.png"));
+    EXPECT_NE(readFile(m_folder.path() / "tree.obj").find("usemtl fruit"), std::string::npos);
 }
 
 TEST_F(RecipeTest, WhatIsWrongWithItIsSaidAndNothingIsWritten) {
