@@ -1890,6 +1890,10 @@
         <source>0.5 is the middle of January, 7 the height of summer, 10.5 late autumn.</source>
         <translation>0,5 je polovina ledna, 7 vrchol léta, 10,5 pozdní podzim.</translation>
     </message>
+    <message>
+        <source>candle</source>
+        <translation>svíce</translation>
+    </message>
 </context>
 <context>
     <name>stromar::CDocument</name>

@@ -1890,6 +1890,10 @@
         <source>0.5 is the middle of January, 7 the height of summer, 10.5 late autumn.</source>
         <translation>0,5 — середина января, 7 — разгар лета, 10,5 — поздняя осень.</translation>
     </message>
+    <message>
+        <source>candle</source>
+        <translation>свеча</translation>
+    </message>
 </context>
 <context>
     <name>stromar::CDocument</name>

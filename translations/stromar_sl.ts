@@ -1890,6 +1890,10 @@
         <source>0.5 is the middle of January, 7 the height of summer, 10.5 late autumn.</source>
         <translation>0,5 je sredina januarja, 7 višek poletja, 10,5 pozna jesen.</translation>
     </message>
+    <message>
+        <source>candle</source>
+        <translation>svečka</translation>
+    </message>
 </context>
 <context>
     <name>stromar::CDocument</name>

@@ -167,6 +167,18 @@ public:
         }
     }
 
+    /// Flowers around an upright stalk, the upper ones smaller.
+    void candle() {
+        addStalk({0, 0}, {0, 0.96}, 0.016);
+        const int count = std::max(6, m_leaf.lobes);
+        for (int i = 0; i < count; ++i) {
+            const double up = (i + 0.5) / count, radius = (0.13 - 0.07 * up) * (1 + vary(0.12));
+            const double aside = m_leaf.width * 0.36 * (1 - 0.85 * up) * std::sin(2.4 * i);
+            flower({std::clamp(aside, radius - m_leaf.width / 2, m_leaf.width / 2 - radius), 0.16 + 0.76 * up}, radius,
+                   i % 3, i);
+        }
+    }
+
 private:
     double uniform() { return m_random.uniform(++m_drawn, 1); }
     double vary(double by) { return by * (2 * uniform() - 1); }
@@ -301,7 +313,7 @@ std::vector<Blade> bladesOf(const LeafParams& leaf) {
     constexpr void (CLeafMaker::*kMakers[])() = {
         &CLeafMaker::simple,  &CLeafMaker::palmatelyLobed, &CLeafMaker::pinnate,    &CLeafMaker::palmate,
         &CLeafMaker::fan,     &CLeafMaker::needles,        &CLeafMaker::needleTwig, &CLeafMaker::scales,
-        &CLeafMaker::blossom, &CLeafMaker::blossoms};
+        &CLeafMaker::blossom, &CLeafMaker::blossoms,       &CLeafMaker::candle};
     CLeafMaker maker(leaf);
     (maker.*kMakers[static_cast<std::size_t>(leaf.plan)])();
     std::vector<Blade> blades = maker.take();

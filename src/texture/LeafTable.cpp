@@ -13,7 +13,7 @@ constexpr string_view kKinds[] = {
     N_("oval"),   N_("beech"),  N_("oak"),   N_("birch"), N_("aspen"),  N_("willow"),         N_("lime"),
     N_("cherry"), N_("apple"),  N_("olive"), N_("bamboo"), N_("maple"), N_("japanese-maple"), N_("ash"),
     N_("acacia"), N_("frond"),  N_("chestnut"), N_("fan"), N_("pine"),  N_("spruce"),         N_("larch"),
-    N_("cedar"),  N_("cypress"), N_("flower"), N_("blossom")};
+    N_("cedar"),  N_("cypress"), N_("flower"), N_("blossom"), N_("candle")};
 
 // clang-format off
 /// Values that suit each kind.
@@ -68,6 +68,8 @@ constexpr L kLeaves[] = {
      .vein = {236, 196, 202}, .autumn = {250, 240, 240}},
     {.kind = 24, .plan = Plan::Flowers, .lobes = 6, .leaflets = 5, .width = 1, .stalk = 0, .spots = 0, .gloss = 0.2,
      .green = {252, 244, 244}, .vein = {240, 204, 210}, .autumn = {252, 244, 244}},
+    {.kind = 25, .plan = Plan::Candle, .lobes = 34, .leaflets = 4, .width = 0.5, .stalk = 0, .spots = 0, .gloss = 0.2,
+     .green = {252, 246, 238}, .vein = {232, 168, 150}, .autumn = {252, 246, 238}},
 };
 
 constexpr RecipeParam<L> kTable[] = {
@@ -80,7 +82,7 @@ constexpr RecipeParam<L> kTable[] = {
     {"heart", N_("Heart"), N_("How far the blade reaches back beside its stalk."), &L::heart, 0, 1},
     {"teeth", N_("Teeth"), N_("How many teeth each half of a blade has."), &L::teeth, 0, 80},
     {"tooth", N_("Depth of teeth"), N_("How deep they are cut, as a part of the half's width."), &L::tooth, 0, 0.6},
-    {"lobes", N_("Lobes"), N_("How many lobes a half, or a hand-shaped leaf, has. Of blossoms: how many flowers."), &L::lobes, 0, 15},
+    {"lobes", N_("Lobes"), N_("How many lobes a half, or a hand-shaped leaf, has. Of blossoms: how many flowers."), &L::lobes, 0, 60},
     {"lobe", N_("Depth of lobes"), N_("How deep they are cut. Of leaflets and needles: how wide they are."), &L::lobe, 0, 1},
     {"slant", N_("Slant"), N_("How far teeth and lobes lean towards the tip."), &L::slant, 0, 1.5},
     {"leaflets", N_("Leaflets"), N_("Pairs of leaflets, leaflets of a hand, needles or petals."), &L::leaflets, 0, 300},
