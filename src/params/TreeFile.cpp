@@ -11,6 +11,7 @@ namespace stromar {
 namespace {
 constexpr std::string_view kByteOrderMark = "\xEF\xBB\xBF";
 constexpr std::string_view kFormatKey = "Format";
+constexpr std::string_view kBlanks = " \t\r"; // what trimmed() takes away
 constexpr std::size_t kMostBytes = 16u << 20;
 
 /// Columns count characters, not bytes; a byte-order mark is none.
@@ -116,7 +117,7 @@ private:
     }
 
     bool findValue(std::string_view content, std::size_t from, int number, Line& line) {
-        std::size_t begin = content.find_first_not_of(" \t", from);
+        std::size_t begin = content.find_first_not_of(kBlanks, from);
         if (begin == std::string_view::npos) begin = content.size();
         std::size_t end = 0;
         if (begin < content.size() && content[begin] == '"') {

@@ -69,6 +69,16 @@ TEST(TreeFileWrite, BlanksAroundAChangedValueStay) {
     EXPECT_EQ(file.text(params), "Format = 1\nScale=20\nRatio   =0.25\n");
 }
 
+TEST(TreeFileWrite, AStrayCarriageReturnInFrontOfAValueStays) {
+    const CTreeFile file = parsed("Format = 1\nScale =\r12\nLeafTexture =\r\"a b.png\"\n");
+    CParams params = file.params();
+    EXPECT_EQ(params.global.scale, 12);
+    EXPECT_EQ(params.text.leafTexture, "a b.png");
+    params.global.scale = 20;
+    params.text.leafTexture = "c.png";
+    EXPECT_EQ(file.text(params), "Format = 1\nScale =\r20\nLeafTexture =\rc.png\n");
+}
+
 TEST(TreeFileWrite, EveryChangeOfAPresetTouchesOneLine) {
     for (const auto& path : test::presetFiles()) {
         const CTreeFile file = CTreeFile::read(path);
