@@ -66,7 +66,7 @@ std::vector<SurfaceLook> looksOf(const CParams& params, const std::vector<Meshes
         textures = format.pictures == Pictures::Inside ? ExportedTextures::Embed : ExportedTextures::Copy;
     for (const Surface surface : kSurfaces) {
         const SurfaceInfo& info = surfaceOf(surface);
-        if (!info.always && !isUsed(lods, surface)) continue;
+        if (info.number && !isUsed(lods, surface)) continue;
         SurfaceLook& look = looks.emplace_back(SurfaceLook{surface, info.name, {}, {}, info.colour, info.cutOut});
         if (format.pictures == Pictures::None) continue;
         look.picture = textureOf(params, surface, treeFolder);

@@ -20,16 +20,11 @@ int sizeOf(Surface surface, Drawn drawn) {
     return drawn == Drawn::Preview ? kPreviewSize : kCutOutSize;
 }
 
-bool isShown(const CParams& params, Surface surface) {
-    if (surface == Surface::Blossom) return params.global.blossoms > 0;
-    return surface != Surface::Fruit || params.global.fruits > 0;
-}
-
 /// " season=9.4" where the month changes the picture.
 std::string seasonWords(const CParams& params) {
     const GlobalParams& g = params.global;
     const double month = std::round(g.season / kSeasonSteps) * kSeasonSteps;
-    const bool summer = month > 5.8 && month < 8.7;
+    const bool summer = month >= kGreenFrom && month <= kGreenUntil;
     return g.evergreen || summer ? std::string() : " season=" + numberText(month);
 }
 
@@ -74,14 +69,14 @@ fs::path textureOf(const CParams& params, Surface surface, const fs::path& folde
 SurfaceTextures texturesOf(const CParams& params, const fs::path& folder) {
     SurfaceTextures all;
     for (const Surface surface : kSurfaces)
-        if (isShown(params, surface)) all[static_cast<std::size_t>(surface)] = textureOf(params, surface, folder);
+        if (hasSurface(params, surface)) all[static_cast<std::size_t>(surface)] = textureOf(params, surface, folder);
     return all;
 }
 
 void makePictures(const CParams& params, const CProgress& progress, Drawn drawn) {
     for (const Surface surface : kSurfaces) {
         const std::string recipe = pictureOf(params, surface);
-        if (!isRecipe(recipe) || !isShown(params, surface)) continue;
+        if (!isRecipe(recipe) || !hasSurface(params, surface)) continue;
         const CRecipe read(recipe);
         const fs::path file = textureOf(params, surface, {}, drawn);
         const bool enough = drawn == Drawn::Preview &&

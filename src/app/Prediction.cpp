@@ -1,5 +1,6 @@
 #include "stromar/app/Prediction.h"
 #include "stromar/mesh/MeshBuilder.h"
+#include "stromar/params/Season.h"
 #include <algorithm>
 #include <cmath>
 #include <cstdlib>
@@ -45,11 +46,32 @@ double ringPoints(const CParams& params, const Detail& detail, int generation) {
     const int round = roundRingPoints(detail, std::sqrt(thicknessBound(params, generation)));
     return std::max(round, generation == 0 ? detail.lobePoints * params.global.lobes : 0);
 }
+
+/// Degrees between two segments of a stem that does not split.
+double turnBound(const CParams& params, int generation) {
+    const LevelParams& level = params.level[static_cast<std::size_t>(std::min(generation, kParamLevels - 1))];
+    const double curve =
+        level.curveBack == 0 ? std::abs(level.curve) : 2 * std::max(std::abs(level.curve), std::abs(level.curveBack));
+    const double steepest = 104.3; // of declination × sine of it
+    const double up = generation >= 2 ? std::abs(params.global.attractionUp) * steepest : 0;
+    return (curve + std::abs(level.curveV) + up) / level.curveRes;
+}
+
+/// Rings that CCentreLine makes of a corner.
+double ringsPerBend(const CParams& params, const Detail& detail, int generation) {
+    constexpr double kMost = 6;
+    const LevelParams& level = params.level[static_cast<std::size_t>(std::min(generation, kParamLevels - 1))];
+    if (detail.mostTurn <= 0 || ringPoints(params, detail, generation) <= 3) return 0;
+    if (level.segSplits > 0 || (generation == 0 && params.global.baseSplits > 0)) return kMost;
+    const double between = detail.mostTurn / std::sqrt(thicknessBound(params, generation));
+    const double pieces = std::ceil(turnBound(params, generation) / std::min(between, kCoarsestTurn * detail.mostTurn));
+    return pieces <= 1 ? 0 : std::min(kMost, 2 * std::floor((pieces + 1) / 2));
+}
+
 /// Rings that CSmoother may add between the ends of a stem's segments.
 double addedRings(const CParams& params, const Detail& detail, int generation, const StemBound& bound) {
     if (generation >= detail.smoothGenerations) return 0;
-    const double bends =
-        detail.mostTurn > 0 && ringPoints(params, detail, generation) > 3 ? 6 * (bound.segments - 1) : 0;
+    const double bends = ringsPerBend(params, detail, generation) * (bound.segments - 1);
     const LevelParams& level = params.level[static_cast<std::size_t>(std::min(generation, kParamLevels - 1))];
     const double helix = level.curveV < 0 ? (detail.helixRings - 1) * bound.segments : 0;
     const bool flares = generation == 0 && params.global.flare != 0;
@@ -70,17 +92,24 @@ Prediction predictSize(const CParams& params, const Detail& detail) {
             stems *= level.branches > 0 ? level.branches + level.whorl : 0; // whole whorls
         }
         const StemBound bound = boundOfStem(params, generation);
-        const double collars = generation > 0 ? detail.collarRings : 0;
+        const double points = ringPoints(params, detail, generation);
+        const double collars = generation == 0 ? 0 : points > 3 ? detail.collarRings : std::min(1, detail.collarRings);
         const double rings = bound.segments + 2 * bound.paths + collars + addedRings(params, detail, generation, bound);
         size.stems += stems;
-        size.vertices += stems * (rings + 2 * bound.paths) * (ringPoints(params, detail, generation) + 1);
+        size.vertices += stems * (rings + 2 * bound.paths) * (points + 1);
         lastPaths = bound.paths;
     }
     if (g.levels < 2) return size;
+    const Phenology season = phenologyOf(g);
+    const auto shareOf = [&](Organ organ) {
+        return organ == Organ::Leaf ? season.leaves : organ == Organ::Blossom ? season.blossoms : season.fruits;
+    };
     const auto add = [&](Organ organ, double number, double whorl) {
         if (number == 0) return;
         const double count = stems * (std::abs(number) + (number > 0 ? whorl : lastPaths));
-        const double drawn = std::min(double(detail.leafBudget), std::ceil(count * detail.share));
+        // Which leaves have fallen is chance: of none or all of them it is known.
+        const double there = shareOf(organ) > 0 ? count : 0;
+        const double drawn = std::min(double(detail.leafBudget), std::ceil(there * detail.share));
         size.vertices += double(verticesPerOrgan(params, organ, detail)) * drawn;
         if (organ == Organ::Leaf) size.leaves = count;
     };

@@ -133,7 +133,8 @@ CParamPanel::CParamPanel(QWidget* parent) : QWidget(parent), m_filter(new QLineE
         addSections(ofLevel(level));
         finishTab();
     }
-    for (const Group group : {Group::Leaves, Group::Blossom, Group::Pruning, Group::Textures}) {
+    for (const Group group : kGroups) {
+        if (group <= Group::Branches) continue; // above
         addTab(group);
         addTexts(group);
         addSections(globals(group));

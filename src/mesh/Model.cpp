@@ -8,10 +8,15 @@ namespace stromar {
 namespace {
 using T = TextParams;
 constexpr SurfaceInfo kSurfaceTable[] = {
-    {"bark", {0.42f, 0.34f, 0.26f}, false, &T::barkTexture, "bark.png", true},
-    {"leaf", {0.30f, 0.45f, 0.18f}, true, &T::leafTexture, "leaf.png", true},
-    {"blossom", {0.95f, 0.88f, 0.90f}, true, &T::blossomTexture, "leaf:blossom", false},
-    {"fruit", {0.65f, 0.16f, 0.10f}, false, &T::fruitTexture, "bark:smooth spots=0 light=#c8402c dark=#7c1c18", false},
+    {"bark", {0.42f, 0.34f, 0.26f}, false, &T::barkTexture, "bark.png", nullptr},
+    {"leaf", {0.30f, 0.45f, 0.18f}, true, &T::leafTexture, "leaf.png", nullptr},
+    {"blossom", {0.95f, 0.88f, 0.90f}, true, &T::blossomTexture, "leaf:blossom", &GlobalParams::blossoms},
+    {"fruit",
+     {0.65f, 0.16f, 0.10f},
+     false,
+     &T::fruitTexture,
+     "bark:smooth spots=0 light=#c8402c dark=#7c1c18",
+     &GlobalParams::fruits},
 };
 static_assert(std::size(kSurfaceTable) == kSurfaces.size());
 
@@ -27,6 +32,11 @@ std::size_t sum(const ExportModel& model, Count&& count) {
 } // namespace
 
 const SurfaceInfo& surfaceOf(Surface surface) { return kSurfaceTable[static_cast<std::size_t>(surface)]; }
+
+bool hasSurface(const CParams& params, Surface surface) {
+    const auto number = surfaceOf(surface).number;
+    return !number || params.global.*number > 0;
+}
 
 std::size_t ExportModel::lookIndex(const CMesh& mesh) const {
     const auto look = std::ranges::find(looks, mesh.surface, &SurfaceLook::surface);

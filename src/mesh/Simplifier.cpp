@@ -14,7 +14,6 @@ namespace stromar {
 namespace {
 constexpr std::size_t kGrain = 64;
 constexpr int kFewestPointsPerLobe = 4;
-constexpr double kCoarsestTurn = 2.5; // times what is allowed to a trunk
 constexpr double kFreeOfDisc = 1.05;  // radii that a tilted ring stays off the plane of the next
 constexpr double kApart = 0.2;        // radii between the first own ring above a collar and the next
 

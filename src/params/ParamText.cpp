@@ -108,9 +108,7 @@ std::string rangeText(const ParamInfo& p) {
 
 template <typename Row>
 void forEachGroup(Row&& row) {
-    for (const Group group :
-         {Group::Tree, Group::Trunk, Group::Branches, Group::Leaves, Group::Blossom, Group::Pruning, Group::Textures})
-        row(group);
+    for (const Group group : kGroups) row(group);
 }
 
 std::string groupTitle(Group group) {

@@ -1,7 +1,6 @@
 #include "stromar/texture/Bark.h"
 #include "Relief.h"
 #include "TileNoise.h"
-#include "stromar/util/Parallel.h"
 #include <algorithm>
 #include <cmath>
 #include <glm/geometric.hpp>
@@ -207,20 +206,14 @@ TextureMaps makeBark(const BarkParams& bark, int size, const CProgress& progress
     const CBarkMaker maker(bark);
     TextureMaps maps = squareMaps(size);
     std::vector<double> heights(maps.albedo.size());
-    parallelFor(
-        static_cast<std::size_t>(size), kRowsAtATime,
-        [&](std::size_t first, std::size_t last) {
-            for (int y = static_cast<int>(first); y < static_cast<int>(last); ++y)
-                for (int x = 0; x < size; ++x) {
-                    const Sample here = maker.at({(x + 0.5) / size, (size - 1 - y + 0.5) / size});
-                    const std::size_t i = maps.at(x, y);
-                    heights[i] = here.height;
-                    maps.albedo[i] = {toByte(here.colour.x), toByte(here.colour.y), toByte(here.colour.z), 255};
-                    maps.roughness[i] = toByte(255 * here.roughness);
-                    maps.height01[i] = toByte(255 * here.height);
-                }
-        },
-        progress);
+    forEachPixel(size, progress, [&](int x, int y) {
+        const Sample here = maker.at({(x + 0.5) / size, (size - 1 - y + 0.5) / size});
+        const std::size_t i = maps.at(x, y);
+        heights[i] = here.height;
+        maps.albedo[i] = {toByte(here.colour.x), toByte(here.colour.y), toByte(here.colour.z), 255};
+        maps.roughness[i] = toByte(255 * here.roughness);
+        maps.height01[i] = toByte(255 * here.height);
+    });
     addNormals(maps, heights, bark.depth * kRelief, progress);
     return maps;
 }

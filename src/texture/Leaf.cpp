@@ -3,7 +3,6 @@
 #include "Relief.h"
 #include "TileNoise.h"
 #include "stromar/texture/Opacity.h"
-#include "stromar/util/Parallel.h"
 #include <glm/geometric.hpp>
 #include <glm/vec3.hpp>
 #include <numbers>
@@ -130,7 +129,7 @@ private:
 
     /// Of the green, 1 in summer; gone first far from the veins and at the margin.
     double greenLeft(const Place& place, double veins, double cloud) const {
-        const double autumn = (m_leaf.season - 8.7) / 1.7;
+        const double autumn = (m_leaf.season - kGreenUntil) / 1.7;
         if (autumn <= 0) return 1;
         const double late = 0.35 * cloud + 0.3 * veins - 0.2 * place.side / place.half;
         return 1 - smoothStep(-0.15, 0.25, autumn - 0.5 - late);
@@ -144,7 +143,7 @@ private:
         const double net = blade.veins > 0 ? netOf(blade, p) : 0;
         const double green = greenLeft(place, vein, cloud);
         const glm::dvec3 summer = rgb(m_leaf.green), young(1.18 * summer.x + 22, 1.12 * summer.y + 26, 0.9 * summer.z);
-        const glm::dvec3 full = mixed(summer, young, smoothStep(5.8, 4.3, m_leaf.season));
+        const glm::dvec3 full = mixed(summer, young, smoothStep(kGreenFrom, 4.3, m_leaf.season));
         const glm::dvec3 turned =
             mixed(rgb(m_leaf.autumn), rgb(m_leaf.autumn) * glm::dvec3(0.86, 0.7, 0.7), 0.5 + 1.6 * cloud);
         glm::dvec3 colour = mixed(turned, full, green);
@@ -232,22 +231,16 @@ TextureMaps makeLeaf(const LeafParams& leaf, int size, const CProgress& progress
     maps.translucency.resize(maps.albedo.size());
     maps.back.resize(maps.albedo.size());
     std::vector<double> heights(maps.albedo.size());
-    parallelFor(
-        static_cast<std::size_t>(size), kRowsAtATime,
-        [&](std::size_t first, std::size_t last) {
-            for (int y = static_cast<int>(first); y < static_cast<int>(last); ++y)
-                for (int x = 0; x < size; ++x) {
-                    const Layered here = painter.at(x, y);
-                    const std::size_t i = maps.at(x, y);
-                    heights[i] = here.opacity > 0 ? here.height : 0.5;
-                    maps.albedo[i] = bytes(here.colour, here.opacity);
-                    maps.back[i] = bytes(here.back, here.opacity);
-                    maps.roughness[i] = toByte(255 * here.roughness);
-                    maps.translucency[i] = toByte(255 * here.translucency);
-                    maps.height01[i] = toByte(255 * heights[i]);
-                }
-        },
-        progress);
+    forEachPixel(size, progress, [&](int x, int y) {
+        const Layered here = painter.at(x, y);
+        const std::size_t i = maps.at(x, y);
+        heights[i] = here.opacity > 0 ? here.height : 0.5;
+        maps.albedo[i] = bytes(here.colour, here.opacity);
+        maps.back[i] = bytes(here.back, here.opacity);
+        maps.roughness[i] = toByte(255 * here.roughness);
+        maps.translucency[i] = toByte(255 * here.translucency);
+        maps.height01[i] = toByte(255 * heights[i]);
+    });
     addNormals(maps, heights, kRelief, progress);
     for (Pixels* side : {&maps.albedo, &maps.back}) spreadColours(*side, size, size);
     return maps;

@@ -1,5 +1,4 @@
 #include "Relief.h"
-#include "stromar/util/Parallel.h"
 #include <glm/geometric.hpp>
 #include <glm/vec3.hpp>
 
@@ -20,18 +19,12 @@ void addNormals(TextureMaps& maps, const std::vector<double>& heights, double re
     const int size = maps.width;
     const double slope = relief * size / 2;
     const auto height = [&](int x, int y) { return heights[maps.at((x + size) % size, (y + size) % size)]; };
-    parallelFor(
-        static_cast<std::size_t>(size), kRowsAtATime,
-        [&](std::size_t first, std::size_t last) {
-            for (int y = static_cast<int>(first); y < static_cast<int>(last); ++y)
-                for (int x = 0; x < size; ++x) {
-                    const glm::dvec3 n = glm::normalize(glm::dvec3(slope * (height(x - 1, y) - height(x + 1, y)),
-                                                                   slope * (height(x, y + 1) - height(x, y - 1)), 1.0));
-                    maps.normal[maps.at(x, y)] = {toByte(127.5 + 127.5 * n.x), toByte(127.5 + 127.5 * n.y),
-                                                  toByte(127.5 + 127.5 * n.z)};
-                }
-        },
-        progress);
+    forEachPixel(size, progress, [&](int x, int y) {
+        const glm::dvec3 n = glm::normalize(glm::dvec3(slope * (height(x - 1, y) - height(x + 1, y)),
+                                                       slope * (height(x, y + 1) - height(x, y - 1)), 1.0));
+        maps.normal[maps.at(x, y)] = {toByte(127.5 + 127.5 * n.x), toByte(127.5 + 127.5 * n.y),
+                                      toByte(127.5 + 127.5 * n.z)};
+    });
 }
 
 } // namespace stromar

@@ -1,6 +1,6 @@
 #pragma once
 #include "stromar/texture/TextureMaps.h"
-#include "stromar/util/Progress.h"
+#include "stromar/util/Parallel.h"
 #include <algorithm>
 #include <cmath>
 
@@ -13,6 +13,18 @@ inline std::uint8_t toByte(double v) { return static_cast<std::uint8_t>(std::lro
 inline double smoothStep(double low, double high, double x) {
     const double t = std::clamp((x - low) / (high - low), 0.0, 1.0);
     return t * t * (3 - 2 * t);
+}
+
+/// Calls draw(x, y) for every pixel of a square, on progress.threads() threads. Throws CCancelled.
+template <typename Draw>
+void forEachPixel(int size, const CProgress& progress, Draw&& draw) {
+    parallelFor(
+        static_cast<std::size_t>(size), kRowsAtATime,
+        [&](std::size_t first, std::size_t last) {
+            for (int y = static_cast<int>(first); y < static_cast<int>(last); ++y)
+                for (int x = 0; x < size; ++x) draw(x, y);
+        },
+        progress);
 }
 
 /// Makes all maps as large as `size` squared says; heights are kept apart with all their digits.

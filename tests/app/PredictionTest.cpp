@@ -1,6 +1,7 @@
 #include "stromar/app/Prediction.h"
 #include "app/SameModel.h"
 #include "mesh/SampleTrees.h"
+#include "stromar/params/Season.h"
 #include <cmath>
 #include <cstdlib>
 #include <gtest/gtest.h>
@@ -60,16 +61,18 @@ TEST(Prediction, IsNearForThePresets) {
     for (const Sample& sample : presets())
         for (const Detail& detail : detailTable()) {
             const Prediction predicted = predictSize(sample.params, detail);
+            const bool bare = phenologyOf(sample.params.global).leaves == 0; // twigs are known less well than leaves
             const auto model = createAnew(sample.params, detail);
             EXPECT_LE(predicted.stems, 8 * double(model->tree->stemCount())) << sample.name;
             EXPECT_LE(predicted.leaves, 8 * double(model->tree->leaves().size())) << sample.name;
-            EXPECT_LE(predicted.vertices, 20 * double(model->vertexCount())) << sample.name << ", " << detail.name;
+            EXPECT_LE(predicted.vertices, (bare ? 18 : 9) * double(model->vertexCount()))
+                << sample.name << ", " << detail.name;
         }
 }
 
 TEST(Prediction, BoundsRandomTrees) {
     int looked = 0;
-    for (std::uint64_t number = 1000; number < 1160; ++number) {
+    for (std::uint64_t number = 1000; number < 1220; ++number) {
         const CParams params = randomParams(number, kCaps);
         for (const Detail& detail : detailTable()) {
             if (predictSize(params, detail).vertices > 3e6) continue; // time
@@ -78,7 +81,7 @@ TEST(Prediction, BoundsRandomTrees) {
             ++looked;
         }
     }
-    EXPECT_GE(looked, 450);
+    EXPECT_GE(looked, 600);
 }
 
 TEST(Prediction, BoundsDeepTrees) {

@@ -72,10 +72,10 @@ TEST(LeafMesh, ThinningKeepsTheAreaAndTheCrown) {
         sample.params.global.leafStalk = 0;
         const auto tree = grow(sample.params);
         const Bounds all = leavesOf(*tree, sample.params, detailOf(Model::Full))->bounds();
+        const float least = sample.params.global.trunks > 1 ? 0.75f : 0.85f; // of many trunks one is the tallest
         for (const Detail& detail : detailTable()) {
             const auto mesh = leavesOf(*tree, sample.params, detail);
             const std::size_t drawn = mesh->vertexCount() / verticesPerOrgan(sample.params, Organ::Leaf, detail);
-            if (tree->leaves().size() < 100) continue; // a few cannot be thinned evenly
             EXPECT_LE(drawn, detail.leafBudget);
             EXPECT_LE(double(drawn), std::ceil(detail.share * double(tree->leaves().size())));
             const double growth = std::sqrt(double(tree->leaves().size()) / double(drawn));
@@ -84,7 +84,7 @@ TEST(LeafMesh, ThinningKeepsTheAreaAndTheCrown) {
                 << sample.name << ", " << detail.name;
             const Bounds box = mesh->bounds();
             for (int i = 0; i < 3; ++i)
-                EXPECT_GT(box.max[i] - box.min[i], 0.75f * (all.max[i] - all.min[i]))
+                EXPECT_GT(box.max[i] - box.min[i], least * (all.max[i] - all.min[i]))
                     << sample.name << ", " << detail.name;
         }
     }

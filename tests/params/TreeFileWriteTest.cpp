@@ -84,13 +84,19 @@ TEST(TreeFileWrite, EveryChangeOfAPresetTouchesOneLine) {
         const CTreeFile file = CTreeFile::read(path);
         const std::string before = readFile(path);
         for (const ParamRef& ref : allParams()) {
-            if (before.find("\n" + ref.key() + " =") == std::string::npos) continue; // has its default
+            const bool absent = before.find("\n" + ref.key() + " =") == std::string::npos; // has its default
             CParams params = file.params();
             ref.set(params, otherValue(*ref.info, ref.get(params)));
             const std::string after = file.text(params);
             EXPECT_TRUE(parsed(after).params() == params) << ref.key();
-            EXPECT_EQ(std::count(after.begin(), after.end(), '\n'), std::count(before.begin(), before.end(), '\n'))
+            EXPECT_EQ(std::count(after.begin(), after.end(), '\n'),
+                      std::count(before.begin(), before.end(), '\n') + (absent ? 1 : 0))
                 << ref.key();
+            if (absent) {
+                const std::size_t added = after.find("\n" + ref.key() + " =") + 1, behind = after.find('\n', added) + 1;
+                EXPECT_EQ(after.substr(0, added) + after.substr(behind), before) << ref.key();
+                continue;
+            }
             const std::size_t line = before.find("\n" + ref.key() + " =") + 1, next = before.find('\n', line);
             EXPECT_EQ(after.substr(0, line), before.substr(0, line)) << ref.key();
             EXPECT_TRUE(after.ends_with(before.substr(next))) << ref.key();

@@ -26,7 +26,8 @@ using SurfaceTextures = std::array<std::filesystem::path, kSurfaces.size()>;
 SurfaceTextures texturesOf(const CParams& params, const std::filesystem::path& folder);
 
 /// Draws the pictures of a tree's recipes that are not there yet; they are kept in the user's cache. A second or two
-/// each; previews, which only leaves have, some hundredths. Any thread. Throws CError, which says what is wrong with a recipe, and CCancelled.
+/// each; previews, which only leaves have, some hundredths. Any thread. Throws CError, which says what is wrong with a
+/// recipe, and CCancelled.
 void makePictures(const CParams& params, const CProgress& progress, Drawn drawn = Drawn::Whole);
 
 } // namespace stromar

@@ -24,6 +24,7 @@ struct Detail {
 };
 
 constexpr double kMostLeafGrowth = 2; ///< thinned leaves grow at most to this times their length
+constexpr double kCoarsestTurn = 2.5; ///< of thin stems, times what is allowed to a trunk
 
 std::span<const Detail> detailTable();
 /// lod 0..3; the simple model has only 0.

@@ -18,9 +18,11 @@ struct SurfaceInfo {
     bool cutOut;                      ///< seen from both sides; its picture's opacity says where it is
     std::string TextParams::*texture; ///< what the user chose
     const char* standard;             ///< what it has else: a file in textures/, or a recipe
-    bool always;                      ///< files have its material even where no mesh needs it
+    int GlobalParams::*number; ///< how many of them the tree may bear; null: every file has its material
 };
 const SurfaceInfo& surfaceOf(Surface surface);
+/// Whether some month shows it on such a tree.
+bool hasSurface(const CParams& params, Surface surface);
 
 /// A picture of a model file.
 struct PictureRef {

@@ -9,6 +9,9 @@
 namespace stromar {
 
 enum class Group { Tree, Trunk, Branches, Leaves, Blossom, Pruning, Textures };
+/// All, in the order of the window, of files and of the manual.
+inline constexpr std::array kGroups{Group::Tree,    Group::Trunk,   Group::Branches, Group::Leaves,
+                                    Group::Blossom, Group::Pruning, Group::Textures};
 enum class Unit { None, Metre, Degree };
 
 /// What has to be done again, in the order of the work. A stage includes all that follow.

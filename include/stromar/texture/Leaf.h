@@ -21,6 +21,9 @@ struct LeafParams {
     bool operator==(const LeafParams&) const = default;
 };
 
+/// Months between which leaves are simply green: younger ones are lighter, older ones turn.
+constexpr double kGreenFrom = 5.8, kGreenUntil = 8.7;
+
 /// oval, oak, maple … needles, blossom.
 const RecipeBook<LeafParams>& leafBook();
 
