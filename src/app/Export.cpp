@@ -57,7 +57,7 @@ std::string placed(const fs::path& picture, const fs::path& copy, ExportedTextur
 }
 
 /// Which surface looks how; the pictures are put where the options want them.
-std::vector<SurfaceLook> looksOf(const CParams& params, const std::vector<Meshes>& lods, const ExportOptions& options,
+std::vector<SurfaceLook> looksOf(const TreeModel& model, const std::vector<Meshes>& lods, const ExportOptions& options,
                                  const Format& format, const fs::path& treeFolder, const fs::path& path,
                                  CFileSet& files) {
     std::vector<SurfaceLook> looks;
@@ -66,10 +66,10 @@ std::vector<SurfaceLook> looksOf(const CParams& params, const std::vector<Meshes
         textures = format.pictures == Pictures::Inside ? ExportedTextures::Embed : ExportedTextures::Copy;
     for (const Surface surface : kSurfaces) {
         const SurfaceInfo& info = surfaceOf(surface);
-        if (info.number && !isUsed(lods, surface)) continue;
+        if (!isInEveryFile(info) && !isUsed(lods, surface)) continue;
         SurfaceLook& look = looks.emplace_back(SurfaceLook{surface, info.name, {}, {}, info.colour, info.cutOut});
         if (format.pictures == Pictures::None) continue;
-        look.picture = textureOf(params, surface, treeFolder);
+        look.picture = textureOf(model, surface, treeFolder);
         const fs::path copy = pictureBeside(path, surface, look.picture);
         look.texture = placed(look.picture, copy, textures, path, files);
         if (!format.maps) continue;
@@ -103,9 +103,10 @@ void exportModels(const std::vector<std::shared_ptr<const TreeModel>>& lods, con
         if (meshes.back().empty()) throw CError("the tree is empty, there is nothing to export");
         vertices += lod->vertexCount();
     }
-    makePictures(lods.front()->params, progress);
+    const TreeModel& coarsest = *lods.back(); // only coarse ones have pictures of twigs, all the same
+    makePictures(coarsest, treeFolder, progress);
     CFileSet files(progress, static_cast<std::uint64_t>(format->bytesPerVertex * double(vertices)));
-    const auto looks = looksOf(lods.front()->params, meshes, options, *format, treeFolder, path, files);
+    const auto looks = looksOf(coarsest, meshes, options, *format, treeFolder, path, files);
     const auto write = [&](const std::string& suffix, std::size_t first, std::size_t count) {
         ExportModel model{plainName(path) + suffix, arranged(meshes[first], options, *format), {}, looks};
         for (std::size_t i = first + 1; i < first + count; ++i)

@@ -1,4 +1,5 @@
 #include "stromar/app/Pictures.h"
+#include "TwigPicture.h"
 #include "stromar/params/ParamTable.h"
 #include "stromar/texture/Draw.h"
 #include "stromar/util/Random.h"
@@ -34,13 +35,30 @@ fs::path cacheFolder() {
     return fs::temp_directory_path() / "stromar-cache";
 }
 
+std::string nameOf(std::uint64_t hash) {
+    char name[32];
+    std::snprintf(name, sizeof name, "%016llx.png", static_cast<unsigned long long>(hash));
+    return name;
+}
+
 /// By the recipe's letters: the same recipe written otherwise is drawn again.
 fs::path recipeFile(std::string_view recipe, int size) {
     std::uint64_t hash = hashCombine(kLookVersion, static_cast<std::uint64_t>(size));
     for (const char c : recipe) hash = hashCombine(hash, static_cast<unsigned char>(c));
-    char name[32];
-    std::snprintf(name, sizeof name, "%016llx.png", static_cast<unsigned long long>(hash));
-    return cacheFolder() / "textures" / name;
+    return cacheFolder() / "textures" / nameOf(hash);
+}
+
+void keepPicture(const TextureMaps& maps, const fs::path& file) {
+    std::error_code problem; // creating the file says it better
+    fs::create_directories(file.parent_path(), problem);
+    CFileSet files;
+    writePngs(maps, file, files);
+    files.commit();
+}
+
+TwigSource twigSource(const TreeModel& model, const fs::path& folder) {
+    return {textureOf(model.params, Surface::Leaf, folder), textureOf(model.params, Surface::Bark, folder),
+            surfaceOf(Surface::Bark).colour};
 }
 } // namespace
 
@@ -66,6 +84,11 @@ fs::path textureOf(const CParams& params, Surface surface, const fs::path& folde
     return own ? folder / chosen : dataFolder() / "textures" / chosen;
 }
 
+bool isBakeable(const CParams& params) {
+    const std::string leaf = pictureOf(params, Surface::Leaf);
+    return isRecipe(leaf) || lowerCase(fs::path(leaf).extension().string()) == ".png";
+}
+
 SurfaceTextures texturesOf(const CParams& params, const fs::path& folder) {
     SurfaceTextures all;
     for (const Surface surface : kSurfaces)
@@ -75,19 +98,28 @@ SurfaceTextures texturesOf(const CParams& params, const fs::path& folder) {
 
 void makePictures(const CParams& params, const CProgress& progress, Drawn drawn) {
     for (const Surface surface : kSurfaces) {
+        if (!hasSurface(params, surface)) continue;
         const std::string recipe = pictureOf(params, surface);
-        if (!isRecipe(recipe) || !hasSurface(params, surface)) continue;
+        if (!isRecipe(recipe)) continue;
         const CRecipe read(recipe);
         const fs::path file = textureOf(params, surface, {}, drawn);
         const bool enough = drawn == Drawn::Preview &&
                             (!surfaceOf(surface).cutOut || fs::exists(textureOf(params, surface, {}, Drawn::Whole)));
         if (enough || fs::exists(file)) continue;
-        std::error_code problem; // creating the file says it better
-        fs::create_directories(file.parent_path(), problem);
-        CFileSet files;
-        writePngs(read.draw(sizeOf(surface, drawn), progress), file, files);
-        files.commit();
+        keepPicture(read.draw(sizeOf(surface, drawn), progress), file);
     }
+}
+
+fs::path textureOf(const TreeModel& model, Surface surface, const fs::path& folder) {
+    if (surface != Surface::Twig) return textureOf(model.params, surface, folder);
+    return model.twig ? cacheFolder() / "twigs" / nameOf(twigHash(*model.twig, twigSource(model, folder))) : fs::path();
+}
+
+void makePictures(const TreeModel& model, const fs::path& folder, const CProgress& progress) {
+    makePictures(model.params, progress);
+    const fs::path file = textureOf(model, Surface::Twig, folder);
+    if (file.empty() || fs::exists(file)) return;
+    keepPicture(drawTwig(*model.twig, twigSource(model, folder), progress), file);
 }
 
 } // namespace stromar

@@ -109,7 +109,8 @@ Prediction predictSize(const CParams& params, const Detail& detail) {
         const double count = stems * (std::abs(number) + (number > 0 ? whorl : lastPaths));
         // Which leaves have fallen is chance: of none or all of them it is known.
         const double there = shareOf(organ) > 0 ? count : 0;
-        const double drawn = std::min(double(detail.leafBudget), std::ceil(there * detail.share));
+        const double share = std::max(double(kFewOrgans), std::ceil(there * detail.share));
+        const double drawn = std::min({double(detail.leafBudget), share, there});
         size.vertices += double(verticesPerOrgan(params, organ, detail)) * drawn;
         if (organ == Organ::Leaf) size.leaves = count;
     };
@@ -122,16 +123,14 @@ Prediction predictSize(const CParams& params, const Detail& detail) {
 double nearestThatFits(const CParams& params, const ParamRef& ref, double fits, const Detail& detail,
                        double mostVertices) {
     const double step = ref.info->integer() ? 1 : std::pow(10, -ref.info->decimals);
-    double small = fits, large = ref.get(params);
+    double small = fits / step, large = ref.get(params) / step;
     CParams tried = params;
-    while (std::abs(large - small) > step) {
-        double middle = (small + large) / 2;
-        if (ref.info->integer()) middle = std::trunc(middle);
-        if (middle == small) break;
-        ref.set(tried, middle);
+    while (std::abs(large - small) > 1) {
+        const double middle = std::round((small + large) / 2);
+        ref.set(tried, middle * step);
         (predictSize(tried, detail).vertices <= mostVertices ? small : large) = middle;
     }
-    return ref.info->integer() ? small : std::trunc(small / step) * step;
+    return small * step;
 }
 
 } // namespace stromar

@@ -32,7 +32,7 @@ CCamera cameraOf(const RenderView& view, const osg::BoundingBox& all, double asp
 
 Pixels renderPicture(const TreeModel& model, const std::filesystem::path& treeFolder, const RenderOptions& options,
                      const CProgress& progress) {
-    makePictures(model.params, progress);
+    makePictures(model, treeFolder, progress);
     CViewScene scene;
     std::vector<ViewPart> parts;
     model.visitMeshes([&](const std::shared_ptr<const CMesh>& mesh, int generation) {
@@ -42,7 +42,7 @@ Pixels renderPicture(const TreeModel& model, const std::filesystem::path& treeFo
     if (parts.empty()) throw CError("the tree is empty, there is nothing to show");
     scene.show(parts);
     for (const ViewPart& part : parts) {
-        const std::string file = textureOf(model.params, part.surface, treeFolder).string();
+        const std::string file = textureOf(model, part.surface, treeFolder).string();
         if (const std::string problem = scene.setTexture(part.surface, file); !problem.empty()) throw CError(problem);
     }
     ViewLook look;

@@ -1,4 +1,5 @@
 #include "stromar/app/TreeCreator.h"
+#include "stromar/app/Pictures.h"
 #include "stromar/app/Prediction.h"
 #include "stromar/params/ParamTable.h"
 #include "stromar/util/Text.h"
@@ -29,13 +30,13 @@ bool meshIsStale(const CParams& made, const CParams& wanted, int generation) {
 }
 
 /// The mesh that was made before, if it still shows `source` with these values, else a new one.
-template <typename Made, typename Make>
+template <typename Made, typename Shown, typename Make>
 std::shared_ptr<const CMesh> keptOr(Made& made, int generation, const std::shared_ptr<const void>& source,
-                                    const CParams& params, bool sparse, Make&& make) {
-    if (!made.stems.mesh || made.source != source || made.sparse != sparse ||
+                                    const CParams& params, Shown shown, Make&& make) {
+    if (!made.stems.mesh || made.source != source || made.shown != shown ||
         meshIsStale(made.params, params, generation)) {
         made = {}; // first the memory of the old mesh
-        made = {source, make(), params, sparse};
+        made = {source, make(), params, shown};
     }
     return made.stems.mesh;
 }
@@ -95,29 +96,36 @@ std::shared_ptr<const TreeModel> CTreeCreator::create(const CParams& params, con
     model->milliseconds.structure = watch.lap();
     progress.report(0.5);
 
+    if (detail.twigPlanes > 0 && isBakeable(params)) model->twig = typicalTwig(*m_tree, params, progress);
     MadeMeshes& made = m_made[static_cast<std::size_t>(&detail - detailTable().data())];
     const int generations = static_cast<int>(m_tree->generationCount());
     made.resize(m_tree->generationCount() + kOrgans.size());
     for (int g = 0; g < generations; ++g) {
         const auto slot = static_cast<std::size_t>(g);
-        model->stems.push_back(
-            keptOr(made[slot], g, m_tree->generations()[slot], params, isSparse(*m_tree, g, detail), [&] {
-                const StemMesh* parents = g > 0 ? &made[slot - 1].stems : nullptr;
-                StemMesh stems{planRings(*m_tree, g, params, detail, parents, progress), nullptr};
-                model->milliseconds.smooth += watch.lap();
-                stems.mesh = meshOfStems(*m_tree, g, stems.plan, params, progress);
-                return stems;
-            }));
+        const bool onCards = model->twig && g + 1 == generations;
+        const Shown shown = onCards ? Shown::AsCards : isSparse(*m_tree, g, detail) ? Shown::Part : Shown::All;
+        model->stems.push_back(keptOr(made[slot], g, m_tree->generations()[slot], params, shown, [&] {
+            if (onCards) return noStems(*m_tree, g);
+            const StemMesh* parents = g > 0 ? &made[slot - 1].stems : nullptr;
+            StemMesh stems{planRings(*m_tree, g, params, detail, parents, progress), nullptr};
+            model->milliseconds.smooth += watch.lap();
+            stems.mesh = meshOfStems(*m_tree, g, stems.plan, params, progress);
+            return stems;
+        }));
         model->milliseconds.mesh += watch.lap();
         progress.report(0.5 + 0.4 * (g + 1) / generations);
     }
     const MeshPlan& last = made[m_tree->generationCount() - 1].stems.plan;
     for (const Organ organ : kOrgans) {
         const auto i = static_cast<std::size_t>(organ);
+        const bool onCards = model->twig && organ == Organ::Leaf;
         model->organs[i] =
-            keptOr(made[m_tree->generationCount() + i], Obsolete::kLeaves, m_tree->shared(organ), params, false, [&] {
-                return StemMesh{{}, meshOfOrgans(*m_tree, organ, last, params, detail, progress)};
-            });
+            keptOr(made[m_tree->generationCount() + i], Obsolete::kLeaves, m_tree->shared(organ), params,
+                   onCards ? Shown::AsCards : Shown::All, [&] {
+                       return StemMesh{{},
+                                       onCards ? meshOfTwigs(*m_tree, *model->twig, params, detail, progress)
+                                               : meshOfOrgans(*m_tree, organ, last, params, detail, progress)};
+                   });
     }
     model->milliseconds.mesh += watch.lap();
     model->milliseconds.total = model->milliseconds.structure + model->milliseconds.smooth + model->milliseconds.mesh;

@@ -86,6 +86,8 @@ std::size_t meshBytes(const TreeModel& model) {
 
 /// Area of the drawn leaves as a part of all leaves': thinning costs what growth cannot make up for.
 double leafAreaKept(const TreeModel& model) {
+    if (const Twig* twig = model.twig.get())
+        return std::min(1.0, model.leaves()->area() * twig->shownArea / twig->cardArea() / twig->allLeafArea);
     const double all = double(model.tree->leaves().size());
     const double drawn = double(model.leaves()->vertexCount() / verticesPerOrgan(model.params, Organ::Leaf, *model.detail));
     return drawn > 0 ? std::min(1.0, kMostLeafGrowth * kMostLeafGrowth * drawn / all) : all > 0 ? 0 : 1;
@@ -183,6 +185,7 @@ bool checkMeshes(const CommonOptions& common, const ModelOptions& options, std::
     printFaultsHead(out);
     bool sound = true;
     for (std::size_t g = 0; g < all.size(); ++g) {
+        if (model->stems[g]->vertexCount() == 0) continue; // cards show it
         const MeshFaults faults = checkStems(*model->tree, static_cast<int>(g), all[g], g > 0 ? &all[g - 1] : nullptr);
         sound &= printFaults(all[g].mesh->name, faults, out);
     }
@@ -206,10 +209,10 @@ void exportTree(const CommonOptions& common, const ExportOptions& options, const
                         " vertices, " + std::to_string(lod->triangleCount()) + " triangles");
 }
 
-void renderTree(const CommonOptions& common, const RenderOptions& options, const std::string& path,
-                const CProgress& progress) {
+void renderTree(const CommonOptions& common, const ModelOptions& modelOptions, const RenderOptions& options,
+                const std::string& path, const CProgress& progress) {
     refuseUnlessPng(path);
-    const auto model = createModel(common, detailOf(Model::Full), progress);
+    const auto model = createModel(common, modelOptions.detail(), progress);
     const Pixels pixels =
         renderPicture(*model, std::filesystem::path(common.file).parent_path(), options, progress);
     CFileSet files(progress);

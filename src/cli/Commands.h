@@ -42,8 +42,8 @@ void exportTree(const CommonOptions& common, const ExportOptions& options, const
 /// Draws a recipe, "bark:birch" or "leaf:oak" and KEY=VALUE, and writes its pictures.
 void writeTexture(const std::vector<std::string>& recipe, int size, const std::string& path, const CProgress& progress);
 /// Draws the tree and writes the picture.
-void renderTree(const CommonOptions& common, const RenderOptions& options, const std::string& path,
-                const CProgress& progress);
+void renderTree(const CommonOptions& common, const ModelOptions& model, const RenderOptions& options,
+                const std::string& path, const CProgress& progress);
 void printParams(ListStyle style, std::ostream& out);
 void printFormats(ListStyle style, std::ostream& out);
 

@@ -156,7 +156,7 @@ int run(const CLI::App& app, Options& options) {
     bool sound = true;
     if (name == "check") sound = checkMeshes(options.common, options.model, std::cout, progress);
     if (name == "export") exportTree(options.common, options.exported, options.output, progress);
-    if (name == "render") renderTree(options.common, options.rendered, options.output, progress);
+    if (name == "render") renderTree(options.common, options.model, options.rendered, options.output, progress);
     if (name == "texture") writeTexture(options.recipe, options.size, options.output, progress);
     if (name == "params") printParams(options.style(), std::cout);
     if (name == "formats") printFormats(options.style(), std::cout);
@@ -179,7 +179,7 @@ void setUp(CLI::App& app, Options& options) {
     CLI::App* params = app.add_subcommand("params", "The table of parameters");
     CLI::App* formats = app.add_subcommand("formats", "What can be written, and what each format loses");
     for (CLI::App* command : {info, structure, checker, exporter, renderer}) addCommon(*command, options);
-    for (CLI::App* command : {info, checker}) addModel(*command, options);
+    for (CLI::App* command : {info, checker, renderer}) addModel(*command, options);
     addRender(*renderer, options);
     addExport(*exporter, options.exported);
     exporter->add_option("-o,--output", options.output, "The model to write")->required()->type_name("OUT.ext");

@@ -1,7 +1,17 @@
 #include "stromar/mesh/Mesh.h"
 #include <glm/common.hpp>
+#include <glm/geometric.hpp>
 
 namespace stromar {
+
+double CMesh::area() const {
+    double area = 0;
+    for (std::size_t t = 0; t < indices.size(); t += 3) {
+        const glm::dvec3 a = positions[indices[t]], b = positions[indices[t + 1]], c = positions[indices[t + 2]];
+        area += 0.5 * glm::length(glm::cross(b - a, c - a));
+    }
+    return area;
+}
 
 Bounds CMesh::bounds() const {
     Bounds box{positions.front(), positions.front()};

@@ -26,6 +26,15 @@ std::shared_ptr<const CMesh> meshOfStems(const CTree& tree, int generation, cons
     return mesh;
 }
 
+StemMesh noStems(const CTree& tree, int generation) {
+    const CGeneration& own = tree.generation(static_cast<std::size_t>(generation));
+    StemMesh none;
+    none.plan.tubeOfPath.assign(own.paths.size(), -1);
+    none.plan.stemIsChosen.assign(own.stems.size(), true);
+    none.mesh = allocateMesh("branches " + std::to_string(generation), Surface::Bark, 0, 0);
+    return none;
+}
+
 std::vector<StemMesh> meshAllStems(const CTree& tree, const CParams& params, const Detail& detail,
                                    const CProgress& progress) {
     std::vector<StemMesh> all;

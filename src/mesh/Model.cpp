@@ -17,6 +17,7 @@ constexpr SurfaceInfo kSurfaceTable[] = {
      &T::fruitTexture,
      "bark:smooth spots=0 light=#c8402c dark=#7c1c18",
      &GlobalParams::fruits},
+    {"twig", {0.30f, 0.45f, 0.18f}, true, nullptr, "", nullptr},
 };
 static_assert(std::size(kSurfaceTable) == kSurfaces.size());
 
@@ -34,8 +35,8 @@ std::size_t sum(const ExportModel& model, Count&& count) {
 const SurfaceInfo& surfaceOf(Surface surface) { return kSurfaceTable[static_cast<std::size_t>(surface)]; }
 
 bool hasSurface(const CParams& params, Surface surface) {
-    const auto number = surfaceOf(surface).number;
-    return !number || params.global.*number > 0;
+    const SurfaceInfo& info = surfaceOf(surface);
+    return info.texture && (!info.number || params.global.*info.number > 0);
 }
 
 std::size_t ExportModel::lookIndex(const CMesh& mesh) const {

@@ -18,9 +18,12 @@ glm::vec3 squareTo(const glm::vec3& n) {
 
 Crown crownOf(const Meshes& meshes) {
     Bounds all{glm::vec3(INFINITY), glm::vec3(-INFINITY)};
-    const bool leaves = std::ranges::any_of(meshes, [](const auto& mesh) { return mesh->surface == Surface::Leaf; });
+    const auto isLeafy = [](const auto& mesh) {
+        return mesh->surface == Surface::Leaf || mesh->surface == Surface::Twig;
+    };
+    const bool leaves = std::ranges::any_of(meshes, isLeafy);
     for (const auto& mesh : meshes) {
-        if (leaves && mesh->surface != Surface::Leaf) continue;
+        if (leaves && !isLeafy(mesh)) continue;
         const Bounds own = mesh->bounds();
         all = {glm::min(all.min, own.min), glm::max(all.max, own.max)};
     }

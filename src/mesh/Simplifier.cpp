@@ -14,8 +14,8 @@ namespace stromar {
 namespace {
 constexpr std::size_t kGrain = 64;
 constexpr int kFewestPointsPerLobe = 4;
-constexpr double kFreeOfDisc = 1.05;  // radii that a tilted ring stays off the plane of the next
-constexpr double kApart = 0.2;        // radii between the first own ring above a collar and the next
+constexpr double kFreeOfDisc = 1.05; // radii that a tilted ring stays off the plane of the next
+constexpr double kApart = 0.2;       // radii between the first own ring above a collar and the next
 
 /// Whether a stem is among the share of its generation that is drawn. A smaller share chooses of what a larger one
 /// does.

@@ -41,12 +41,52 @@ const std::uint8_t* bytesOf(const std::vector<Channels>& map) {
     return map.empty() ? nullptr : reinterpret_cast<const std::uint8_t*>(map.data());
 }
 
+template <typename Channels>
+std::uint8_t* roomFor(std::vector<Channels>& map, const TextureMaps& maps) {
+    map.resize(static_cast<std::size_t>(maps.width) * static_cast<std::size_t>(maps.height));
+    return reinterpret_cast<std::uint8_t*>(map.data());
+}
+
+/// The row of a map with its ending, channels and place.
+template <auto Map>
+constexpr MapFile row(const char* suffix, int channels) {
+    return {suffix, channels, [](const TextureMaps& m) { return bytesOf(m.*Map); },
+            [](TextureMaps& m) { return roomFor(m.*Map, m); }};
+}
+
 constexpr MapFile kMaps[] = {
-    {"_normal", 3, [](const TextureMaps& m) { return bytesOf(m.normal); }},
-    {"_roughness", 1, [](const TextureMaps& m) { return bytesOf(m.roughness); }},
-    {"_height", 1, [](const TextureMaps& m) { return bytesOf(m.height01); }},
-    {"_translucency", 1, [](const TextureMaps& m) { return bytesOf(m.translucency); }},
-    {"_back", 4, [](const TextureMaps& m) { return bytesOf(m.back); }},
+    row<&TextureMaps::normal>("_normal", 3),   row<&TextureMaps::roughness>("_roughness", 1),
+    row<&TextureMaps::height01>("_height", 1), row<&TextureMaps::translucency>("_translucency", 1),
+    row<&TextureMaps::back>("_back", 4),
+};
+
+/// A PNG file that is being read.
+class CPngReader {
+public:
+    explicit CPngReader(const std::filesystem::path& path) : m_path(path) {
+        m_image.version = PNG_IMAGE_VERSION;
+        if (!png_image_begin_read_from_file(&m_image, path.c_str())) fail();
+    }
+    ~CPngReader() { png_image_free(&m_image); }
+    CPngReader(const CPngReader&) = delete;
+    CPngReader& operator=(const CPngReader&) = delete;
+
+    int width() const { return static_cast<int>(m_image.width); }
+    int height() const { return static_cast<int>(m_image.height); }
+
+    void read(int channels, std::uint8_t* pixels) {
+        m_image.format = channels == 1 ? PNG_FORMAT_GRAY : channels == 3 ? PNG_FORMAT_RGB : PNG_FORMAT_RGBA;
+        const png_color black{0, 0, 0};
+        if (!png_image_finish_read(&m_image, &black, pixels, 0, nullptr)) fail();
+    }
+
+private:
+    [[noreturn]] void fail() const {
+        throw CError("cannot read the picture " + m_path.string() + ": " + m_image.message);
+    }
+
+    std::filesystem::path m_path;
+    png_image m_image{};
 };
 } // namespace
 
@@ -59,6 +99,21 @@ std::filesystem::path mapBeside(const std::filesystem::path& albedo, std::string
 void writePng(const std::vector<std::array<std::uint8_t, 4>>& pixels, int width, int height,
               const std::filesystem::path& path, CFileSet& files) {
     writePng(files.create(path), width, height, 4, bytesOf(pixels));
+}
+
+TextureMaps readPngs(const std::filesystem::path& path) {
+    TextureMaps maps;
+    CPngReader albedo(path);
+    maps.width = albedo.width();
+    maps.height = albedo.height();
+    albedo.read(4, roomFor(maps.albedo, maps));
+    for (const MapFile& map : kMaps) {
+        const std::filesystem::path file = mapBeside(path, map.suffix);
+        if (std::error_code problem; !std::filesystem::is_regular_file(file, problem)) continue;
+        CPngReader reader(file);
+        if (reader.width() == maps.width && reader.height() == maps.height) reader.read(map.channels, map.room(maps));
+    }
+    return maps;
 }
 
 void writePngs(const TextureMaps& maps, const std::filesystem::path& path, CFileSet& files) {

@@ -3,7 +3,6 @@
 #include "util/TemporaryFolder.h"
 #include <cmath>
 #include <gtest/gtest.h>
-#include <png.h>
 
 namespace stromar {
 namespace {
@@ -126,13 +125,21 @@ TEST(Bark, PngsHoldWhatWasDrawn) {
     files.commit();
     for (const char* name : {"pine.png", "pine_normal.png", "pine_roughness.png", "pine_height.png"})
         EXPECT_TRUE(std::filesystem::exists(folder.path() / name)) << name;
-    png_image image{};
-    image.version = PNG_IMAGE_VERSION;
-    ASSERT_TRUE(png_image_begin_read_from_file(&image, (folder.path() / "pine.png").c_str()));
-    image.format = PNG_FORMAT_RGBA;
-    std::vector<std::uint8_t> read(PNG_IMAGE_SIZE(image));
-    ASSERT_TRUE(png_image_finish_read(&image, nullptr, read.data(), 0, nullptr));
-    EXPECT_TRUE(std::equal(read.begin(), read.end(), maps.albedo.front().data()));
+    const TextureMaps read = readPngs(folder.path() / "pine.png");
+    EXPECT_EQ(read.width, 40);
+    EXPECT_EQ(read.height, 40);
+    EXPECT_EQ(read.albedo, maps.albedo);
+    EXPECT_EQ(read.normal, maps.normal);
+    EXPECT_EQ(read.roughness, maps.roughness);
+    EXPECT_EQ(read.height01, maps.height01);
+    EXPECT_TRUE(read.translucency.empty() && read.back.empty());
+}
+
+TEST(Bark, OnlyPngsAreRead) {
+    const test::CTemporaryFolder folder;
+    writeFile(folder.path() / "no.png", "no picture");
+    EXPECT_THROW(readPngs(folder.path() / "no.png"), CError);
+    EXPECT_THROW(readPngs(folder.path() / "missing.png"), CError);
 }
 
 TEST(Bark, IsCancelled) {

@@ -1,5 +1,6 @@
 #pragma once
 #include "stromar/mesh/MeshBuilder.h"
+#include "stromar/mesh/Twig.h"
 #include "stromar/tree/TreeBuilder.h"
 #include <array>
 #include <functional>
@@ -15,6 +16,7 @@ struct TreeModel {
     std::shared_ptr<const CTree> tree;
     std::vector<std::shared_ptr<const CMesh>> stems;                 ///< by generation
     std::array<std::shared_ptr<const CMesh>, kOrgans.size()> organs; ///< by Organ
+    std::shared_ptr<const Twig> twig; ///< what cards show in place of leaves and last stems; null: there are none
     struct {
         double structure = 0, smooth = 0, mesh = 0, total = 0;
     } milliseconds;
@@ -46,11 +48,12 @@ public:
     void forget();
 
 private:
+    enum class Shown { All, Part, AsCards }; ///< of a generation, of the leaves
     struct MadeMesh {
         std::shared_ptr<const void> source; ///< the generation or the organs it shows
         StemMesh stems;                     ///< of organs only the mesh
         CParams params;
-        bool sparse = false; ///< only a part of the generation was drawn
+        Shown shown = Shown::All;
     };
     using MadeMeshes = std::vector<MadeMesh>; ///< by generation, the organs last
 

@@ -20,9 +20,11 @@ struct Detail {
     int smoothGenerations; ///< the first so many get rings between their segments' ends
     int collarRings;       ///< between a parent's surface and a branch's own rings
     double share;          ///< of the full model's triangles that is aimed at: see planRings()
-    std::size_t leafBudget; ///< most leaves that are drawn
+    std::size_t leafBudget; ///< most leaves that are drawn; a few (kFewOrgans) always are
+    int twigPlanes;         ///< of a card that shows a whole twig; 0: every leaf is drawn by itself
 };
 
+constexpr std::size_t kFewOrgans = 60; ///< so many leaves, blossoms or fruits are not thinned
 constexpr double kMostLeafGrowth = 2; ///< thinned leaves grow at most to this times their length
 constexpr double kCoarsestTurn = 2.5; ///< of thin stems, times what is allowed to a trunk
 

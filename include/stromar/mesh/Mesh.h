@@ -9,8 +9,8 @@
 
 namespace stromar {
 
-enum class Surface { Bark, Leaf, Blossom, Fruit };
-inline constexpr std::array kSurfaces{Surface::Bark, Surface::Leaf, Surface::Blossom, Surface::Fruit};
+enum class Surface { Bark, Leaf, Blossom, Fruit, Twig };
+inline constexpr std::array kSurfaces{Surface::Bark, Surface::Leaf, Surface::Blossom, Surface::Fruit, Surface::Twig};
 
 struct Bounds {
     glm::vec3 min, max;
@@ -20,7 +20,7 @@ struct Bounds {
 /// Vertices at the seam of the bark are doubled; leaves are flat and meant to be seen from both sides.
 class CMesh {
 public:
-    std::string name; ///< "trunk", "branches 1", …, "leaves"
+    std::string name; ///< "trunk", "branches 1", …, "leaves" or "twigs"
     Surface surface = Surface::Bark;
     RawVector<glm::vec3> positions;
     RawVector<glm::vec3> normals; ///< unit
@@ -33,6 +33,7 @@ public:
     std::size_t bytes() const {
         return vertexCount() * (2 * sizeof(glm::vec3) + sizeof(glm::vec2) + 1) + indices.size() * sizeof(std::uint32_t);
     }
+    double area() const; ///< of its triangles, m²
     /// Of a mesh with vertices.
     Bounds bounds() const;
 };

@@ -78,6 +78,9 @@ MeshPlan planRings(const CTree& tree, int generation, const CParams& params, con
 std::shared_ptr<const CMesh> meshOfStems(const CTree& tree, int generation, const MeshPlan& plan, const CParams& params,
                                          const CProgress& progress);
 
+/// No mesh for a generation that cards show: see Twig.h. What it bears is drawn.
+StemMesh noStems(const CTree& tree, int generation);
+
 /// The meshes of all generations, each on the one before.
 std::vector<StemMesh> meshAllStems(const CTree& tree, const CParams& params, const Detail& detail,
                                    const CProgress& progress);

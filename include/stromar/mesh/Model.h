@@ -16,12 +16,14 @@ struct SurfaceInfo {
     const char* name;                 ///< of materials and pictures in files
     glm::vec3 colour;                 ///< where no picture can be shown
     bool cutOut;                      ///< seen from both sides; its picture's opacity says where it is
-    std::string TextParams::*texture; ///< what the user chose
+    std::string TextParams::*texture; ///< what the user chose; null: the picture is made of the tree's own parts
     const char* standard;             ///< what it has else: a file in textures/, or a recipe
-    int GlobalParams::*number; ///< how many of them the tree may bear; null: every file has its material
+    int GlobalParams::*number;        ///< how many of them the tree may bear; null: any tree has it
 };
 const SurfaceInfo& surfaceOf(Surface surface);
-/// Whether some month shows it on such a tree.
+/// Whether every file has its material, even where no mesh needs it.
+inline bool isInEveryFile(const SurfaceInfo& info) { return info.texture && !info.number; }
+/// Whether the tree has a picture for it, which some month or some level of detail shows.
 bool hasSurface(const CParams& params, Surface surface);
 
 /// A picture of a model file.

@@ -29,6 +29,7 @@ struct MapFile {
     const char* suffix; ///< of the file's name, before its ending
     int channels;
     const std::uint8_t* (*pixels)(const TextureMaps&); ///< null: this picture has no such map
+    std::uint8_t* (*room)(TextureMaps&);               ///< makes the map as large as the others
 };
 std::span<const MapFile> mapFiles();
 /// "oak.png" and "_normal" → "oak_normal.png"
@@ -37,6 +38,8 @@ std::filesystem::path mapBeside(const std::filesystem::path& albedo, std::string
 /// Writes `path` (albedo) and beside it `…_normal.png`, `…_roughness.png`, `…_height.png` and, where light goes
 /// through, `…_translucency.png` and `…_back.png`. The caller commits.
 void writePngs(const TextureMaps& maps, const std::filesystem::path& path, CFileSet& files);
+/// What writePngs() wrote, or any PNG; maps of another size than the albedo are left out. Throws CError.
+TextureMaps readPngs(const std::filesystem::path& path);
 /// One picture with its opacity.
 void writePng(const std::vector<std::array<std::uint8_t, 4>>& pixels, int width, int height,
               const std::filesystem::path& path, CFileSet& files);

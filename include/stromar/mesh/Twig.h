@@ -1,0 +1,38 @@
+#pragma once
+#include "stromar/mesh/Detail.h"
+#include "stromar/mesh/Mesh.h"
+#include "stromar/params/Params.h"
+#include "stromar/tree/Tree.h"
+#include "stromar/util/Progress.h"
+#include <glm/vec2.hpp>
+#include <memory>
+
+namespace stromar {
+
+/// What a card shows instead of a stem of the last generation with its leaves: a typical one of the tree, made
+/// straight. x to the right, y along the stem from its base, z to the viewer; metres.
+struct Twig {
+    std::shared_ptr<const CMesh> wood, leaves;
+    glm::dvec2 low, high; ///< what the card shows of x and y
+    double length;        ///< of the stem
+    double turn;          ///< radians from the stem's own X to z
+    double bend;          ///< radians that the stem turns from base to tip
+    bool flat;            ///< its leaves lie near the card's plane
+    double leafArea;      ///< m² of a leaf's card, on average
+    double shownArea;     ///< m² of the picture that its leaves' cards cover
+    double allLeafArea;   ///< m² of all the tree's leaves that the season left
+
+    double cardArea() const { return (high.x - low.x) * (high.y - low.y); }
+};
+
+/// Null where cards of whole twigs gain nothing: stems that bear few leaves, or are too long for the leaves to be seen
+/// in a picture. The season counts: what has fallen is not there. Linear in the leaves. Throws CCancelled.
+std::shared_ptr<const Twig> typicalTwig(const CTree& tree, const CParams& params, const CProgress& progress);
+
+/// A card for every stem of the last generation that bears leaves, bent with it, in the detail's number of planes. No
+/// more rectangles than the detail's share of the leaves: else fewer planes, straight cards, at last fewer cards. Each
+/// shows as much leaf as its stem has, as far as kMostLeafGrowth allows. Throws CCancelled.
+std::shared_ptr<const CMesh> meshOfTwigs(const CTree& tree, const Twig& twig, const CParams& params,
+                                         const Detail& detail, const CProgress& progress);
+
+} // namespace stromar

@@ -1,0 +1,236 @@
+#include "TwigPicture.h"
+#include "stromar/texture/Opacity.h"
+#include "stromar/util/Random.h"
+#include "stromar/util/Text.h"
+#include <cmath>
+#include <cstring>
+#include <glm/geometric.hpp>
+
+namespace stromar {
+
+namespace fs = std::filesystem;
+
+namespace {
+constexpr int kSize = 512;
+constexpr int kSamples = 2;               // of a pixel, each way
+constexpr std::uint64_t kLookVersion = 1; // rises when the same twig is drawn differently
+constexpr float kWoodRoughness = 0.85f, kLeafRoughness = 0.6f, kLeafThrough = 0.6f;
+
+/// What one surface shows at a place.
+struct Look {
+    glm::vec4 front{0, 0, 0, 1}, back{0, 0, 0, 1};
+    glm::vec3 normal{0, 0, 1};
+    float roughness = 0, through = 0;
+};
+
+template <std::size_t N>
+glm::vec4 colour(const std::array<std::uint8_t, N>& c) {
+    return glm::vec4(c[0], c[1], c[2], N > 3 ? c[N - 1] : 255) / 255.0f;
+}
+
+/// Of the leaf's picture at a place of it, v up.
+class CLeafLook {
+public:
+    explicit CLeafLook(const fs::path& file) : m_maps(readPngs(file)) {
+        spreadColours(m_maps.albedo, m_maps.width, m_maps.height);
+    }
+
+    /// The mean of so many pixels each way around a place.
+    Look at(const glm::vec2& place, int pixels) const {
+        Look sum{.front = glm::vec4(0), .back = glm::vec4(0), .normal = glm::vec3(0)};
+        const glm::vec2 corner =
+            place * glm::vec2(float(m_maps.width), float(m_maps.height)) - glm::vec2(float(pixels) / 2);
+        for (int y = 0; y < pixels; ++y)
+            for (int x = 0; x < pixels; ++x) add(corner + glm::vec2(float(x) + 0.5f, float(y) + 0.5f), sum);
+        const float share = 1.0f / float(pixels * pixels);
+        return {sum.front * share, sum.back * share, sum.normal * share, sum.roughness * share, sum.through * share};
+    }
+
+    int height() const { return m_maps.height; }
+
+private:
+    void add(const glm::vec2& pixel, Look& sum) const {
+        const int x = std::clamp(static_cast<int>(pixel.x), 0, m_maps.width - 1),
+                  y = std::clamp(static_cast<int>(pixel.y), 0, m_maps.height - 1);
+        const std::size_t i = m_maps.at(x, m_maps.height - 1 - y);
+        sum.front += colour(m_maps.albedo[i]);
+        sum.back += colour(m_maps.back.empty() ? m_maps.albedo[i] : m_maps.back[i]);
+        sum.normal += m_maps.normal.empty() ? glm::vec3(0, 0, 1) : 2.0f * glm::vec3(colour(m_maps.normal[i])) - 1.0f;
+        sum.roughness += m_maps.roughness.empty() ? kLeafRoughness : float(m_maps.roughness[i]) / 255;
+        sum.through += m_maps.translucency.empty() ? kLeafThrough : float(m_maps.translucency[i]) / 255;
+    }
+
+    TextureMaps m_maps;
+};
+
+/// What the camera sees at one sample.
+struct Sample {
+    float z = -INFINITY;
+    glm::vec3 albedo, normal;
+    float roughness, through;
+};
+
+/// Draws triangles as a camera before the card sees them.
+class CTwigCamera {
+public:
+    explicit CTwigCamera(const Twig& twig)
+        : m_low(twig.low), m_scale(glm::dvec2(kSide) / (twig.high - twig.low)), m_samples(kSide * kSide) {}
+
+    /// lookAt(texCoord) → Look
+    template <typename LookAt>
+    void draw(const CMesh& mesh, LookAt&& lookAt) {
+        for (std::size_t t = 0; t < mesh.indices.size(); t += 3) drawTriangle(mesh, &mesh.indices[t], lookAt);
+    }
+
+    TextureMaps picture() const;
+
+    /// Samples that a metre along the stem takes.
+    double perMetre() const { return m_scale.y; }
+
+private:
+    static constexpr std::size_t kSide = kSize * kSamples;
+
+    template <typename LookAt>
+    void drawTriangle(const CMesh& mesh, const std::uint32_t* corners, LookAt&& lookAt) {
+        glm::dvec2 p[3];
+        for (int i = 0; i < 3; ++i) p[i] = (glm::dvec2(mesh.positions[corners[i]]) - m_low) * m_scale;
+        const glm::dvec2 b = p[1] - p[0], c = p[2] - p[0];
+        const double twice = b.x * c.y - b.y * c.x;
+        if (std::abs(twice) < 1e-9) return;
+        const Facing facing = facingOf(mesh, corners);
+        const auto range = [&](double a, double d, double e) {
+            const auto [least, most] = std::minmax({a, d, e});
+            return std::pair(std::max(0, static_cast<int>(least)), std::min(int(kSide) - 1, static_cast<int>(most)));
+        };
+        const auto [x0, x1] = range(p[0].x, p[1].x, p[2].x);
+        const auto [y0, y1] = range(p[0].y, p[1].y, p[2].y);
+        for (int y = y0; y <= y1; ++y)
+            for (int x = x0; x <= x1; ++x) {
+                const glm::dvec2 q = glm::dvec2(x + 0.5, y + 0.5) - p[0];
+                const glm::vec2 uv((q.x * c.y - q.y * c.x) / twice, (b.x * q.y - b.y * q.x) / twice);
+                if (uv.x < 0 || uv.y < 0 || uv.x + uv.y > 1) continue;
+                const auto mixed = [&](const auto& values) {
+                    return (1 - uv.x - uv.y) * values[corners[0]] + uv.x * values[corners[1]] +
+                           uv.y * values[corners[2]];
+                };
+                Sample& sample = m_samples[static_cast<std::size_t>(y) * kSide + static_cast<std::size_t>(x)];
+                const float z = mixed(mesh.positions).z;
+                if (z <= sample.z) continue;
+                const Look look = lookAt(mixed(mesh.texCoords));
+                if (look.front.w < float(kAlphaCut)) continue;
+                take(sample, z, look, facing, glm::normalize(mixed(mesh.normals)));
+            }
+    }
+
+    /// How a triangle's picture lies before the camera.
+    struct Facing {
+        glm::vec3 right, up; ///< of its picture
+    };
+
+    static Facing facingOf(const CMesh& mesh, const std::uint32_t* corners) {
+        const glm::vec3 e1 = mesh.positions[corners[1]] - mesh.positions[corners[0]],
+                        e2 = mesh.positions[corners[2]] - mesh.positions[corners[0]];
+        const glm::vec2 d1 = mesh.texCoords[corners[1]] - mesh.texCoords[corners[0]],
+                        d2 = mesh.texCoords[corners[2]] - mesh.texCoords[corners[0]];
+        const auto unit = [](const glm::vec3& v) { return v / std::max(1e-20f, glm::length(v)); };
+        const float turn = d1.x * d2.y - d1.y * d2.x < 0 ? -1.0f : 1.0f;
+        return {unit(turn * (d2.y * e1 - d1.y * e2)), unit(turn * (d1.x * e2 - d2.x * e1))};
+    }
+
+    static void take(Sample& sample, float z, const Look& look, const Facing& facing, const glm::vec3& surface) {
+        const float side = surface.z < 0 ? -1.0f : 1.0f; // −1: its under side is seen
+        const glm::vec3 relief = look.normal.x * facing.right + look.normal.y * facing.up + look.normal.z * surface;
+        sample.z = z;
+        sample.albedo = glm::vec3(side < 0 ? look.back : look.front);
+        sample.normal = side * relief / std::max(1e-6f, glm::length(relief));
+        sample.roughness = look.roughness;
+        sample.through = look.through;
+    }
+
+    glm::dvec2 m_low, m_scale;
+    std::vector<Sample> m_samples; ///< rows from below
+};
+
+std::uint8_t byteOf(float value) { return static_cast<std::uint8_t>(std::clamp(value * 255 + 0.5f, 0.0f, 255.0f)); }
+
+TextureMaps CTwigCamera::picture() const {
+    TextureMaps maps;
+    maps.width = maps.height = kSize;
+    float farthest = 1e-6f;
+    for (const Sample& sample : m_samples)
+        if (std::isfinite(sample.z)) farthest = std::max(farthest, std::abs(sample.z));
+    for (int y = 0; y < kSize; ++y)
+        for (int x = 0; x < kSize; ++x) {
+            glm::vec3 albedo(0), normal(0);
+            float roughness = 0, through = 0, z = 0, seen = 0;
+            for (int i = 0; i < kSamples * kSamples; ++i) {
+                const int row = (kSize - 1 - y) * kSamples + i / kSamples, column = x * kSamples + i % kSamples;
+                const Sample& sample =
+                    m_samples[static_cast<std::size_t>(row) * kSide + static_cast<std::size_t>(column)];
+                if (!std::isfinite(sample.z)) continue;
+                seen += 1;
+                albedo += sample.albedo;
+                normal += sample.normal;
+                roughness += sample.roughness;
+                through += sample.through;
+                z += sample.z;
+            }
+            const float each = 1 / std::max(1.0f, seen);
+            const glm::vec3 n = seen > 0 ? glm::normalize(normal + glm::vec3(0, 0, 1e-3f)) : glm::vec3(0, 0, 1);
+            maps.albedo.push_back({byteOf(albedo.x * each), byteOf(albedo.y * each), byteOf(albedo.z * each),
+                                   byteOf(seen / (kSamples * kSamples))});
+            maps.normal.push_back({byteOf(0.5f + 0.5f * n.x), byteOf(0.5f + 0.5f * n.y), byteOf(0.5f + 0.5f * n.z)});
+            maps.roughness.push_back(byteOf(seen > 0 ? roughness * each : kLeafRoughness));
+            maps.translucency.push_back(byteOf(through * each));
+            maps.height01.push_back(byteOf(0.5f + 0.5f * z * each / farthest));
+        }
+    spreadColours(maps.albedo, kSize, kSize);
+    return maps;
+}
+
+bool isPng(const fs::path& file) { return lowerCase(file.extension().string()) == ".png"; }
+
+Look barkLook(const TwigSource& source) {
+    Look look{.front = glm::vec4(source.plainBark, 1), .roughness = kWoodRoughness};
+    if (!isPng(source.bark)) return look;
+    glm::vec4 sum(0);
+    const TextureMaps maps = readPngs(source.bark);
+    for (const auto& pixel : maps.albedo) sum += colour(pixel);
+    look.front = glm::vec4(glm::vec3(sum) / std::max(1.0f, float(maps.albedo.size())), 1);
+    return look;
+}
+
+template <typename Values>
+std::uint64_t hashOf(std::uint64_t hash, const Values& values) {
+    const auto* bytes = reinterpret_cast<const unsigned char*>(values.data());
+    for (std::size_t i = 0; i < values.size() * sizeof(values[0]); ++i) hash = hashCombine(hash, bytes[i]);
+    return hash;
+}
+
+std::uint64_t hashOfFile(std::uint64_t hash, const fs::path& file) {
+    std::error_code problem;
+    const auto time = fs::last_write_time(file, problem).time_since_epoch().count();
+    hash = hashCombine(hash, problem ? 0 : static_cast<std::uint64_t>(time));
+    return hashOf(hash, file.string());
+}
+} // namespace
+
+std::uint64_t twigHash(const Twig& twig, const TwigSource& source) {
+    std::uint64_t hash = hashCombine(kLookVersion, kSize);
+    for (const auto& mesh : {twig.wood, twig.leaves}) hash = hashOf(hashOf(hash, mesh->positions), mesh->texCoords);
+    return hashOfFile(hashOfFile(hash, source.leaf), source.bark);
+}
+
+TextureMaps drawTwig(const Twig& twig, const TwigSource& source, const CProgress& progress) {
+    CTwigCamera camera(twig);
+    const CLeafLook leaf(source.leaf);
+    progress.poll();
+    const double samples = std::sqrt(twig.leafArea) * camera.perMetre(); // that a leaf is long
+    const int pixels = std::clamp(static_cast<int>(leaf.height() / std::max(1.0, samples)), 1, 8);
+    camera.draw(*twig.wood, [look = barkLook(source)](const glm::vec2&) { return look; });
+    camera.draw(*twig.leaves, [&](const glm::vec2& place) { return leaf.at(place, pixels); });
+    progress.poll();
+    return camera.picture();
+}
+
+} // namespace stromar

@@ -1,0 +1,21 @@
+#pragma once
+#include "stromar/mesh/Twig.h"
+#include "stromar/texture/TextureMaps.h"
+#include <filesystem>
+
+namespace stromar {
+
+/// What a picture of a twig is made of.
+struct TwigSource {
+    std::filesystem::path leaf, bark; ///< pictures; of a bark that is no PNG only `plainBark` is seen
+    glm::vec3 plainBark;              ///< 0..1
+};
+
+/// Other twigs, sources and sizes give others, and so do newer files of the same name.
+std::uint64_t twigHash(const Twig& twig, const TwigSource& source);
+
+/// Draws a twig with all maps. Some tenths of a second; uses one thread. Throws CError when the leaf's picture cannot
+/// be read, and CCancelled.
+TextureMaps drawTwig(const Twig& twig, const TwigSource& source, const CProgress& progress);
+
+} // namespace stromar
