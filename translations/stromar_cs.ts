@@ -1894,6 +1894,46 @@
         <source>candle</source>
         <translation>svíce</translation>
     </message>
+    <message>
+        <source>The trunk has no roots.</source>
+        <translation>Kmen nemá kořeny.</translation>
+    </message>
+    <message>
+        <source>Roots</source>
+        <translation>Kořeny</translation>
+    </message>
+    <message>
+        <source>The number of ridges that run from the trunk into the ground. High ones are buttresses.</source>
+        <translation>Počet hřebenů, které vybíhají z kmene do země. Vysoké jsou opěrné kořeny.</translation>
+    </message>
+    <message>
+        <source>Reach of roots</source>
+        <translation>Dosah kořenů</translation>
+    </message>
+    <message>
+        <source>How far the roots reach out of the trunk on the ground, in radii of the trunk.</source>
+        <translation>Jak daleko kořeny na zemi vybíhají z kmene, v poloměrech kmene.</translation>
+    </message>
+    <message>
+        <source>Height of roots</source>
+        <translation>Výška kořenů</translation>
+    </message>
+    <message>
+        <source>Where the roots leave the trunk, as a part of its length.</source>
+        <translation>Kde kořeny opouštějí kmen, jako díl jeho délky.</translation>
+    </message>
+    <message>
+        <source>Upright</source>
+        <translation>Vzpřímení</translation>
+    </message>
+    <message>
+        <source>1 sets blossoms upright like candles, -1 lets them hang like catkins, 0 lets them stand like leaves.</source>
+        <translation>1 postaví květy jako svíce, -1 je nechá viset jako jehnědy, 0 stát jako listy.</translation>
+    </message>
+    <message>
+        <source>How many cards, turned about their length, make one blossom: 2 or 3 for candles and catkins.</source>
+        <translation>Kolik karet pootočených kolem délky tvoří jeden květ: 2 nebo 3 pro svíce a jehnědy.</translation>
+    </message>
 </context>
 <context>
     <name>stromar::CDocument</name>

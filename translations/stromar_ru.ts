@@ -1894,6 +1894,46 @@
         <source>candle</source>
         <translation>свеча</translation>
     </message>
+    <message>
+        <source>The trunk has no roots.</source>
+        <translation>У ствола нет корней.</translation>
+    </message>
+    <message>
+        <source>Roots</source>
+        <translation>Корни</translation>
+    </message>
+    <message>
+        <source>The number of ridges that run from the trunk into the ground. High ones are buttresses.</source>
+        <translation>Сколько гребней уходит от ствола в землю. Высокие — это досковидные корни.</translation>
+    </message>
+    <message>
+        <source>Reach of roots</source>
+        <translation>Вылет корней</translation>
+    </message>
+    <message>
+        <source>How far the roots reach out of the trunk on the ground, in radii of the trunk.</source>
+        <translation>Насколько корни выступают из ствола у земли, в радиусах ствола.</translation>
+    </message>
+    <message>
+        <source>Height of roots</source>
+        <translation>Высота корней</translation>
+    </message>
+    <message>
+        <source>Where the roots leave the trunk, as a part of its length.</source>
+        <translation>Где корни отходят от ствола, как доля его длины.</translation>
+    </message>
+    <message>
+        <source>Upright</source>
+        <translation>Прямостояние</translation>
+    </message>
+    <message>
+        <source>1 sets blossoms upright like candles, -1 lets them hang like catkins, 0 lets them stand like leaves.</source>
+        <translation>1 ставит цветы прямо, как свечи, -1 даёт им висеть, как серёжкам, 0 — стоять, как листьям.</translation>
+    </message>
+    <message>
+        <source>How many cards, turned about their length, make one blossom: 2 or 3 for candles and catkins.</source>
+        <translation>Сколько карточек, повёрнутых вокруг длины, составляют цветок: 2 или 3 для свечей и серёжек.</translation>
+    </message>
 </context>
 <context>
     <name>stromar::CDocument</name>

@@ -1894,6 +1894,46 @@
         <source>candle</source>
         <translation>svečka</translation>
     </message>
+    <message>
+        <source>The trunk has no roots.</source>
+        <translation>Deblo nima korenin.</translation>
+    </message>
+    <message>
+        <source>Roots</source>
+        <translation>Korenine</translation>
+    </message>
+    <message>
+        <source>The number of ridges that run from the trunk into the ground. High ones are buttresses.</source>
+        <translation>Število grebenov, ki tečejo z debla v tla. Visoki so oporne korenine.</translation>
+    </message>
+    <message>
+        <source>Reach of roots</source>
+        <translation>Doseg korenin</translation>
+    </message>
+    <message>
+        <source>How far the roots reach out of the trunk on the ground, in radii of the trunk.</source>
+        <translation>Kako daleč korenine na tleh segajo iz debla, v polmerih debla.</translation>
+    </message>
+    <message>
+        <source>Height of roots</source>
+        <translation>Višina korenin</translation>
+    </message>
+    <message>
+        <source>Where the roots leave the trunk, as a part of its length.</source>
+        <translation>Kje korenine zapustijo deblo, kot del njegove dolžine.</translation>
+    </message>
+    <message>
+        <source>Upright</source>
+        <translation>Pokončnost</translation>
+    </message>
+    <message>
+        <source>1 sets blossoms upright like candles, -1 lets them hang like catkins, 0 lets them stand like leaves.</source>
+        <translation>1 postavi cvetove pokonci kot sveče, -1 jih pusti viseti kot mačice, 0 stati kot liste.</translation>
+    </message>
+    <message>
+        <source>How many cards, turned about their length, make one blossom: 2 or 3 for candles and catkins.</source>
+        <translation>Koliko kartic, zasukanih okoli dolžine, sestavlja en cvet: 2 ali 3 za sveče in mačice.</translation>
+    </message>
 </context>
 <context>
     <name>stromar::CDocument</name>

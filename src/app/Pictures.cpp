@@ -4,6 +4,7 @@
 #include "stromar/texture/Draw.h"
 #include "stromar/util/Random.h"
 #include "stromar/util/Text.h"
+#include <cassert>
 #include <cmath>
 #include <cstdlib>
 
@@ -71,6 +72,7 @@ fs::path dataFolder() {
 }
 
 std::string pictureOf(const CParams& params, Surface surface) {
+    assert(surfaceOf(surface).texture);
     const std::string& own = params.text.*surfaceOf(surface).texture;
     std::string chosen = own.empty() ? surfaceOf(surface).standard : own;
     const bool ages = surface == Surface::Leaf && isRecipe(chosen) && chosen.find(" season=") == std::string::npos;

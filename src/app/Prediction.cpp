@@ -44,7 +44,8 @@ double thicknessBound(const CParams& params, int generation) {
 
 double ringPoints(const CParams& params, const Detail& detail, int generation) {
     const int round = roundRingPoints(detail, std::sqrt(thicknessBound(params, generation)));
-    return std::max(round, generation == 0 ? detail.lobePoints * params.global.lobes : 0);
+    return std::max(round,
+                    generation == 0 ? detail.lobePoints * std::max(params.global.lobes, params.global.roots) : 0);
 }
 
 /// Degrees between two segments of a stem that does not split.
@@ -74,10 +75,11 @@ double addedRings(const CParams& params, const Detail& detail, int generation, c
     const double bends = ringsPerBend(params, detail, generation) * (bound.segments - 1);
     const LevelParams& level = params.level[static_cast<std::size_t>(std::min(generation, kParamLevels - 1))];
     const double helix = level.curveV < 0 ? (detail.helixRings - 1) * bound.segments : 0;
+    const bool roots = generation == 0 && params.global.roots > 0;
     const bool flares = generation == 0 && params.global.flare != 0;
     const double most = std::max(9.0, std::floor(1024.0 / level.curveRes)) * bound.segments; // CSmoother's own limit
     if (level.taper > 2) return bends + std::max(helix, most);
-    const double uneven = (level.taper > 1 ? 40 : 0) + (flares ? 60 : 0);
+    const double uneven = (level.taper > 1 ? 40 : 0) + (flares ? 60 : 0) + (roots ? 60 : 0);
     return bends + std::max(helix, std::min(most, uneven * bound.paths));
 }
 } // namespace

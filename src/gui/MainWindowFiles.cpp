@@ -236,11 +236,12 @@ void CMainWindow::updateTextures() {
         return std::filesystem::exists(file, problem);
     };
     for (const Surface surface : kSurfaces) {
+        if (!hasSurface(params, surface)) continue;
         const auto i = static_cast<std::size_t>(surface);
         std::filesystem::path wanted = whole[i];
         const bool drawn = isRecipe(pictureOf(params, surface)); // then it comes after its tree, first in small
         if (drawn && !isThere(wanted)) wanted = textureOf(params, surface, {}, Drawn::Preview);
-        if (whole[i].empty() || wanted == m_shownTextures[i] || (drawn && !isThere(wanted))) continue;
+        if (wanted == m_shownTextures[i] || (drawn && !isThere(wanted))) continue;
         m_shownTextures[i] = wanted;
         if (const QString why = m_viewport->setTexture(surface, fromPath(wanted)); !why.isEmpty()) onFailed(why);
     }

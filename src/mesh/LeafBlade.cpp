@@ -156,9 +156,10 @@ LeafBlade makeBlade(const GlobalParams& g, const Detail& detail) {
     return maker.take();
 }
 
-LeafBlade makeCard() {
+LeafBlade makeCard(int planes) {
     CBladeMaker maker(0, 0, true);
     maker.add(kCards[0]);
+    maker.addPlanes(planes);
     return maker.take();
 }
 

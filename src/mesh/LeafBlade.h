@@ -52,8 +52,8 @@ private:
 /// LeafShape as a card for a picture, or as its outline; with LeafFold, LeafPlanes and LeafStalk. Coarse models get
 /// plain cards.
 LeafBlade makeBlade(const GlobalParams& inRadians, const Detail& detail);
-/// A square for a picture.
-LeafBlade makeCard();
+/// A square for a picture, in so many planes.
+LeafBlade makeCard(int planes);
 /// An ellipsoid on a stalk of so many of its lengths.
 LeafBlade makeFruit(double stalk, const Detail& detail);
 

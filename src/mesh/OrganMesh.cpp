@@ -46,7 +46,7 @@ constexpr OrganLook kLooks[] = {{"leaves", Surface::Leaf}, {"blossoms", Surface:
 
 LeafBlade bladeOf(const GlobalParams& g, Organ organ, const Detail& detail) {
     switch (organ) {
-    case Organ::Blossom: return makeCard();
+    case Organ::Blossom: return makeCard(g.blossomPlanes);
     case Organ::Fruit: return makeFruit(g.fruitStalk, detail);
     default: return makeBlade(g, detail);
     }

@@ -27,6 +27,7 @@ void CPointGenerator::startTube(const Tube& tube) {
         for (std::uint32_t i = 0; i < m_points; ++i)
             m_circle[i] = {std::cos(kTurn * i / m_points), std::sin(kTurn * i / m_points)};
     }
+    m_roots = tube.lobed ? m_surface.rootsOf(stem) : CRootFlare();
     m_bark = m_surface.barkOf(stem);
     m_line.start(stem, m_generation.paths[tube.path], tube.mostTurn);
     m_rings.clear();
@@ -70,8 +71,10 @@ void CPointGenerator::setSlopes() {
 }
 
 double CPointGenerator::radiusAt(const RingShape& ring, double angle) const {
-    if (ring.lobes == 0) return ring.radius;
-    return std::max(m_floor, ring.radius * (1 + ring.lobeDepth * std::sin(ring.lobes * angle)));
+    const double round = ring.lobes == 0
+                             ? ring.radius
+                             : std::max(m_floor, ring.radius * (1 + ring.lobeDepth * std::sin(ring.lobes * angle)));
+    return m_roots.empty() ? round : round + trunkRadius() * m_roots.at(angle, ring.along).out;
 }
 
 glm::dvec3 CPointGenerator::pointAt(const RingShape& ring, std::uint32_t i) const {
@@ -85,11 +88,15 @@ glm::dvec3 CPointGenerator::pointAt(const RingShape& ring, std::uint32_t i) cons
 /// The surface is centre + r(angle, s)·outwards + s·axis; the normal is the product of its two tangents.
 glm::dvec3 CPointGenerator::normalAt(const RingShape& ring, double angle, glm::dvec2 direction) const {
     const glm::dvec3 outwards = direction.x * ring.frame[0] + direction.y * ring.frame[1];
-    if (ring.lobes == 0) return glm::normalize(outwards - ring.slope * ring.frame[2]);
-    const double radius = radiusAt(ring, angle);
-    const double turned = ring.radius * ring.lobeDepth * ring.lobes * std::cos(ring.lobes * angle) / radius;
+    if (ring.lobes == 0 && m_roots.empty()) return glm::normalize(outwards - ring.slope * ring.frame[2]);
+    const CRootFlare::Rise root = m_roots.at(angle, ring.along);
+    const double radius = radiusAt(ring, angle), round = radius - trunkRadius() * root.out;
+    const double turned =
+        ring.radius * ring.lobeDepth * ring.lobes * std::cos(ring.lobes * angle) + trunkRadius() * root.around;
+    const double slope =
+        ring.slope * (round / ring.radius) + trunkRadius() * root.up / std::max(1e-12, stem().measures.length);
     const glm::dvec3 around = direction.x * ring.frame[1] - direction.y * ring.frame[0];
-    return glm::normalize(outwards - turned * around - ring.slope * (radius / ring.radius) * ring.frame[2]);
+    return glm::normalize(outwards - turned / radius * around - slope * ring.frame[2]);
 }
 
 void CPointGenerator::addRing(std::size_t r, VertexSink& sink) const {

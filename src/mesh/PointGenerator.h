@@ -53,6 +53,8 @@ private:
     std::uint8_t opennessAt(const Tube& tube, double along) const;
     void setSlopes();
     double radiusAt(const RingShape& ring, double angle) const;
+    const CStem& stem() const { return m_generation.stems[m_tube->stem]; }
+    double trunkRadius() const { return stem().measures.radius; }
     void addCollarLid(VertexSink& sink) const;
     glm::dvec3 creaseNormal(const glm::dvec3& parent, const glm::dvec3& own) const;
     SurfacePoint collarPointAt(std::uint32_t ring, std::uint32_t i) const;
@@ -73,6 +75,7 @@ private:
     const Tube* m_tube = nullptr;
     std::uint32_t m_points = 0; ///< of the first ring
     double m_floor = 0;
+    CRootFlare m_roots;
     std::vector<RingShape> m_rings;
     std::vector<glm::dvec2> m_circle; ///< of the tube's first ring
 };

@@ -58,8 +58,8 @@ private:
                   .firstCollarPoint = static_cast<std::uint32_t>(plan.collarPoints.size())};
         tube.mostTurn = tube.points > 3 ? turnOf(stem, m_detail.mostTurn) : 0;
         m_line.start(stem, path, tube.mostTurn);
-        tube.lobed = m_surface.lobes() > 0 &&
-                     tube.points >= static_cast<std::uint32_t>(kFewestPointsPerLobe * m_surface.lobes());
+        tube.lobed = m_surface.ridges() > 0 &&
+                     tube.points >= static_cast<std::uint32_t>(kFewestPointsPerLobe * m_surface.ridges());
         tube.pointed = endsInPoint(stem, path);
         const double start = withCollar ? addCollar(stem, tube, plan) : 0;
         if ((start > 0 || !withCollar) && addRings(stem, path, start, tube, plan) && !collarFolds(tube, plan)) {
@@ -150,7 +150,7 @@ private:
     Disc discAt(const CStem& stem, const CPath& path, const Ring& ring) const {
         const CCentreLine::Place place = m_line.at(ring.segment, ring.t);
         const std::uint32_t position = path.firstPosition + ring.segment - path.firstSegment;
-        const double radius = m_surface.woodRadius(stem, m_generation.segments[ring.segment], position, ring.t);
+        const double radius = m_surface.outerRadius(stem, m_generation.segments[ring.segment], position, ring.t);
         return {ring, place.centre, place.frame[2], place.stretch * std::max(radius, m_surface.minRadius())};
     }
 
@@ -223,7 +223,7 @@ private:
     }
 
     std::uint32_t ringPoints(const CStem& stem) const {
-        const int forLobes = m_detail.lobePoints * m_surface.lobes();
+        const int forLobes = m_detail.lobePoints * m_surface.ridges();
         return static_cast<std::uint32_t>(std::max(roundPoints(stem.measures.radius), forLobes));
     }
 

@@ -27,7 +27,7 @@ private:
         double t, radius;
     };
     Place at(const CStem& stem, const CSegment& segment, std::uint32_t position, double t) const {
-        return {t, m_surface.woodRadius(stem, segment, position, t)};
+        return {t, m_surface.outerRadius(stem, segment, position, t)};
     }
     void addWhereRadiusBends(const CStem& stem, const CSegment& segment, std::uint32_t position, Place low, Place high,
                              int depth, std::vector<double>& places) const;

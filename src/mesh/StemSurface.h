@@ -1,4 +1,5 @@
 #pragma once
+#include "RootFlare.h"
 #include "stromar/params/TreeParams.h"
 #include "stromar/tree/Tree.h"
 #include <algorithm>
@@ -29,10 +30,25 @@ public:
     /// Position / length.
     static double along(const CStem& stem, std::uint32_t position, double t) { return (position + t) / stem.curveRes; }
 
+    /// Likewise, to the end of the farthest root.
+    double outerRadius(const CStem& stem, const CSegment& segment, std::uint32_t position, double t) const {
+        const double wood = woodRadius(stem, segment, position, t);
+        if (roots() == 0) return wood;
+        return wood + stem.measures.radius * CRootFlare::most(m_params.global(), along(stem, position, t));
+    }
+
     /// Whether the radius changes other than evenly along a segment.
-    bool uneven(const CStem& stem) const { return stem.taper > 1 || (m_trunk && m_params.global().flare != 0); }
+    bool uneven(const CStem& stem) const {
+        return stem.taper > 1 || (m_trunk && (m_params.global().flare != 0 || roots() > 0));
+    }
 
     int lobes() const { return m_trunk && m_params.global().lobeDepth > 0 ? m_params.global().lobes : 0; }
+    int roots() const { return m_trunk && m_params.global().rootReach > 0 ? m_params.global().roots : 0; }
+    CRootFlare rootsOf(const CStem& stem) const {
+        return roots() > 0 ? CRootFlare(m_params.global(), stem.id) : CRootFlare();
+    }
+    /// What a ring around the trunk has to show.
+    int ridges() const { return std::max(lobes(), roots()); }
     /// How far lobes stand out at z = position / length (Weber & Penn §4.4; LobeFade ends them as the thesis draws).
     double lobeDepth(double z) const {
         const GlobalParams& g = m_params.global();
@@ -55,8 +71,8 @@ public:
         double around;   ///< times
         double perMetre; ///< along
     };
-    /// Each trunk by TextureWrapX/Y (thesis §4.7). Other stems in the first trunk's metres per repeat, but whole times around,
-    /// at least once; along so that the picture keeps its shape.
+    /// Each trunk by TextureWrapX/Y (thesis §4.7). Other stems in the first trunk's metres per repeat, but whole times
+    /// around, at least once; along so that the picture keeps its shape.
     Bark barkOf(const CStem& stem) const {
         const double x = m_params.global().textureWrapX, y = m_params.global().textureWrapY;
         if (m_trunk) return {x, y / std::max(1e-9, stem.measures.length)};

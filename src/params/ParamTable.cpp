@@ -50,6 +50,9 @@ constexpr Idle kNeedsLobes = [](const CParams& p, int) -> string_view {
 constexpr Idle kNeedsLobeDepth = [](const CParams& p, int) -> string_view {
     return p.global.lobes > 0 && p.global.lobeDepth > 0 ? "" : N_("The trunk has no lobes, or they have no depth.");
 };
+constexpr Idle kNeedsRoots = [](const CParams& p, int) -> string_view {
+    return p.global.roots > 0 ? "" : N_("The trunk has no roots.");
+};
 constexpr Idle kNeedsJoint = [](const CParams& p, int) -> string_view {
     return p.level[0].curveRes > 1 ? "" : N_("The trunk has only one segment, so there is no joint to split at.");
 };
@@ -190,6 +193,18 @@ constexpr ParamInfo kParams[] = {
      .range = {0, 1}, .useful = {0, 1}, .step = 0.05, .decimals = 2, .defaults = {1}, .obsolete = kMeshOnly,
      .help = N_("1 lets the lobes end a little above the ground, 0 lets them run up the whole trunk."),
      .idle = kNeedsLobeDepth, .shown = {"Levels=1 Scale=2 Ratio=0.15 Lobes=5 LobeDepth=0.3 0Taper=0.5", {0, 0.5, 1}}},
+    {.key = "Roots", .label = N_("Roots"), .group = Group::Trunk, .section = N_("Roots"), .field = &G::roots,
+     .range = {0, 30}, .useful = {0, 9}, .step = 1, .defaults = {0}, .obsolete = kMeshOnly,
+     .help = N_("The number of ridges that run from the trunk into the ground. High ones are buttresses."),
+     .shown = {"Levels=1 Scale=4 Ratio=0.06", {0, 4, 8}, true}},
+    {.key = "RootReach", .label = N_("Reach of roots"), .group = Group::Trunk, .section = N_("Roots"), .field = &G::rootReach,
+     .range = {0, 20}, .useful = {0, 4}, .step = 0.1, .decimals = 2, .defaults = {1.2}, .obsolete = kMeshOnly,
+     .help = N_("How far the roots reach out of the trunk on the ground, in radii of the trunk."),
+     .idle = kNeedsRoots, .shown = {"Levels=1 Scale=4 Ratio=0.06 Roots=5", {0.5, 1.5, 3}, true}},
+    {.key = "RootHeight", .label = N_("Height of roots"), .group = Group::Trunk, .section = N_("Roots"), .field = &G::rootHeight,
+     .range = {0.001, 1}, .useful = {0.02, 0.4}, .step = 0.01, .decimals = 3, .defaults = {0.12}, .obsolete = kMeshOnly,
+     .help = N_("Where the roots leave the trunk, as a part of its length."),
+     .idle = kNeedsRoots, .shown = {"Levels=1 Scale=4 Ratio=0.06 Roots=5 RootReach=2", {0.05, 0.15, 0.4}}},
     {.key = "0BaseSplits", .label = N_("Splits at the base"), .group = Group::Trunk, .section = N_("Splitting"), .field = &G::baseSplits,
      .range = {0, 50}, .useful = {0, 6}, .step = 1, .defaults = {0}, .obsolete = kFromTrunk,
      .help = N_("So many more trunks grow out of the end of the trunk's first segment."), .aliases = kBaseSplitsAliases,
@@ -348,6 +363,14 @@ constexpr ParamInfo kParams[] = {
      .field = &G::blossomScale, .range = {0.001, 50}, .useful = {0.01, 0.5}, .step = 0.01, .decimals = 3, .defaults = {0.05},
      .obsolete = kLeavesOnly, .help = N_("The length and width of a blossom, or of the cluster that its picture shows."),
      .idle = kNeedsBlossoms, .shown = {"Leaves=0 Blossoms=8 Season=4.5", {0.08, 0.15, 0.3}}},
+    {.key = "BlossomUp", .label = N_("Upright"), .group = Group::Blossom, .section = N_("Blossoms"), .field = &G::blossomUp,
+     .range = {-1, 1}, .useful = {-1, 1}, .step = 0.05, .decimals = 2, .defaults = {0}, .obsolete = kLeavesOnly,
+     .help = N_("1 sets blossoms upright like candles, -1 lets them hang like catkins, 0 lets them stand like leaves."),
+     .idle = kNeedsBlossoms, .shown = {"Leaves=0 Blossoms=6 Season=4.5 BlossomScale=0.3 BlossomTexture=\"leaf:candle\"", {-1, 0, 1}}},
+    {.key = "BlossomPlanes", .label = N_("Planes"), .group = Group::Blossom, .section = N_("Blossoms"), .field = &G::blossomPlanes,
+     .range = {1, 6}, .useful = {1, 3}, .step = 1, .defaults = {1}, .obsolete = kLeafMesh,
+     .help = N_("How many cards, turned about their length, make one blossom: 2 or 3 for candles and catkins."),
+     .idle = kNeedsBlossoms, .shown = {"Leaves=0 Blossoms=6 Season=4.5 BlossomScale=0.3", {1, 2, 3}}},
     {.key = "BlossomMonth", .label = N_("Month"), .group = Group::Blossom, .section = N_("Blossoms"), .field = &G::blossomMonth,
      .range = {0, 12}, .useful = {0, 12}, .step = 0.1, .decimals = 2, .defaults = {4.5}, .obsolete = kLeafMesh,
      .help = N_("When the tree is in full blossom; it begins and ends most of a month before and after."),

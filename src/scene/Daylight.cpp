@@ -37,10 +37,11 @@ Daylight daylightAt(double hour, double turn) {
     const double a = turn * kPi / 180;
     const auto c = static_cast<float>(std::cos(a)), s = static_cast<float>(std::sin(a));
     light.sun = {c * sun.x() - s * sun.y(), s * sun.x() + c * sun.y(), sun.z()};
-    const double up = sun.z(), day = std::clamp((up + 0.22) / 0.42, 0.0, 1.0), low = std::clamp(1 - up / 0.35, 0.0, 1.0);
+    const double up = sun.z(), day = std::clamp((up + 0.22) / 0.42, 0.0, 1.0),
+                 low = std::clamp(1 - up / 0.35, 0.0, 1.0);
     light.sunlight = throughAir(up) * static_cast<float>(3.1 * std::clamp((up + 0.02) / 0.06, 0.0, 1.0));
-    light.zenith = mixed({0.010f, 0.016f, 0.035f}, {0.20f, 0.37f, 0.68f}, day);
-    light.haze = mixed(mixed({0.02f, 0.03f, 0.05f}, {0.66f, 0.76f, 0.86f}, day), {0.95f, 0.52f, 0.25f},
+    light.zenith = mixed({0.010f, 0.016f, 0.035f}, {0.11f, 0.30f, 0.74f}, day);
+    light.haze = mixed(mixed({0.02f, 0.03f, 0.05f}, {0.62f, 0.75f, 0.89f}, day), {0.95f, 0.52f, 0.25f},
                        0.75 * low * std::clamp((up + 0.1) / 0.15, 0.0, 1.0));
     const osg::Vec3 sky = (light.zenith + light.haze) * 0.5f;
     const osg::Vec3 received = sky + light.sunlight * std::max(0.0f, sun.z());

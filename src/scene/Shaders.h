@@ -36,7 +36,7 @@ float sunSeen(vec3 place, float radius) {
 #endif
 }
 vec3 skyIn(vec3 ray) {
-    vec3 sky = mix(haze, zenith, 0.25 * smoothstep(0.0, 0.06, abs(ray.z)) + 0.75 * smoothstep(0.0, 0.5, abs(ray.z)));
+    vec3 sky = mix(haze, zenith, 0.3 * smoothstep(0.0, 0.08, abs(ray.z)) + 0.7 * smoothstep(0.0, 0.38, abs(ray.z)));
     float glow = max(dot(ray, sun), 0.0);
     glow *= glow;
     glow *= glow;
@@ -71,8 +71,8 @@ void main() {
 
 inline constexpr const char* kTreeFragmentShader = R"(
 uniform mat4 osg_ViewMatrixInverse;
-uniform sampler2D picture, relief, gloss; // albedo; normals; roughness and what goes through
-uniform float leaf, tinted, generation, reliefDepth, smoothEdges, alphaCut;
+uniform sampler2D picture, relief, gloss, under; // albedo; normals; roughness and what goes through; albedo from below
+uniform float leaf, tinted, generation, reliefDepth, underSide, smoothEdges, alphaCut;
 uniform int view; // 0 lit, 1 material, 2 occlusion, 3 normals
 varying vec3 place, normal, inShadow;
 varying float openness, shade;
@@ -101,9 +101,15 @@ void main() {
     bool back = leaf > 0.5 && dot(n, toEye) < 0.0;
     if (back) n = -n;
     if (reliefDepth > 0.0) n = withRelief(n);
+#if BEST
+    bool fromBelow = back && underSide > 0.5;
+    if (fromBelow) colour.rgb = texture2D(under, gl_TexCoord[0].st).rgb;
+#else
+    bool fromBelow = false;
+#endif
     vec3 albedo = linear(colour.rgb);
     albedo *= mix(vec3(1.0), vec3(0.72 + 0.5 * shade, 0.8 + 0.38 * shade, 0.7 + 0.4 * shade), leaf);
-    if (back) albedo = mix(albedo, vec3(dot(albedo, vec3(0.3, 0.6, 0.1))), 0.25) * 1.15;
+    if (back && !fromBelow) albedo = mix(albedo, vec3(dot(albedo, vec3(0.3, 0.6, 0.1))), 0.25) * 1.15;
 #if BEST
     vec2 skin = texture2D(gloss, gl_TexCoord[0].st).rg;
 #else

@@ -102,12 +102,18 @@ std::string showSurface(osg::StateSet* state, const std::string& file, const osg
     const bool missing = !file.empty() && !albedo;
     const ImageRef relief = albedo ? readMap(file, "_normal") : nullptr;
     const ImageRef roughness = albedo ? readMap(file, "_roughness") : nullptr,
-                   through = albedo ? readMap(file, "_translucency") : nullptr;
+                   through = albedo ? readMap(file, "_translucency") : nullptr,
+                   under = albedo && cutOut ? readMap(file, "_back") : nullptr;
     if (!albedo) albedo = plainImage(plain);
     if (cutOut) albedo = cutOutImage(*albedo);
     state->setTextureAttributeAndModes(kAlbedoUnit, makeTexture(albedo));
     state->setTextureAttributeAndModes(kReliefUnit, makeTexture(relief ? relief : plainImage({0.5f, 0.5f, 1, 1})));
     state->setTextureAttributeAndModes(kGlossUnit, makeTexture(glossImage(roughness, through, cutOut)));
+    if (under)
+        state->setTextureAttributeAndModes(kUnderUnit, makeTexture(under));
+    else
+        state->removeTextureAttribute(kUnderUnit, osg::StateAttribute::TEXTURE);
+    state->getOrCreateUniform("underSide", osg::Uniform::FLOAT)->set(under ? 1.0f : 0.0f);
     state->getOrCreateUniform("reliefDepth", osg::Uniform::FLOAT)->set(relief ? 1.0f : 0.0f);
     return missing ? "cannot show the picture " + file : std::string();
 }

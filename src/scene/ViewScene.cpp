@@ -79,6 +79,7 @@ CViewScene::CViewScene()
     setInteger(m_state, "picture", kAlbedoUnit);
     setInteger(m_state, "relief", kReliefUnit);
     setInteger(m_state, "gloss", kGlossUnit);
+    setInteger(m_state, "under", kUnderUnit);
     setFloat(m_state, "alphaCut", kAlphaCut);
     setFloat(m_state, "smoothEdges", 0);
     osg::StateSet* state = m_tree->getOrCreateStateSet();

@@ -12,9 +12,9 @@ namespace {
 constexpr std::size_t kGrain = 256;
 constexpr int kTaperedShape = 4; // ShapeRatio of the leaves along the parent
 
-/// The frame carried towards a plumb line.
-Frame hanging(const Frame& frame, double share) {
-    const glm::dvec3 axis = (1 - share) * frame[2] + share * glm::dvec3(0, 0, -1);
+/// The frame carried towards the plumb line: down for −1, up for 1.
+Frame raised(const Frame& frame, double rise) {
+    const glm::dvec3 axis = (1 - std::abs(rise)) * frame[2] + glm::dvec3(0, 0, rise);
     const double length = glm::length(axis);
     return length > 1e-9 ? transported(frame, axis / length) : frame;
 }
@@ -24,8 +24,11 @@ double wrapped(double angle) { return std::remainder(angle, 2 * std::numbers::pi
 
 OrganRule organRule(const GlobalParams& g, Organ organ) {
     switch (organ) {
-    case Organ::Blossom: return {g.blossoms, 1, 1, g.blossomScale, g.blossomScale, g.leafBend, 0, kDrawBlossomId};
-    case Organ::Fruit: return {g.fruits, 1, 1, g.fruitScale, g.fruitScale * g.fruitScaleX, 0, 0.85, kDrawFruitId};
+    case Organ::Blossom:
+        return {
+            g.blossoms,    1, 1, g.blossomScale, g.blossomScale, g.leafBend * (1 - std::abs(g.blossomUp)), g.blossomUp,
+            kDrawBlossomId};
+    case Organ::Fruit: return {g.fruits, 1, 1, g.fruitScale, g.fruitScale * g.fruitScaleX, 0, -0.85, kDrawFruitId};
     default: break;
     }
     const double length = g.leafScale / std::sqrt(g.leafQuality);
@@ -159,7 +162,7 @@ void CLeafGrower::growFans(const CGeneration& generation, std::uint32_t s, CLeaf
 }
 
 CLeaf CLeafGrower::makeLeaf(const glm::dvec3& position, const Frame& frame, std::uint32_t stem) const {
-    const Frame bent = bentToLight(m_rule.hang > 0 ? hanging(frame, m_rule.hang) : frame, position, m_rule.bend);
+    const Frame bent = bentToLight(m_rule.rise != 0 ? raised(frame, m_rule.rise) : frame, position, m_rule.bend);
     return {position, bent[2], bent[1], m_rule.length, m_rule.width, stem};
 }
 

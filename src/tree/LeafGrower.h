@@ -14,7 +14,7 @@ struct OrganRule {
     int whorl;            ///< at one place
     double length, width; ///< metres
     double bend;          ///< to the light, 0..1
-    double hang;          ///< 0 stands off its stem, 1 hangs down
+    double rise;          ///< −1 hangs down, 0 stands off its stem, 1 stands upright
     std::uint32_t purpose;
 };
 OrganRule organRule(const GlobalParams& global, Organ organ);

@@ -103,6 +103,54 @@ TEST(TrunkSurface, HasLobesAroundTheGround) {
     EXPECT_GE(looked, 2u * 40u) << "eight points a lobe";
 }
 
+TEST(TrunkSurface, HasRootsThatReachOutAndEnd) {
+    CParams params = plainTrunk();
+    params.global.roots = 5;
+    params.global.rootReach = 2;
+    params.global.rootHeight = 0.2;
+    const Trunk trunk = trunkOf(params);
+    const StemMeasures& m = trunk.stem().measures;
+    std::vector<bool> reached(24);
+    double farthest = 0;
+    forEachWallVertex(*trunk.mesh, [&](const glm::vec3& p, const glm::vec2&) {
+        const double out = std::hypot(double(p.x), double(p.y)) / m.radius - 1;
+        EXPECT_GT(out, -1e-4);
+        if (p.z > 0.2001 * m.length) {
+            EXPECT_NEAR(out, 0, 1e-4);
+        }
+        if (p.z > 1e-6 * m.length) return;
+        farthest = std::max(farthest, out);
+        const auto sector = static_cast<std::size_t>((std::atan2(p.y, p.x) / std::numbers::pi + 1) * 11.999);
+        reached[sector] = reached[sector] || out > 1.25;
+    });
+    EXPECT_GT(farthest, 1.6);
+    EXPECT_LT(farthest, 2.7);
+    int roots = 0; // sectors where one begins
+    for (std::size_t i = 0; i < reached.size(); ++i) roots += reached[i] && !reached[(i + 23) % 24];
+    EXPECT_EQ(roots, 5);
+    EXPECT_EQ(inWords(trunk.faults()), "");
+}
+
+TEST(TrunkSurface, RootsAreSoundHoweverTheyReach) {
+    for (const int roots : {1, 4, 9})
+        for (const double reach : {0.4, 3.0, 9.0})
+            for (const double height : {0.01, 0.2, 1.0})
+                for (const int lobes : {0, 7}) {
+                    CParams params = plainTrunk();
+                    params.level[0].curve = 40;
+                    params.level[0].taper = 1;
+                    params.global.flare = 0.6;
+                    params.global.roots = roots;
+                    params.global.rootReach = reach;
+                    params.global.rootHeight = height;
+                    params.global.lobes = lobes;
+                    params.global.lobeDepth = 0.1;
+                    const Trunk trunk = trunkOf(params);
+                    EXPECT_EQ(inWords(trunk.faults()), "")
+                        << roots << " roots, reach " << reach << ", height " << height << ", " << lobes << " lobes";
+                }
+}
+
 TEST(TrunkSurface, TheTextureGoesAroundAndAlong) {
     CParams params = plainTrunk();
     params.global.textureWrapX = 3;

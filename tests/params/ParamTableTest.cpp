@@ -29,6 +29,7 @@ const std::map<std::string, double>& specified() {
                                           {"Trunks", 1},          {"TrunksSpread", 0.2},
                                           {"TrunksLean", 10},     {"Blossoms", 0},
                                           {"BlossomScale", 0.05}, {"BlossomMonth", 4.5},
+                                          {"BlossomUp", 0},       {"BlossomPlanes", 1},
                                           {"Fruits", 0},          {"FruitScale", 0.07},
                                           {"FruitScaleX", 1},     {"FruitStalk", 0.3},
                                           {"FruitMonth", 9},      {"LeafFold", 0},
@@ -40,12 +41,13 @@ const std::map<std::string, double>& specified() {
                                           {"TextureWrapX", 1},    {"TextureWrapY", 1},
                                           {"MinRadius", 0.0005},  {"CloneHalving", 1},
                                           {"Seed", 13},           {"LobeFade", 1},
-                                          {"0Length", 1},         {"1Length", 0.5},
-                                          {"2Length", 0.5},       {"3Length", 0.5},
-                                          {"0CurveRes", 3},       {"1CurveRes", 3},
-                                          {"2CurveRes", 1},       {"3CurveRes", 1},
-                                          {"1Branches", 10},      {"2Branches", 5},
-                                          {"3Branches", 5}};
+                                          {"Roots", 0},           {"RootReach", 1.2},
+                                          {"RootHeight", 0.12},   {"0Length", 1},
+                                          {"1Length", 0.5},       {"2Length", 0.5},
+                                          {"3Length", 0.5},       {"0CurveRes", 3},
+                                          {"1CurveRes", 3},       {"2CurveRes", 1},
+                                          {"3CurveRes", 1},       {"1Branches", 10},
+                                          {"2Branches", 5},       {"3Branches", 5}};
         for (const std::string n : {"0", "1", "2", "3"}) {
             for (const char* zero :
                  {"LengthV", "Curve", "CurveBack", "CurveV", "SegSplits", "SplitAngle", "SplitAngleV"})
@@ -146,7 +148,7 @@ TEST(ParamTable, IntegersAreRounded) {
         EXPECT_FALSE(ref.set(params, ref.info->range.min + 0.7)) << ref.key();
         EXPECT_EQ(ref.get(params), ref.info->range.min + 1) << ref.key();
     }
-    EXPECT_EQ(integers, 15 + 4 + 3 + 3); // whole tree, nCurveRes, nBranches, nWhorl
+    EXPECT_EQ(integers, 17 + 4 + 3 + 3); // whole tree, nCurveRes, nBranches, nWhorl
 }
 
 TEST(ParamTable, KeysAreFound) {
@@ -176,10 +178,10 @@ TEST(FirstObsolete, NothingForTheSameTree) { EXPECT_EQ(firstObsolete(CParams(), 
 
 TEST(FirstObsolete, EveryRowNamesItsStage) {
     const std::vector<std::string> nothing{"ZScale", "ZScaleV"};
-    const std::vector<std::string> mesh{"MinRadius",    "Lobes",      "LobeDepth", "LobeFade",     "LeafShape",
-                                        "LeafForm",     "LeafStalk",  "LeafFold",  "LeafRounding", "TextureWrapX",
-                                        "TextureWrapY", "LeafPlanes", "Season",    "Evergreen",    "BlossomMonth",
-                                        "FruitStalk",   "FruitMonth"};
+    const std::vector<std::string> mesh{
+        "MinRadius",  "Lobes",    "LobeDepth", "LobeFade",     "Roots",         "RootReach",    "RootHeight",
+        "LeafShape",  "LeafForm", "LeafStalk", "LeafFold",     "LeafRounding",  "TextureWrapX", "TextureWrapY",
+        "LeafPlanes", "Season",   "Evergreen", "BlossomMonth", "BlossomPlanes", "FruitStalk",   "FruitMonth"};
     const auto in = [](const std::vector<std::string>& list, const std::string& key) {
         return std::ranges::find(list, key) != list.end();
     };
@@ -212,7 +214,7 @@ TEST(FirstObsolete, TheLevelBehindTheLastPlacesTheLeaves) {
 
 TEST(FirstObsolete, LeavesAlone) {
     for (const char* key : {"Leaves", "LeafScale", "LeafScaleX", "LeafBend", "LeafQuality", "LeafWhorl", "Blossoms",
-                            "BlossomScale", "Fruits", "FruitScale", "FruitScaleX"})
+                            "BlossomScale", "BlossomUp", "Fruits", "FruitScale", "FruitScaleX"})
         EXPECT_EQ(afterChangeOf(param(key), CParams()), (Obsolete{Stage::Structure, Obsolete::kLeaves})) << key;
 }
 

@@ -88,6 +88,19 @@ TEST(Organs, BlossomsAndFruitsLeaveTheLeavesAlone) {
     }
 }
 
+TEST(Organs, BlossomsStandUprightOrHang) {
+    const auto meanRise = [](double up) {
+        const auto tree = grow(with(whorled(1), {{"Blossoms", 9}, {"BlossomUp", up}}));
+        double sum = 0;
+        for (const CLeaf& blossom : *tree->shared(Organ::Blossom)) sum += blossom.axis.z;
+        return sum / double(tree->shared(Organ::Blossom)->size());
+    };
+    EXPECT_NEAR(meanRise(1), 1, 1e-9);
+    EXPECT_NEAR(meanRise(-1), -1, 1e-9);
+    EXPECT_GT(meanRise(0.5), meanRise(0) + 0.1);
+    EXPECT_LT(meanRise(-0.5), meanRise(0) - 0.1);
+}
+
 TEST(Season, MakesAndTakesTheLeaves) {
     const auto at = [](double month, bool evergreen = false) {
         GlobalParams g = CParams().global;

@@ -8,15 +8,16 @@ constexpr int kParamLevels = 4; ///< sets of level values; generation 4 and deep
 
 /// Values of the whole tree. Lengths in metres, angles in degrees. What each means stands in the parameter table.
 struct GlobalParams {
-    double scale, scaleV, zScale, zScaleV, baseSize, ratio, ratioPower, lobeDepth, lobeFade, flare, attractionUp;
+    double scale, scaleV, zScale, zScaleV, baseSize, ratio, ratioPower, lobeDepth, lobeFade, rootReach, rootHeight,
+        flare, attractionUp;
     double trunkScale, trunkScaleV;
     double trunksSpread, trunksLean;
     double leafScale, leafScaleX, leafBend, leafQuality, leafFold, leafStalk, leafRounding;
-    double season, blossomScale, blossomMonth, fruitScale, fruitScaleX, fruitStalk, fruitMonth;
+    double season, blossomScale, blossomUp, blossomMonth, fruitScale, fruitScaleX, fruitStalk, fruitMonth;
     double pruneRatio, pruneWidth, pruneWidthPeak, prunePowerLow, prunePowerHigh;
     double textureWrapX, textureWrapY, minRadius;
-    int shape, levels, lobes, baseSplits, leaves, leafShape, leafForm, cloneHalving, seed;
-    int trunks, evergreen, leafWhorl, leafPlanes, blossoms, fruits;
+    int shape, levels, lobes, roots, baseSplits, leaves, leafShape, leafForm, cloneHalving, seed;
+    int trunks, evergreen, leafWhorl, leafPlanes, blossoms, blossomPlanes, fruits;
 
     bool operator==(const GlobalParams&) const = default;
 };
