@@ -33,11 +33,29 @@ void applySetting(CParams& params, const CommonOptions& common, const std::strin
     if (result == SetResult::Clamped) say(common, "--set: warning: " + problem);
 }
 
+/// Recipes are read when they are drawn, which may be late or never; a wrong one is told at once.
+void refuseBadRecipes(const CParams& params, const CTreeFile& file) {
+    Messages faults;
+    for (const TextInfo& text : textTable()) {
+        const std::string& value = params.text.*text.field;
+        if (!text.path() || !isRecipe(value)) continue;
+        try {
+            const CRecipe recipe(value);
+        } catch (const CError& e) {
+            if (value != file.params().text.*text.field)
+                throw CUsageError("--set: " + std::string(text.key) + ": " + e.what());
+            faults.push_back(file.errorAt(&text, e.what()));
+        }
+    }
+    if (!faults.empty()) throw CInputError(std::move(faults));
+}
+
 CParams readParams(const CommonOptions& common) {
     const CTreeFile file = CTreeFile::read(common.file);
     for (const Message& warning : file.warnings()) say(common, warning.toString());
     CParams params = file.params();
     for (const std::string& setting : common.settings) applySetting(params, common, setting);
+    refuseBadRecipes(params, file);
     return params;
 }
 

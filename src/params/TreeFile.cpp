@@ -70,7 +70,7 @@ std::string unquoted(std::string_view value) {
 /// Reads the lines of one text; collects what is wrong.
 class CTreeFile::CParser {
 public:
-    explicit CParser(std::string name) : m_name(std::move(name)) {}
+    explicit CParser(std::string name) : m_name(std::move(name)) { m_file.m_name = m_name; }
 
     CTreeFile parse(std::string_view text) {
         if (const auto why = whyNotText(text))
@@ -266,6 +266,17 @@ CTreeFile CTreeFile::read(const std::filesystem::path& path) {
 }
 
 CTreeFile CTreeFile::parse(const std::string& text, const std::string& name) { return CParser(name).parse(text); }
+
+Message CTreeFile::errorAt(const ParamTarget& target, std::string text) const {
+    Message message{Severity::Error, m_name, 0, 0, std::move(text)};
+    for (std::size_t i = 0; i < m_lines.size(); ++i) {
+        const auto found = m_lines[i].key.empty() ? std::nullopt : findParam(m_lines[i].key);
+        if (!found || keyOf(*found) != keyOf(target)) continue;
+        message.line = static_cast<int>(i) + 1;
+        message.column = columnOf(m_lines[i].raw, m_lines[i].valueBegin);
+    }
+    return message;
+}
 
 std::string CTreeFile::text(const CParams& params) const {
     if (m_lines.empty()) return newFileText(params);

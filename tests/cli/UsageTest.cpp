@@ -115,6 +115,22 @@ TEST(Usage, WarningsOfTheFileNameThePlace) {
     EXPECT_TRUE(Json::accept(run.out)) << run.out;
 }
 
+TEST(Usage, WrongRecipesNameThePlace) {
+    const CTemporaryFolder folder;
+    const std::string file = (folder / "wrong.tree").string();
+    writeFile(file,
+              "Format = 1\nLevels = 2\n  BarkTexture =  \"bark:furowed\"\nLeafTexture = \"leaf:oak lobes=600\"\n");
+    const ProcessResult run = cli({"info", file});
+    EXPECT_EQ(run.status, 1);
+    EXPECT_NE(run.err.find("wrong.tree:3:18: error: there is no bark 'furowed', did you mean 'furrowed'?"),
+              std::string::npos)
+        << run.err;
+    EXPECT_NE(run.err.find("wrong.tree:4:15: error: "), std::string::npos) << run.err;
+    const Words mended{"--set", "BarkTexture=bark:furrowed", "--set", "LeafTexture="};
+    EXPECT_EQ(cli({"info", file, mended[0], mended[1], mended[2], mended[3]}).status, 0);
+    EXPECT_EQ(cli(inSmallTree({"--set", "BarkTexture=bark:furowed"})).status, 2);
+}
+
 TEST(Usage, ATooLargeTreeEndsWithOne) {
     for (const char* command : {"info", "structure"})
         expectStatus(1, {command, kAspen, "--set", "1Branches=5000", "--set", "2Branches=5000"}, "million vertices");

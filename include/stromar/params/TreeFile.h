@@ -22,6 +22,8 @@ public:
 
     const CParams& params() const { return m_params; }
     const Messages& warnings() const { return m_warnings; }
+    /// What others find wrong with a value, at its place in the file.
+    Message errorAt(const ParamTarget& target, std::string text) const;
 
     /// The file's text with the values of `params`: only lines whose value differs from what was read change, values
     /// without a line are added at the end of their group. Without lines: all values, group by group.
@@ -39,6 +41,7 @@ private:
 
     std::string changedLine(const Line& line, const CParams& params) const;
 
+    std::string m_name; ///< of the file, in messages
     std::vector<Line> m_lines;
     CParams m_params;
     Messages m_warnings;
