@@ -9,6 +9,8 @@ namespace stromar {
 namespace fs = std::filesystem;
 
 namespace {
+constexpr double kCardsTake = 0.45; // of a detail's share of triangles, on the average of the presets
+
 /// The model's name with only letters that every format and reader takes inside a line, a name or a path.
 std::string plainName(const fs::path& path) {
     constexpr std::string_view kUnsafe = " \"'\\#%&{}<>*?/$!:@+`|=,;()[]~^";
@@ -127,7 +129,7 @@ void exportModel(const TreeModel& model, const fs::path& treeFolder, const fs::p
 
 double estimatedBytes(double fullVertices, const ExportOptions& options, const Format& format) {
     double share = 0;
-    for (const Detail* detail : detailsOf(options)) share += detail->share;
+    for (const Detail* detail : detailsOf(options)) share += detail->share * (detail->twigPlanes > 0 ? kCardsTake : 1);
     return share * fullVertices * format.bytesPerVertex;
 }
 
