@@ -69,6 +69,9 @@ bool available(QString& why) {
     return false;
 }
 
-int bestSamples() { return drawsInSoftware() ? 0 : kSamples; }
+int bestSamples() {
+    const bool best = !drawsInSoftware() && thisDisplay().version >= std::pair(3, 3);
+    return best ? kSamples : 0;
+}
 
 } // namespace stromar::display

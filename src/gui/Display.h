@@ -11,7 +11,8 @@ namespace display {
 QSurfaceFormat surfaceFormat(int samples);
 /// Whether this display has the OpenGL that is needed; else `why` tells the user what is missing.
 bool available(QString& why);
-/// For multisampling: 0 where pictures are computed by the processor (llvmpipe …), which is far too slow for more.
+/// For multisampling and the best looks: 0 before OpenGL 3.3 and where pictures are computed by the processor (llvmpipe
+/// …), which is far too slow for more.
 int bestSamples();
 
 } // namespace display
