@@ -117,10 +117,10 @@ TextureMaps readPngs(const std::filesystem::path& path) {
 }
 
 void writePngs(const TextureMaps& maps, const std::filesystem::path& path, CFileSet& files) {
-    writePng(maps.albedo, maps.width, maps.height, path, files);
     for (const MapFile& map : kMaps)
         if (const std::uint8_t* pixels = map.pixels(maps))
             writePng(files.create(mapBeside(path, map.suffix)), maps.width, maps.height, map.channels, pixels);
+    writePng(maps.albedo, maps.width, maps.height, path, files); // the last: who sees it sees its maps
 }
 
 } // namespace stromar

@@ -1,6 +1,7 @@
 #include "stromar/util/FileSet.h"
 #include <algorithm>
 #include <array>
+#include <atomic>
 #include <cerrno>
 #include <cstring>
 #include <exception>
@@ -149,8 +150,11 @@ public:
     const fs::path& path() const { return m_path; }
 
 private:
+    /// Another for every file, so that threads that write the same one do not meet.
     static fs::path temporaryBeside(const fs::path& path) {
-        return path.parent_path() / ("." + path.filename().string() + ".part" + std::to_string(::getpid()));
+        static std::atomic<unsigned> number = 0;
+        return path.parent_path() /
+               ("." + path.filename().string() + ".part" + std::to_string(::getpid()) + "-" + std::to_string(++number));
     }
     int open() const {
         struct ::stat old {};

@@ -1,8 +1,10 @@
 #include "stromar/util/FileSet.h"
 #include "util/TemporaryFolder.h"
+#include <atomic>
 #include <csignal>
 #include <gtest/gtest.h>
 #include <sys/resource.h>
+#include <thread>
 
 namespace stromar {
 namespace {
@@ -220,6 +222,24 @@ TEST(FileSet, KeepsThePermissionsOfWhatItReplaces) {
     fs::permissions(folder / "private", fs::perms::owner_read | fs::perms::owner_write);
     writeFile(folder / "private", "new");
     EXPECT_EQ(fs::status(folder / "private").permissions(), fs::perms::owner_read | fs::perms::owner_write);
+}
+
+TEST(FileSet, ThreadsThatWriteTheSameFileDoNotMeet) {
+    const CTemporaryFolder folder;
+    const fs::path path = folder / "same";
+    std::atomic<int> broken = 0;
+    const auto write = [&](char letter) {
+        for (int i = 0; i < 20; ++i) {
+            writeFile(path, std::string(300'000, letter));
+            const std::string read = readFile(path);
+            if (read.size() != 300'000 || read.find_first_not_of(read.front()) != std::string::npos) ++broken;
+        }
+    };
+    std::jthread one(write, 'a'), other(write, 'b');
+    one.join();
+    other.join();
+    EXPECT_EQ(broken, 0);
+    EXPECT_EQ(folder.names(), (std::set<std::string>{"same"}));
 }
 
 TEST(FileSet, CopiesFiles) {
