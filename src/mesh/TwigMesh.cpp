@@ -59,7 +59,7 @@ public:
         : m_generation(tree.generation(tree.generationCount() - 1)), m_twig(twig), m_plan(plan), m_rounding(rounding),
           m_mesh(mesh), m_rows(plan.rows + 1), m_points(2 * m_rows.size()) {
         for (std::uint32_t row = 0; row < plan.rows; ++row)
-            for (const std::uint32_t corner : {0, 1, 3, 0, 3, 2}) m_corners.push_back(2 * row + corner);
+            for (const std::uint32_t corner : {0u, 1u, 3u, 0u, 3u, 2u}) m_corners.push_back(2 * row + corner);
     }
 
     void write(std::size_t card) {
