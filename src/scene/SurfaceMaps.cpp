@@ -46,7 +46,8 @@ Pixels pixelsOf(const osg::Image& image) {
         for (int x = 0; x < image.s(); ++x) {
             const osg::Vec4 c = image.getColor(static_cast<unsigned>(x), static_cast<unsigned>(y));
             for (int i = 0; i < 4; ++i)
-                row[x][static_cast<std::size_t>(i)] = static_cast<std::uint8_t>(c[i] * 255 + 0.5f);
+                row[x][static_cast<std::size_t>(i)] =
+                    static_cast<std::uint8_t>(c[static_cast<unsigned>(i)] * 255 + 0.5f);
         }
     }
     return pixels;

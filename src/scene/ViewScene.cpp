@@ -163,8 +163,8 @@ void CViewScene::setQuality(int samples) {
     for (const Surface surface : kSurfaces) {
         if (!surfaceOf(surface).cutOut) continue;
         osg::StateSet* state = m_surfaces[static_cast<std::size_t>(surface)]->getOrCreateStateSet();
-        for (const unsigned mode : {GL_SAMPLE_ALPHA_TO_COVERAGE, GL_SAMPLE_ALPHA_TO_ONE})
-            state->setMode(mode, best ? osg::StateAttribute::ON : osg::StateAttribute::OFF);
+        for (const int mode : {GL_SAMPLE_ALPHA_TO_COVERAGE, GL_SAMPLE_ALPHA_TO_ONE})
+            state->setMode(static_cast<unsigned>(mode), best ? osg::StateAttribute::ON : osg::StateAttribute::OFF);
     }
 }
 
