@@ -2,8 +2,8 @@
 #include "stromar/texture/Opacity.h"
 #include "stromar/util/Random.h"
 #include "stromar/util/Text.h"
+#include <algorithm>
 #include <cmath>
-#include <cstring>
 #include <glm/geometric.hpp>
 
 namespace stromar {

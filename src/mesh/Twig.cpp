@@ -3,8 +3,8 @@
 #include "LeafBlade.h"
 #include "StraightStem.h"
 #include "TubeWriter.h"
+#include <algorithm>
 #include <cmath>
-#include <numeric>
 #include <optional>
 
 namespace stromar {
