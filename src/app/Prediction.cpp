@@ -1,5 +1,7 @@
 #include "stromar/app/Prediction.h"
+#include "stromar/app/Pictures.h"
 #include "stromar/mesh/MeshBuilder.h"
+#include "stromar/mesh/Twig.h"
 #include "stromar/params/Season.h"
 #include <algorithm>
 #include <cmath>
@@ -86,6 +88,9 @@ double addedRings(const CParams& params, const Detail& detail, int generation, c
 
 Prediction predictSize(const CParams& params, const Detail& detail) {
     const GlobalParams& g = params.global;
+    const Phenology season = phenologyOf(g);
+    // Where some leaves have fallen, none may be left by chance.
+    const bool onCards = detail.twigPlanes > 0 && season.leaves == 1 && isBakeable(params) && suitsCards(params);
     Prediction size{0, 0, 0};
     double stems = g.trunks, lastPaths = 1;
     for (int generation = 0; generation < g.levels; ++generation) {
@@ -98,11 +103,10 @@ Prediction predictSize(const CParams& params, const Detail& detail) {
         const double collars = generation == 0 ? 0 : points > 3 ? detail.collarRings : std::min(1, detail.collarRings);
         const double rings = bound.segments + 2 * bound.paths + collars + addedRings(params, detail, generation, bound);
         size.stems += stems;
-        size.vertices += stems * (rings + 2 * bound.paths) * (points + 1);
+        if (!onCards || generation + 1 < g.levels) size.vertices += stems * (rings + 2 * bound.paths) * (points + 1);
         lastPaths = bound.paths;
     }
     if (g.levels < 2) return size;
-    const Phenology season = phenologyOf(g);
     const auto shareOf = [&](Organ organ) {
         return organ == Organ::Leaf ? season.leaves : organ == Organ::Blossom ? season.blossoms : season.fruits;
     };
@@ -113,8 +117,10 @@ Prediction predictSize(const CParams& params, const Detail& detail) {
         const double there = shareOf(organ) > 0 ? count : 0;
         const double share = std::max(double(kFewOrgans), std::ceil(there * detail.share));
         const double drawn = std::min({double(detail.leafBudget), share, there});
-        size.vertices += double(verticesPerOrgan(params, organ, detail)) * drawn;
         if (organ == Organ::Leaf) size.leaves = count;
+        size.vertices += organ == Organ::Leaf && onCards
+                             ? std::min(4 * std::ceil(there * detail.share), stems * double(mostVerticesOfCard(detail)))
+                             : double(verticesPerOrgan(params, organ, detail)) * drawn;
     };
     add(Organ::Leaf, g.leaves * g.leafQuality, g.leafWhorl);
     add(Organ::Blossom, g.blossoms, 1);

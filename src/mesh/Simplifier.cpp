@@ -150,10 +150,9 @@ private:
     Disc discAt(const CStem& stem, const CPath& path, const Ring& ring) const {
         const CCentreLine::Place place = m_line.at(ring.segment, ring.t);
         const std::uint32_t position = path.firstPosition + ring.segment - path.firstSegment;
-        // As it is drawn: m_spacing is also the least radius that single precision can show there.
         const double radius = m_surface.outerRadius(stem, m_generation.segments[ring.segment], position, ring.t);
-        return {ring, place.centre, place.frame[2],
-                place.stretch * std::max({radius, m_surface.minRadius(), m_spacing})};
+        const double floor = m_surface.drawnFloor(stem, m_generation.segments[stem.firstSegment]);
+        return {ring, place.centre, place.frame[2], place.stretch * std::max(radius, floor)};
     }
 
     /// Whether two rings would touch or one reach through the other, so that the wall between them folds.

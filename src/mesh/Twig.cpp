@@ -3,6 +3,7 @@
 #include "LeafBlade.h"
 #include "StraightStem.h"
 #include "TubeWriter.h"
+#include "stromar/params/Season.h"
 #include <algorithm>
 #include <cmath>
 #include <optional>
@@ -10,8 +11,8 @@
 namespace stromar {
 
 namespace {
-constexpr double kFewestLeaves = 4;  // of a stem, on average
-constexpr double kLongest = 16;      // stem, in leaves' lengths
+constexpr double kFewestLeaves = 6; // of a stem at most; shorter ones have half of them
+constexpr double kLongest = 32;     // stem as long as can be, in leaves' lengths; most have half of that
 constexpr double kFlat = 0.35;       // spread out of the plane over that in it
 constexpr double kMostTilt = 0.9;    // radians between a leaf that is seen best and one in the picture
 constexpr double kShowsBack = -0.25; // of a normal's z
@@ -23,15 +24,14 @@ constexpr double kPi = 3.14159265358979323846;
 struct Bearers {
     std::vector<std::uint32_t> leaves; ///< of each stem
     double count = 0, total = 0;       ///< stems with leaves; their leaves
-    double stemLength = 0, leafLength = 0;
+    double stemLength = 0;             ///< mean, metres
 };
 
 Bearers bearersOf(const CTree& tree, const CGeneration& last, double share) {
     Bearers bearers{std::vector<std::uint32_t>(last.stems.size(), 0)};
-    forEachPresent(tree, Organ::Leaf, share, [&](std::size_t i, std::uint32_t stem) {
+    forEachPresent(tree, Organ::Leaf, share, [&](std::size_t, std::uint32_t stem) {
         ++bearers.leaves[stem];
         bearers.total += 1;
-        bearers.leafLength += tree.leaves()[i].length;
     });
     for (std::size_t s = 0; s < last.stems.size(); ++s) {
         if (bearers.leaves[s] == 0) continue;
@@ -39,13 +39,7 @@ Bearers bearersOf(const CTree& tree, const CGeneration& last, double share) {
         bearers.stemLength += last.stems[s].measures.length;
     }
     bearers.stemLength /= std::max(1.0, bearers.count);
-    bearers.leafLength /= std::max(1.0, bearers.total);
     return bearers;
-}
-
-bool areWorthCards(const Bearers& bearers) {
-    return bearers.count > 0 && bearers.total >= kFewestLeaves * bearers.count &&
-           bearers.stemLength <= kLongest * bearers.leafLength;
 }
 
 /// The stem that is nearest to the mean by its leaves and its length, rather one without clones.
@@ -193,13 +187,23 @@ void frame(Twig& twig) {
 }
 } // namespace
 
+bool suitsCards(const CParams& params) {
+    const GlobalParams& g = params.global;
+    const Phenology season = phenologyOf(g);
+    double length = g.scale;
+    for (int level = 0; level < g.levels; ++level)
+        length *= params.level[static_cast<std::size_t>(std::min(level, kParamLevels - 1))].length;
+    return g.levels >= 2 && season.leafSize > 0 && std::abs(g.leaves) * g.leafQuality * season.leaves >= kFewestLeaves &&
+           length <= kLongest * g.leafScale / std::sqrt(g.leafQuality);
+}
+
 std::shared_ptr<const Twig> typicalTwig(const CTree& tree, const CParams& params, const CProgress& progress) {
-    if (tree.generationCount() < 2 || tree.leaves().empty()) return nullptr;
+    if (!suitsCards(params)) return nullptr;
     const GlobalParams global = CTreeParams(params, 0, tree.scaleTree()).global();
     const Seasonal season = seasonalOf(global, Organ::Leaf);
     const CGeneration& last = tree.generation(tree.generationCount() - 1);
     const Bearers bearers = bearersOf(tree, last, season.share);
-    if (season.size <= 0 || !areWorthCards(bearers)) return nullptr;
+    if (bearers.count == 0) return nullptr;
     progress.poll();
     const std::uint32_t chosen = typicalStem(last, bearers);
     const std::vector<const CLeaf*> leaves = leavesOf(tree, chosen, season.share);

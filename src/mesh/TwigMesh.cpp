@@ -11,7 +11,7 @@ namespace stromar {
 namespace {
 constexpr std::size_t kGrain = 512;
 constexpr double kBendPerRow = 0.5; // radians
-constexpr double kMostRows = 4;
+constexpr int kMostRows = 4;
 constexpr double kLeastGrowth = 0.7; // of areas
 constexpr double kMostCut = 2;       // length of a stem over that of its card
 constexpr double kMostBent = 0.3;    // cosine between a normal and the triangles around it
@@ -42,7 +42,7 @@ CardPlan planCards(const CTree& tree, const Twig& twig, double share, const Deta
     const double budget = std::min(double(detail.leafBudget), std::ceil(total * detail.share));
     const double perStem = budget / std::max(1.0, double(bearers.size()));
     const double planes = twig.flat || perStem < detail.twigPlanes ? 1 : detail.twigPlanes;
-    const double wanted = std::clamp(std::ceil(twig.bend / kBendPerRow), 1.0, kMostRows);
+    const double wanted = std::clamp(std::ceil(twig.bend / kBendPerRow), 1.0, double(kMostRows));
     plan.planes = static_cast<std::uint32_t>(planes);
     plan.rows = static_cast<std::uint32_t>(std::clamp(std::floor(perStem / planes), 1.0, wanted));
     const auto most = static_cast<std::size_t>(budget) / (plan.planes * plan.rows);
@@ -173,6 +173,10 @@ private:
     std::vector<Point> m_points;          ///< two of each row
 };
 } // namespace
+
+std::size_t mostVerticesOfCard(const Detail& detail) {
+    return 2 * static_cast<std::size_t>(detail.twigPlanes * (kMostRows + 1));
+}
 
 std::shared_ptr<const CMesh> meshOfTwigs(const CTree& tree, const Twig& twig, const CParams& params,
                                          const Detail& detail, const CProgress& progress) {

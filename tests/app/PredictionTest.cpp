@@ -61,15 +61,11 @@ TEST(Prediction, IsNearForThePresets) {
     for (const Sample& sample : presets())
         for (const Detail& detail : detailTable()) {
             const Prediction predicted = predictSize(sample.params, detail);
-            // Twigs are known less well than leaves, and are counted where cards may stand for them.
-            const bool bare = phenologyOf(sample.params.global).leaves == 0, cards = detail.twigPlanes > 0;
+            const bool full = phenologyOf(sample.params.global).leaves == 1; // what has fallen is known less well
             const auto model = createAnew(sample.params, detail);
             EXPECT_LE(predicted.stems, 8 * double(model->tree->stemCount())) << sample.name;
             EXPECT_LE(predicted.leaves, 8 * double(model->tree->leaves().size())) << sample.name;
-            EXPECT_LE(predicted.vertices, (cards  ? 27
-                                           : bare ? 18
-                                                  : 9) *
-                                              double(model->vertexCount()))
+            EXPECT_LE(predicted.vertices, (full ? 9 : 18) * double(model->vertexCount()))
                 << sample.name << ", " << detail.name;
         }
 }

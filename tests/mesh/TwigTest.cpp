@@ -127,7 +127,7 @@ TEST(Twig, IsOfNoUseForFewLeavesAndLongStems) {
 
 TEST(Twig, OfRandomTreesIsSoundAndTheSameForEveryNumberOfThreads) {
     int looked = 0;
-    for (std::uint64_t number = 1; number <= 250; ++number) {
+    for (std::uint64_t number = 1; number <= 300; ++number) {
         const CParams params = randomParams(number);
         const auto [tree, twig] = cardsOf(params);
         if (!twig) continue;

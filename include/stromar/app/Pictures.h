@@ -11,7 +11,8 @@ namespace stromar {
 /// The folder of the presets, textures and manual that come with the program.
 std::filesystem::path dataFolder();
 
-/// What a surface that the user can choose shows: the tree's own picture or recipe, with the month where it changes a recipe, else the standard.
+/// What a surface that the user can choose shows: the tree's own picture or recipe, with the month where it changes a
+/// recipe, else the standard.
 std::string pictureOf(const CParams& params, Surface surface);
 
 /// A preview of a leaf is small and quickly drawn, for a slider that is being dragged.

@@ -13,7 +13,7 @@ struct Detail {
     Model model;
     int lod;               ///< 0..3, of the full model
     int ringPoints;        ///< of a ring as thick as the trunk; thinner stems have fewer by the root, 3 at least
-    int lobePoints;        ///< for each lobe, at least; 0: lobes are drawn where the ring has four points for each
+    int lobePoints;        ///< for each lobe or root, at least; 0: they are drawn where the ring has four points for each
     double mostTurn;       ///< degrees between rings of a stem as thick as the trunk, thinner ones bend more; 0: mitres
     double leastTurn;      ///< degrees, likewise: rings between smaller turns are left out; 0 draws all
     int helixRings;        ///< per turn of a helix

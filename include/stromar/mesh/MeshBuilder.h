@@ -87,7 +87,7 @@ std::vector<StemMesh> meshAllStems(const CTree& tree, const CParams& params, con
 
 /// The leaves by LeafShape, LeafForm, LeafFold, LeafPlanes and LeafStalk, seen from above; blossoms as cards, fruits as
 /// ellipsoids. As many and as large as the season has them. Only those on the stems that `last`, the plan of the last
-/// generation, chose; at most the detail's share, enlarged to keep their area as far as kMostLeafGrowth allows. Throws
+/// generation, chose; at most the detail's share or kFewOrgans, enlarged to keep their area as far as kMostLeafGrowth allows. Throws
 /// CCancelled.
 std::shared_ptr<const CMesh> meshOfOrgans(const CTree& tree, Organ organ, const MeshPlan& last, const CParams& params,
                                           const Detail& detail, const CProgress& progress);

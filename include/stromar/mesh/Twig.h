@@ -25,8 +25,11 @@ struct Twig {
     double cardArea() const { return (high.x - low.x) * (high.y - low.y); }
 };
 
-/// Null where cards of whole twigs gain nothing: stems that bear few leaves, or are too long for the leaves to be seen
-/// in a picture. The season counts: what has fallen is not there. Linear in the leaves. Throws CCancelled.
+/// Whether cards of whole twigs gain something: not where stems bear few leaves (the season counts), or are too long for
+/// the leaves to be seen in a picture.
+bool suitsCards(const CParams& params);
+
+/// Null where !suitsCards(), and for a tree without leaves. Linear in the leaves. Throws CCancelled.
 std::shared_ptr<const Twig> typicalTwig(const CTree& tree, const CParams& params, const CProgress& progress);
 
 /// A card for every stem of the last generation that bears leaves, bent with it, in the detail's number of planes. No
@@ -34,5 +37,6 @@ std::shared_ptr<const Twig> typicalTwig(const CTree& tree, const CParams& params
 /// shows as much leaf as its stem has, as far as kMostLeafGrowth allows. Throws CCancelled.
 std::shared_ptr<const CMesh> meshOfTwigs(const CTree& tree, const Twig& twig, const CParams& params,
                                          const Detail& detail, const CProgress& progress);
+std::size_t mostVerticesOfCard(const Detail& detail);
 
 } // namespace stromar
