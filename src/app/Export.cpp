@@ -59,29 +59,29 @@ std::string placed(const fs::path& picture, const fs::path& copy, ExportedTextur
 }
 
 /// Which surface looks how; the pictures are put where the options want them.
-std::vector<SurfaceLook> looksOf(const TreeModel& model, const std::vector<Meshes>& lods, const ExportOptions& options,
+std::vector<Material> materialsOf(const TreeModel& model, const std::vector<Meshes>& lods, const ExportOptions& options,
                                  const Format& format, const fs::path& treeFolder, const fs::path& path,
                                  CFileSet& files) {
-    std::vector<SurfaceLook> looks;
+    std::vector<Material> materials;
     auto textures = static_cast<ExportedTextures>(options.textures);
     if (textures == ExportedTextures::Format)
         textures = format.pictures == Pictures::Inside ? ExportedTextures::Embed : ExportedTextures::Copy;
     for (const Surface surface : kSurfaces) {
         const SurfaceInfo& info = surfaceOf(surface);
         if (!isInEveryFile(info) && !isUsed(lods, surface)) continue;
-        SurfaceLook& look = looks.emplace_back(SurfaceLook{surface, info.name, {}, {}, info.colour, info.cutOut});
+        Material& material = materials.emplace_back(Material{surface, info.name, {}, {}, info.colour, info.cutOut});
         if (format.pictures == Pictures::None) continue;
-        look.picture = textureOf(model, surface, treeFolder);
-        const fs::path copy = pictureBeside(path, surface, look.picture);
-        look.texture = placed(look.picture, copy, textures, path, files);
+        material.picture = textureOf(model, surface, treeFolder);
+        const fs::path copy = pictureBeside(path, surface, material.picture);
+        material.texture = placed(material.picture, copy, textures, path, files);
         if (!format.maps) continue;
-        for (auto [map, suffix] : {std::pair{&look.normal, "_normal"}, std::pair{&look.roughness, "_roughness"}}) {
-            const fs::path picture = mapBeside(look.picture, suffix);
+        for (auto [map, suffix] : {std::pair{&material.normal, "_normal"}, std::pair{&material.roughness, "_roughness"}}) {
+            const fs::path picture = mapBeside(material.picture, suffix);
             if (std::error_code problem; !fs::is_regular_file(picture, problem)) continue;
             *map = {placed(picture, mapBeside(copy, suffix), textures, path, files), picture};
         }
     }
-    return looks;
+    return materials;
 }
 
 fs::path withSuffix(const fs::path& path, const std::string& suffix) {
@@ -108,9 +108,9 @@ void exportModels(const std::vector<std::shared_ptr<const TreeModel>>& lods, con
     const TreeModel& coarsest = *lods.back(); // only coarse ones have pictures of twigs, all the same
     makePictures(coarsest, treeFolder, progress);
     CFileSet files(progress, static_cast<std::uint64_t>(format->bytesPerVertex * double(vertices)));
-    const auto looks = looksOf(coarsest, meshes, options, *format, treeFolder, path, files);
+    const auto materials = materialsOf(coarsest, meshes, options, *format, treeFolder, path, files);
     const auto write = [&](const std::string& suffix, std::size_t first, std::size_t count) {
-        ExportModel model{plainName(path) + suffix, arranged(meshes[first], options, *format), {}, looks};
+        ExportModel model{plainName(path) + suffix, arranged(meshes[first], options, *format), {}, materials};
         for (std::size_t i = first + 1; i < first + count; ++i)
             model.coarser.push_back(arranged(meshes[i], options, *format));
         format->write(model, withSuffix(path, suffix), files);

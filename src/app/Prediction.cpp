@@ -2,6 +2,7 @@
 #include "stromar/app/Pictures.h"
 #include "stromar/mesh/MeshBuilder.h"
 #include "stromar/mesh/Twig.h"
+#include "stromar/model/MeshValues.h"
 #include "stromar/params/Season.h"
 #include <algorithm>
 #include <cmath>
@@ -86,11 +87,26 @@ double addedRings(const CParams& params, const Detail& detail, int generation, c
 }
 } // namespace
 
+BearerBound bearerBound(const CParams& params) {
+    const GlobalParams& g = params.global;
+    if (g.levels < 2) return {};
+    double length = g.scale;
+    for (int level = 0; level < g.levels; ++level)
+        length *= params.level[static_cast<std::size_t>(std::min(level, kParamLevels - 1))].length;
+    return {std::abs(g.leaves) * g.leafQuality, length, g.leafScale / std::sqrt(g.leafQuality)};
+}
+
+bool mayShowCards(const CParams& params, const Detail& detail) {
+    return detail.twigPlanes > 0 && isBakeable(params) &&
+           suitsCards(bearerBound(params), meshParamsOf(params).seasonOf(Organ::Leaf));
+}
+
 Prediction predictSize(const CParams& params, const Detail& detail) {
     const GlobalParams& g = params.global;
     const Phenology season = phenologyOf(g);
     // Where some leaves have fallen, none may be left by chance.
-    const bool onCards = detail.twigPlanes > 0 && season.leaves == 1 && isBakeable(params) && suitsCards(params);
+    const bool onCards = season.leaves == 1 && mayShowCards(params, detail);
+    const MeshParams mesh = meshParamsOf(params);
     Prediction size{0, 0, 0};
     double stems = g.trunks, lastPaths = 1;
     for (int generation = 0; generation < g.levels; ++generation) {
@@ -120,7 +136,7 @@ Prediction predictSize(const CParams& params, const Detail& detail) {
         if (organ == Organ::Leaf) size.leaves = count;
         size.vertices += organ == Organ::Leaf && onCards
                              ? std::min(4 * std::ceil(there * detail.share), stems * double(mostVerticesOfCard(detail)))
-                             : double(verticesPerOrgan(params, organ, detail)) * drawn;
+                             : double(verticesPerOrgan(mesh, organ, detail)) * drawn;
     };
     add(Organ::Leaf, g.leaves * g.leafQuality, g.leafWhorl);
     add(Organ::Blossom, g.blossoms, 1);

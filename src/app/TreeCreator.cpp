@@ -1,6 +1,7 @@
 #include "stromar/app/TreeCreator.h"
 #include "stromar/app/Pictures.h"
 #include "stromar/app/Prediction.h"
+#include "stromar/model/MeshValues.h"
 #include "stromar/params/ParamTable.h"
 #include "stromar/util/Text.h"
 #include <algorithm>
@@ -25,18 +26,18 @@ private:
 };
 
 bool meshIsStale(const CParams& made, const CParams& wanted, int generation) {
-    const Obsolete obsolete = firstObsolete(made, wanted);
-    return obsolete.stage <= Stage::Mesh && obsolete.generation <= generation;
+    const Invalidation invalid = invalidationOf(made, wanted);
+    return invalid.stage <= Stage::Mesh && invalid.generation <= generation;
 }
 
 /// The mesh that was made before, if it still shows `source` with these values, else a new one.
-template <typename Made, typename Shown, typename Make>
-std::shared_ptr<const CMesh> keptOr(Made& made, int generation, const std::shared_ptr<const void>& source,
-                                    const CParams& params, Shown shown, Make&& make) {
-    if (!made.stems.mesh || made.source != source || made.shown != shown ||
+template <typename Made, typename Drawn, typename Make>
+std::shared_ptr<const CMesh> reuseOrMake(Made& made, int generation, const std::shared_ptr<const void>& source,
+                                         const CParams& params, Drawn drawn, Make&& make) {
+    if (!made.stems.mesh || made.source != source || made.drawn != drawn ||
         meshIsStale(made.params, params, generation)) {
         made = {}; // first the memory of the old mesh
-        made = {source, make(), params, shown};
+        made = {source, make(), params, drawn};
     }
     return made.stems.mesh;
 }
@@ -48,32 +49,6 @@ std::string countText(double count) {
     return "more than a million million";
 }
 } // namespace
-
-void TreeModel::visitMeshes(const MeshVisitor& visit) const {
-    for (std::size_t g = 0; g < stems.size(); ++g)
-        if (stems[g]->vertexCount() > 0) visit(stems[g], static_cast<int>(g));
-    for (const Organ organ : kOrgans)
-        if (const auto& mesh = organs[static_cast<std::size_t>(organ)]; mesh->vertexCount() > 0)
-            visit(mesh, kLeaves - static_cast<int>(organ));
-}
-
-std::vector<std::shared_ptr<const CMesh>> TreeModel::meshes() const {
-    std::vector<std::shared_ptr<const CMesh>> all;
-    visitMeshes([&](const auto& mesh, int) { all.push_back(mesh); });
-    return all;
-}
-
-std::size_t TreeModel::vertexCount() const {
-    std::size_t count = 0;
-    for (const auto& mesh : meshes()) count += mesh->vertexCount();
-    return count;
-}
-
-std::size_t TreeModel::triangleCount() const {
-    std::size_t count = 0;
-    for (const auto& mesh : meshes()) count += mesh->triangleCount();
-    return count;
-}
 
 CTreeCreator::CTreeCreator(bool varied, double mostVertices)
     : m_varied(varied), m_mostVertices(mostVertices), m_builder(std::make_unique<CWeberPennBuilder>(varied)),
@@ -96,37 +71,45 @@ std::shared_ptr<const TreeModel> CTreeCreator::create(const CParams& params, con
     model->milliseconds.structure = watch.lap();
     progress.report(0.5);
 
-    if (detail.twigPlanes > 0 && isBakeable(params)) model->twig = typicalTwig(*m_tree, params, progress);
+    const MeshParams mesh = meshParamsOf(params);
+    if (mayShowCards(params, detail)) model->twig = typicalTwig(*m_tree, mesh, progress);
     MadeMeshes& made = m_made[static_cast<std::size_t>(&detail - detailTable().data())];
     const int generations = static_cast<int>(m_tree->generationCount());
-    made.resize(m_tree->generationCount() + kOrgans.size());
+    made.resize(m_tree->generationCount() + kOrgans.size() + 1);
+    std::vector<const MeshPlan*> plans;
     for (int g = 0; g < generations; ++g) {
         const auto slot = static_cast<std::size_t>(g);
-        const bool onCards = model->twig && g + 1 == generations;
-        const Shown shown = onCards ? Shown::AsCards : isSparse(*m_tree, g, detail) ? Shown::Part : Shown::All;
-        model->stems.push_back(keptOr(made[slot], g, m_tree->generations()[slot], params, shown, [&] {
-            if (onCards) return noStems(*m_tree, g);
+        const bool onCards = model->twig && slot == cardGeneration(*m_tree);
+        const Drawn drawn = onCards ? Drawn::AsCards : isSparse(*m_tree, g, detail) ? Drawn::Part : Drawn::All;
+        model->stems.push_back(reuseOrMake(made[slot], g, m_tree->generations()[slot], params, drawn, [&] {
+            if (onCards) return emptyStemMesh(*m_tree, g);
             const StemMesh* parents = g > 0 ? &made[slot - 1].stems : nullptr;
-            StemMesh stems{planRings(*m_tree, g, params, detail, parents, progress), nullptr};
+            StemMesh stems{planRings(*m_tree, g, mesh, detail, parents, progress), nullptr};
             model->milliseconds.smooth += watch.lap();
-            stems.mesh = meshOfStems(*m_tree, g, stems.plan, params, progress);
+            stems.mesh = meshOfStems(*m_tree, g, stems.plan, mesh, progress);
             return stems;
         }));
+        plans.push_back(&made[slot].stems.plan);
         model->milliseconds.mesh += watch.lap();
         progress.report(0.5 + 0.4 * (g + 1) / generations);
     }
-    const MeshPlan& last = made[m_tree->generationCount() - 1].stems.plan;
     for (const Organ organ : kOrgans) {
         const auto i = static_cast<std::size_t>(organ);
         const bool onCards = model->twig && organ == Organ::Leaf;
         model->organs[i] =
-            keptOr(made[m_tree->generationCount() + i], Obsolete::kLeaves, m_tree->shared(organ), params,
-                   onCards ? Shown::AsCards : Shown::All, [&] {
-                       return StemMesh{{},
-                                       onCards ? meshOfTwigs(*m_tree, *model->twig, params, detail, progress)
-                                               : meshOfOrgans(*m_tree, organ, last, params, detail, progress)};
-                   });
+            reuseOrMake(made[m_tree->generationCount() + i], Invalidation::kLeaves, m_tree->shared(organ), params,
+                        onCards ? Drawn::AsCards : Drawn::All, [&] {
+                            return StemMesh{{}, meshOfOrgans(*m_tree, organ, plans, mesh, detail, progress,
+                                                             onCards ? cardGeneration(*m_tree) : kNoGeneration)};
+                        });
     }
+    if (model->twig)
+        model->cards = reuseOrMake(made.back(), Invalidation::kLeaves, m_tree->shared(Organ::Leaf), params,
+                                   Drawn::AsCards, [&] {
+                                       return StemMesh{{}, meshOfTwigs(*m_tree, *model->twig, mesh, detail, progress)};
+                                   });
+    else
+        made.back() = {};
     model->milliseconds.mesh += watch.lap();
     model->milliseconds.total = model->milliseconds.structure + model->milliseconds.smooth + model->milliseconds.mesh;
     progress.report(1);
@@ -142,9 +125,11 @@ void CTreeCreator::refuseTooLarge(const CParams& params, const Detail& detail) c
 }
 
 void CTreeCreator::updateTree(const CParams& params, const CProgress& progress) {
-    const Obsolete obsolete = m_tree ? firstObsolete(m_treeParams, params) : Obsolete{Stage::Structure, 0};
-    if (obsolete.stage > Stage::Structure) return;
-    m_tree = m_builder->build(params, m_tree.get(), obsolete.generation, progress);
+    const Invalidation invalid = m_tree ? invalidationOf(m_treeParams, params) : Invalidation{Stage::Structure, 0};
+    if (invalid.stage > Stage::Mesh) return;
+    // The form of the trunks' bases is part of the tree, though no generation has to grow for it.
+    const int first = invalid.stage == Stage::Structure ? invalid.generation : Invalidation::kNone;
+    m_tree = m_builder->build(params, m_tree.get(), first, progress);
     m_treeParams = params;
     dropStaleMeshes();
 }

@@ -2,6 +2,7 @@
 #include "stromar/app/Export.h"
 #include "stromar/app/Formats.h"
 #include "stromar/mesh/MeshCheck.h"
+#include "stromar/model/MeshValues.h"
 #include "stromar/params/TreeFile.h"
 #include "stromar/texture/Draw.h"
 #include "stromar/util/Text.h"
@@ -74,8 +75,8 @@ Json generationInfo(const CTree& tree, std::size_t g) {
     const CGeneration& generation = tree.generation(g);
     double length = 0, radius = 0;
     for (const CStem& stem : generation.stems) {
-        length += stem.measures.length;
-        radius += stem.measures.radius;
+        length += stem.length;
+        radius += stem.radius;
     }
     return {{"generation", g},
             {"stems", generation.stems.size()},
@@ -105,16 +106,17 @@ std::size_t meshBytes(const TreeModel& model) {
 /// Area of the drawn leaves as a part of all leaves': thinning costs what growth cannot make up for.
 double leafAreaKept(const TreeModel& model) {
     if (const Twig* twig = model.twig.get())
-        return std::min(1.0, model.leaves()->area() * twig->shownArea / twig->cardArea() / twig->allLeafArea);
+        return std::min(1.0, model.cards->area() * twig->shownArea / twig->cardArea() / twig->allLeafArea);
     const double all = double(model.tree->leaves().size());
-    const double drawn = double(model.leaves()->vertexCount() / verticesPerOrgan(model.params, Organ::Leaf, *model.detail));
+    const double drawn = double(model.leaves()->vertexCount() / verticesPerOrgan(meshParamsOf(model.params), Organ::Leaf, *model.detail));
     return drawn > 0 ? std::min(1.0, kMostLeafGrowth * kMostLeafGrowth * drawn / all) : all > 0 ? 0 : 1;
 }
 
-/// Leaves by the stem of the last generation that bears them.
-std::vector<std::size_t> leafCounts(const CTree& tree) {
-    std::vector<std::size_t> counts(tree.generation(tree.generationCount() - 1).stems.size(), 0);
-    for (const CLeaf& leaf : tree.leaves()) ++counts[leaf.stem];
+/// Leaves by generation and stem.
+std::vector<std::vector<std::size_t>> leafCounts(const CTree& tree) {
+    std::vector<std::vector<std::size_t>> counts;
+    for (const auto& generation : tree.generations()) counts.emplace_back(generation->stems.size(), 0);
+    for (const CLeaf& leaf : tree.leaves()) ++counts[leaf.generation][leaf.stem];
     return counts;
 }
 
@@ -126,9 +128,9 @@ Json stemInfo(const CGeneration& generation, std::size_t g, std::size_t index, s
             {"parent", stem.parent},
             {"path", stem.path},
             {"segment", stem.position},
-            {"offset", stem.measures.offset},
-            {"length", stem.measures.length},
-            {"radius", stem.measures.radius},
+            {"offset", stem.offset},
+            {"length", stem.length},
+            {"radius", stem.radius},
             {"base", array(first.position)},
             {"direction", array(first.frame[2])},
             {"segments", stem.segmentCount},
@@ -168,7 +170,7 @@ void printInfo(const CommonOptions& common, const ModelOptions& options, std::os
         {"species", model->params.text.species},
         {"seed", model->params.global.seed},
         {"method", model->params.text.method},
-        {"scale_tree", model->tree->scaleTree()},
+        {"scale_tree", model->tree->height()},
         {"generations", generations},
         {"leaves", model->tree->leaves().size()},
         {"model", options.simple ? "simple" : "full"},
@@ -185,12 +187,11 @@ void printInfo(const CommonOptions& common, const ModelOptions& options, std::os
 void printStructure(const CommonOptions& common, std::ostream& out, const CProgress& progress) {
     const auto model = createModel(common, detailOf(Model::Simple), progress);
     const CTree& tree = *model->tree;
-    const std::vector<std::size_t> leaves = leafCounts(tree);
+    const std::vector<std::vector<std::size_t>> leaves = leafCounts(tree);
     for (std::size_t g = 0; g < tree.generationCount(); ++g) {
-        const bool last = g + 1 == tree.generationCount();
         const CGeneration& generation = tree.generation(g);
         for (std::size_t s = 0; s < generation.stems.size(); ++s) {
-            out << stemInfo(generation, g, s, last ? leaves[s] : 0).dump() << "\n";
+            out << stemInfo(generation, g, s, leaves[g][s]).dump() << "\n";
             progress.poll();
         }
     }
@@ -199,7 +200,7 @@ void printStructure(const CommonOptions& common, std::ostream& out, const CProgr
 bool checkMeshes(const CommonOptions& common, const ModelOptions& options, std::ostream& out,
                  const CProgress& progress) {
     const auto model = createModel(common, options.detail(), progress);
-    const auto all = meshAllStems(*model->tree, model->params, options.detail(), progress);
+    const auto all = meshAllStems(*model->tree, meshParamsOf(model->params), options.detail(), progress);
     printFaultsHead(out);
     bool sound = true;
     for (std::size_t g = 0; g < all.size(); ++g) {
@@ -207,7 +208,9 @@ bool checkMeshes(const CommonOptions& common, const ModelOptions& options, std::
         const MeshFaults faults = checkStems(*model->tree, static_cast<int>(g), all[g], g > 0 ? &all[g - 1] : nullptr);
         sound &= printFaults(all[g].mesh->name, faults, out);
     }
-    sound &= printFaults(model->leaves()->name, checkLeaves(*model->leaves()), out);
+    for (const auto& leaves : {model->leaves(), model->cards})
+        if (leaves && (leaves != model->leaves() || !model->cards || leaves->vertexCount() > 0))
+            sound &= printFaults(leaves->name, checkLeaves(*leaves), out);
     out << (sound ? "all sound\n" : "something is wrong\n");
     return sound;
 }

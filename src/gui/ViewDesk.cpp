@@ -128,12 +128,12 @@ void CViewDesk::describeStem(std::size_t generation, const CStem& stem, std::siz
     model.selection = linesOf(all, stem);
     QStringList rows{
         tr("%1, stem %2 of %3").arg(levelTitle(int(generation))).arg(number + 1).arg(all.stems.size()),
-        tr("Length %1, radius %2").arg(lengthText(stem.measures.length), lengthText(stem.measures.radius))};
+        tr("Length %1, radius %2").arg(lengthText(stem.length), lengthText(stem.radius))};
     if (stem.parent >= 0)
         rows << tr("On %1, stem %2, at %3")
                     .arg(levelTitle(int(generation) - 1))
                     .arg(stem.parent + 1)
-                    .arg(lengthText(stem.measures.offset));
+                    .arg(lengthText(stem.offset));
     if (stem.pathCount > 1) rows << tr("Split into %n path(s)", nullptr, static_cast<int>(stem.pathCount));
     model.selectionText = rows.join(QLatin1Char('\n'));
 }
@@ -148,7 +148,7 @@ void CViewDesk::describeLeaf(std::size_t number) {
         tr("Leaf %1 of %2\nLength %3, width %4\nOn %5, stem %6")
             .arg(number + 1)
             .arg(tree.leaves().size())
-            .arg(lengthText(leaf.length), lengthText(leaf.width), levelTitle(int(tree.generationCount()) - 1))
+            .arg(lengthText(leaf.length), lengthText(leaf.width), levelTitle(int(leaf.generation)))
             .arg(leaf.stem + 1);
 }
 
@@ -180,7 +180,7 @@ void CViewDesk::updateOverlay() {
     model.params = m_document.params();
     model.guide = m_guide;
     model.statistics = statistics();
-    if (m_view) model.scaleTree = m_view->model->tree->scaleTree();
+    if (m_view) model.scaleTree = m_view->model->tree->height();
     const ViewLook& look = m_viewport.look();
     model.person = look.ground ? std::optional(m_viewport.scene().personAt()) : std::nullopt;
     model.personText = lengthText(CViewScene::kPersonHeight);

@@ -96,7 +96,7 @@ aiMesh* makeMesh(const CMesh& mesh, std::size_t material) {
     return made;
 }
 
-aiMaterial* makeMaterial(const SurfaceLook& look) {
+aiMaterial* makeMaterial(const Material& look) {
     auto* material = new aiMaterial;
     const aiString name(look.name), texture(look.texture);
     material->AddProperty(&name, AI_MATKEY_NAME);
@@ -111,18 +111,18 @@ aiMaterial* makeMaterial(const SurfaceLook& look) {
 /// A node per mesh under one that bears the model's name. `turn` maps our axes to the file's.
 std::unique_ptr<aiScene> makeScene(const ExportModel& model, const aiMatrix4x4& turn) {
     auto scene = std::make_unique<aiScene>();
-    const auto meshes = static_cast<unsigned>(model.meshes.size()), looks = static_cast<unsigned>(model.looks.size());
+    const auto meshes = static_cast<unsigned>(model.meshes.size()), materials = static_cast<unsigned>(model.materials.size());
     scene->mNumMeshes = meshes;
     scene->mMeshes = new aiMesh*[meshes];
-    scene->mNumMaterials = looks;
-    scene->mMaterials = new aiMaterial*[looks];
-    for (unsigned i = 0; i < looks; ++i) scene->mMaterials[i] = makeMaterial(model.looks[i]);
+    scene->mNumMaterials = materials;
+    scene->mMaterials = new aiMaterial*[materials];
+    for (unsigned i = 0; i < materials; ++i) scene->mMaterials[i] = makeMaterial(model.materials[i]);
     scene->mRootNode = new aiNode(model.name);
     scene->mRootNode->mTransformation = turn;
     scene->mRootNode->mNumChildren = meshes;
     scene->mRootNode->mChildren = new aiNode*[meshes];
     for (unsigned i = 0; i < meshes; ++i) {
-        scene->mMeshes[i] = makeMesh(*model.meshes[i], model.lookIndex(*model.meshes[i]));
+        scene->mMeshes[i] = makeMesh(*model.meshes[i], model.materialIndex(*model.meshes[i]));
         auto* node = scene->mRootNode->mChildren[i] = new aiNode(model.meshes[i]->name);
         node->mParent = scene->mRootNode;
         node->mNumMeshes = 1;

@@ -70,7 +70,7 @@ private:
         m_gltf.samplers.emplace_back();
         m_gltf.samplers[0].minFilter = TINYGLTF_TEXTURE_FILTER_LINEAR_MIPMAP_LINEAR;
         m_gltf.samplers[0].magFilter = TINYGLTF_TEXTURE_FILTER_LINEAR;
-        for (const SurfaceLook& look : m_source.looks) {
+        for (const Material& look : m_source.materials) {
             tinygltf::Material material;
             material.name = look.name;
             material.pbrMetallicRoughness.metallicFactor = 0;
@@ -171,7 +171,7 @@ private:
         const std::size_t count = mesh->vertexCount();
         tinygltf::Primitive primitive;
         primitive.mode = TINYGLTF_MODE_TRIANGLES;
-        primitive.material = static_cast<int>(m_source.lookIndex(*mesh));
+        primitive.material = static_cast<int>(m_source.materialIndex(*mesh));
         auto& attributes = primitive.attributes;
         attributes["POSITION"] = addVertices<glm::vec3>(count, TINYGLTF_TYPE_VEC3,
                                                         [mesh](std::size_t v) { return yUp(mesh->positions[v]); });
@@ -258,7 +258,7 @@ void writeWord(std::ostream& out, std::uint32_t word) { out.write(reinterpret_ca
 } // namespace
 
 void writeGlb(const ExportModel& model, const std::filesystem::path& path, CFileSet& files) {
-    const CGltf gltf(model, model.looks[0].texture.empty());
+    const CGltf gltf(model, model.materials[0].texture.empty());
     std::string json = gltf.json({});
     json.append((4 - json.size() % 4) % 4, ' ');
     const std::uint64_t length = 12 + 8 + json.size() + 8 + gltf.bufferBytes();
@@ -272,7 +272,7 @@ void writeGlb(const ExportModel& model, const std::filesystem::path& path, CFile
 }
 
 void writeGltf(const ExportModel& model, const std::filesystem::path& path, CFileSet& files) {
-    const CGltf gltf(model, model.looks[0].texture.empty());
+    const CGltf gltf(model, model.materials[0].texture.empty());
     const std::string buffer = model.name + ".bin";
     files.create(path) << gltf.json(buffer);
     gltf.writeBuffer(files.create(path.parent_path() / buffer));

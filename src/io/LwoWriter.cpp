@@ -97,7 +97,7 @@ void addPolygonTags(Out& out, const ExportModel& model) {
     for (const auto& mesh : model.meshes)
         for (std::size_t t = 0; t < mesh->triangleCount(); ++t) {
             putIndex(out, polygon++);
-            out.u16(static_cast<std::uint16_t>(model.lookIndex(*mesh)));
+            out.u16(static_cast<std::uint16_t>(model.materialIndex(*mesh)));
         }
 }
 
@@ -138,7 +138,7 @@ void addTextureBlock(Out& out, std::uint32_t image) {
     putIndex(out, image);
 }
 
-void addSurface(Out& out, const SurfaceLook& look, std::uint32_t image) {
+void addSurface(Out& out, const Material& look, std::uint32_t image) {
     const CChunk surface(out, "SURF");
     putName(out, look.name);
     putName(out, "");
@@ -169,7 +169,7 @@ void writeLwo(const ExportModel& model, const std::filesystem::path& path, CFile
         out.text("LWO2");
         {
             const CChunk tags(out, "TAGS");
-            for (const SurfaceLook& look : model.looks) putName(out, look.name);
+            for (const Material& look : model.materials) putName(out, look.name);
         }
         {
             const CChunk layer(out, "LAYR");
@@ -182,9 +182,9 @@ void writeLwo(const ExportModel& model, const std::filesystem::path& path, CFile
         addTexCoords(out, model);
         addPolygons(out, model);
         addPolygonTags(out, model);
-        for (std::uint32_t i = 0; i < model.looks.size(); ++i)
-            if (!model.looks[i].texture.empty()) addImage(out, i + 1, model.looks[i].texture);
-        for (std::uint32_t i = 0; i < model.looks.size(); ++i) addSurface(out, model.looks[i], i + 1);
+        for (std::uint32_t i = 0; i < model.materials.size(); ++i)
+            if (!model.materials[i].texture.empty()) addImage(out, i + 1, model.materials[i].texture);
+        for (std::uint32_t i = 0; i < model.materials.size(); ++i) addSurface(out, model.materials[i], i + 1);
     }
     files.create(path).write(out.bytes().data(), static_cast<std::streamsize>(out.size()));
 }

@@ -6,7 +6,7 @@ namespace stromar {
 namespace {
 void writeMaterials(const ExportModel& model, std::ostream& stream) {
     CTextOut out(stream);
-    for (const SurfaceLook& look : model.looks) {
+    for (const Material& look : model.materials) {
         out << "newmtl " << look.name << "\nKa 1 1 1\nKd ";
         if (look.texture.empty())
             out << look.colour.x << " " << look.colour.y << " " << look.colour.z;
@@ -51,7 +51,7 @@ void writeObj(const ExportModel& model, const std::filesystem::path& path, CFile
     out << "# " << model.name << "\n# metres, y up\nmtllib " << library.filename().string() << "\n";
     std::size_t first = 1;
     for (const auto& mesh : model.meshes) {
-        out << "o " << mesh->name << "\nusemtl " << model.lookOf(*mesh).name << "\n";
+        out << "o " << mesh->name << "\nusemtl " << model.materialOf(*mesh).name << "\n";
         writeVertices(*mesh, out);
         writeFaces(*mesh, first, out);
         first += mesh->vertexCount();

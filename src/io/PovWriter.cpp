@@ -42,7 +42,7 @@ std::string_view imageType(const std::string& file) {
     return "png";
 }
 
-void putTexture(CTextOut& out, const SurfaceLook& look) {
+void putTexture(CTextOut& out, const Material& look) {
     out << "#declare Tree_" << look.name << " = texture {\n";
     if (look.texture.empty())
         out << "  pigment { rgb <" << look.colour.x << "," << look.colour.y << "," << look.colour.z << "> }\n";
@@ -52,7 +52,7 @@ void putTexture(CTextOut& out, const SurfaceLook& look) {
     out << "  finish { diffuse " << (look.cutOut ? "0.6, 0.4" : "0.85") << " ambient 0.12 }\n}\n";
 }
 
-void putMesh(CTextOut& out, const CMesh& mesh, const SurfaceLook& look) {
+void putMesh(CTextOut& out, const CMesh& mesh, const Material& look) {
     out << "mesh2 { // " << mesh.name << "\n";
     putList(out, "vertex_vectors", mesh.positions, [&](const glm::vec3& p) { put(out, p); });
     putList(out, "normal_vectors", mesh.normals, [&](const glm::vec3& n) { put(out, n); });
@@ -94,9 +94,9 @@ void putStage(CTextOut& out, const Bounds& box) {
 void writePov(const ExportModel& model, const std::filesystem::path& path, CFileSet& files) {
     CTextOut out(files.create(path));
     out << "// " << model.name << "\n// metres, y up\n#version 3.7;\n";
-    for (const SurfaceLook& look : model.looks) putTexture(out, look);
+    for (const Material& look : model.materials) putTexture(out, look);
     out << "#declare Tree = union {\n";
-    for (const auto& mesh : model.meshes) putMesh(out, *mesh, model.lookOf(*mesh));
+    for (const auto& mesh : model.meshes) putMesh(out, *mesh, model.materialOf(*mesh));
     out << "}\n";
     putStage(out, boundsOf(model));
     out.flush();

@@ -71,7 +71,7 @@ void addMap(Out& out, ChunkId id, const std::string& file, std::uint16_t flags) 
     out.u16(flags);
 }
 
-void addMaterial(Out& out, const SurfaceLook& look) {
+void addMaterial(Out& out, const Material& look) {
     const CChunk material(out, kMaterial);
     {
         const CChunk name(out, kMaterialName);
@@ -152,12 +152,12 @@ void write3ds(const ExportModel& model, const std::filesystem::path& path, CFile
             const CChunk version(out, kMeshVersion);
             out.u32(3);
         }
-        for (const SurfaceLook& look : model.looks) addMaterial(out, look);
+        for (const Material& look : model.materials) addMaterial(out, look);
         for (std::size_t m = 0; m < model.meshes.size(); ++m) {
             const CMesh& mesh = *model.meshes[m];
             const auto parts = cutIntoChunks(mesh, kMostPerChunk, kMostPerChunk);
             for (std::size_t p = 0; p < parts.size(); ++p)
-                addObject(out, mesh, parts[p], objectName(m, mesh, p), model.lookOf(mesh).name);
+                addObject(out, mesh, parts[p], objectName(m, mesh, p), model.materialOf(mesh).name);
         }
     }
     files.create(path).write(out.bytes().data(), static_cast<std::streamsize>(out.size()));

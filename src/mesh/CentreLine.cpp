@@ -36,15 +36,9 @@ Frame CCentreLine::frameOfFirst(const CStem& stem, const CPath& path) const {
     return transported(frame, own[2]);
 }
 
-const CSegment* CCentreLine::segmentBelow(const CStem& stem, std::uint32_t i) const {
-    if (i > 0) return &m_generation.segments[m_path->firstSegment + i - 1];
-    if (m_path->source < 0) return nullptr;
-    const CPath& source = m_generation.paths[stem.firstPath + static_cast<std::uint32_t>(m_path->source)];
-    return &m_generation.segments[source.firstSegment + m_path->firstPosition - 1 - source.firstPosition];
-}
-
 CCentreLine::Joint CCentreLine::jointAt(const CStem& stem, std::uint32_t i, double mostTurn) const {
-    const CSegment* below = segmentBelow(stem, i);
+    const CSegment* below = i > 0 ? &m_generation.segments[m_path->firstSegment + i - 1]
+                                  : m_generation.segmentBelow(stem, *m_path);
     if (!below) return {};
     const CSegment& above = m_generation.segments[m_path->firstSegment + i];
     Joint joint{.kind = below->forks ? Kind::Fork : Kind::Bend, .axisBelow = below->frame[2]};
@@ -52,7 +46,7 @@ CCentreLine::Joint CCentreLine::jointAt(const CStem& stem, std::uint32_t i, doub
     joint.turn = 2 * std::asin(sine);
     const bool helix = below->helixRadius > 0 || above.helixRadius > 0;
     if (mostTurn <= 0 || joint.turn <= mostTurn || joint.turn < kLeastTurn || helix) return joint;
-    const double radius = m_surface.woodRadius(stem, above, m_path->firstPosition + i, 0);
+    const double radius = m_surface.woodRadius(stem, above, 0);
     const int pieces = std::min(kMostBendRings, static_cast<int>(std::ceil(joint.turn / mostTurn)));
     if (joint.kind == Kind::Fork) {
         const double reach = std::min(kBehindFork * above.length, kOffAxis * radius / (kForkOffAxis * sine));

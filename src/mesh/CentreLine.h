@@ -44,7 +44,6 @@ private:
     };
 
     Frame frameOfFirst(const CStem& stem, const CPath& path) const;
-    const CSegment* segmentBelow(const CStem& stem, std::uint32_t i) const;
     Joint jointAt(const CStem& stem, std::uint32_t i, double mostTurn) const;
     Place onBend(const Joint& joint, const Frame& above, const glm::dvec3& corner, double along) const;
     Place behindFork(const Joint& joint, const Frame& above, const glm::dvec3& fork, double along) const;

@@ -15,9 +15,10 @@ constexpr double kSteepest = 0.2;     // sine of the angle to the parent below w
 constexpr double kAboveSurface = 0.3; // radii between the collar's highest point and the first own ring
 constexpr int kHalvings = 8;          // to find the edge of the parent when a point misses it
 
-/// Where a ring stands along its stem, in segments from the stem's base.
-double placeOf(const CPath& path, const Ring& ring) {
-    return path.firstPosition + (ring.segment - path.firstSegment) + ring.t;
+/// Where a ring stands along its stem, metres from the stem's base.
+double placeOf(const CGeneration& generation, const Ring& ring) {
+    const CSegment& segment = generation.segments[ring.segment];
+    return segment.start + ring.t * segment.length;
 }
 
 /// Length of the drawn centre line.
@@ -34,11 +35,10 @@ double Collar::leastGap() const {
 const Collar* CCollarMaker::make(const CStem& stem, std::span<const CSegment> branch, double radius,
                                  std::uint32_t points) {
     const CStem& parent = m_parents.stems[static_cast<std::size_t>(stem.parent)];
-    const CPath& path = m_parents.paths[parent.firstPath + stem.path];
-    const CSegment& wood = m_parents.segments[path.firstSegment + stem.position - path.firstPosition];
+    const CSegment& wood = m_parents.segmentAt(parent, stem.path, stem.position);
     m_reach = reachOf(stem, wood.frame[2], branch[0].tangent(0), radius);
     if (!collectTriangles(stem)) return nullptr;
-    const auto exit = findExit(stem, branch);
+    const auto exit = findExit(branch);
     if (!exit) return nullptr;
 
     const glm::dvec3 axis = exit->frame[2];
@@ -59,24 +59,23 @@ const Collar* CCollarMaker::make(const CStem& stem, std::span<const CSegment> br
     }
     const double rise = highest + kAboveSurface * radius;
     if (exit->helixArc > 0 && rise > kOfHelixTurn * exit->helixArc) return nullptr;
-    const double segmentLength = stem.measures.length / stem.curveRes;
-    m_collar.clear = exit->place * segmentLength + rise * (exit->helixArc > 0 ? segmentLength / exit->helixArc : 1);
-    return m_collar.clear < kFurthest * stem.measures.length ? &m_collar : nullptr;
+    m_collar.clear = exit->along + rise * exit->rise;
+    return m_collar.clear < kFurthest * branch.back().end() ? &m_collar : nullptr;
 }
 
 /// Follows the branch's centre line out of the wood.
-std::optional<CCollarMaker::Exit> CCollarMaker::findExit(const CStem& stem, std::span<const CSegment> branch) const {
-    for (std::size_t i = 0; i < branch.size(); ++i) {
-        const CSegment& segment = branch[i];
+std::optional<CCollarMaker::Exit> CCollarMaker::findExit(std::span<const CSegment> branch) const {
+    for (const CSegment& segment : branch) {
         const int steps = segment.helixRadius > 0 ? kStepsPerTurn : 1;
         for (int step = 0; step < steps; ++step) {
             const double t = double(step) / steps;
-            if (double(i) + t > kFurthest * stem.curveRes) return {};
+            const double along = segment.start + t * segment.length;
+            if (along > kFurthest * branch.back().end()) return {};
             const glm::dvec3 centre = segment.centre(t), axis = segment.tangent(t);
             const auto hit = lastExit(centre, axis);
             // The next step turns at most a little away from this one's direction.
             if (hit && hit->distance <= 1.1 * arcOf(segment) / steps)
-                return Exit{centre, transported(segment.frame, axis), double(i) + t,
+                return Exit{centre, transported(segment.frame, axis), along, segment.length / arcOf(segment),
                             segment.helixRadius > 0 ? arcOf(segment) : 0};
         }
     }
@@ -86,7 +85,7 @@ std::optional<CCollarMaker::Exit> CCollarMaker::findExit(const CStem& stem, std:
 double CCollarMaker::reachOf(const CStem& stem, const glm::dvec3& parentAxis, const glm::dvec3& axis,
                              double radius) const {
     const double sine = std::max(kSteepest, glm::length(glm::cross(parentAxis, axis)));
-    return (1.2 * stem.woodAtBase + 2 * kAlong * radius) / sine;
+    return (1.2 * stem.parentRadius + 2 * kAlong * radius) / sine;
 }
 
 /// The walls of the parent's tube that the branch can meet.
@@ -97,11 +96,8 @@ bool CCollarMaker::collectTriangles(const CStem& stem) {
     const std::int32_t tubeIndex = m_mesh.plan.tubeOfPath[pathIndex];
     if (tubeIndex < 0) return false;
     const Tube& tube = m_mesh.plan.tubes[static_cast<std::size_t>(tubeIndex)];
-    const CPath& path = m_parents.paths[pathIndex];
-    const double segmentLength = parent.measures.length / parent.curveRes;
-    const double low = (stem.measures.offset - m_reach) / segmentLength,
-                 high = (stem.measures.offset + m_reach) / segmentLength;
-    const auto place = [&](std::uint32_t ring) { return placeOf(path, m_mesh.plan.rings[tube.firstRing + ring]); };
+    const double low = stem.offset - m_reach, high = stem.offset + m_reach;
+    const auto place = [&](std::uint32_t ring) { return placeOf(m_parents, m_mesh.plan.rings[tube.firstRing + ring]); };
     // Walls lie one after the other: the collar's first, then one above each ring.
     std::uint32_t firstWall = 0, lastWall = tube.collarRings + tube.ringCount - 1;
     while (lastWall > tube.collarRings + 1 && place(lastWall - tube.collarRings - 1) > high) --lastWall;

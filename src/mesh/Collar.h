@@ -41,14 +41,15 @@ private:
     struct Exit {
         glm::dvec3 centre;
         Frame frame;     ///< Z along the line
-        double place;    ///< in segments from the base
+        double along;    ///< of the branch, metres from its base
+        double rise; ///< of the axis per metre of a helix's line, 1 when straight
         double helixArc; ///< length of the helix's turn, 0 when straight
     };
 
     bool collectTriangles(const CStem& stem);
     std::size_t firstIndexOf(const Tube& tube, std::uint32_t wall) const;
     double reachOf(const CStem& stem, const glm::dvec3& parentAxis, const glm::dvec3& axis, double radius) const;
-    std::optional<Exit> findExit(const CStem& stem, std::span<const CSegment> branch) const;
+    std::optional<Exit> findExit(std::span<const CSegment> branch) const;
     std::optional<Hit> lastExit(const glm::dvec3& origin, const glm::dvec3& direction) const;
     std::optional<Hit> nearestExit(const Exit& exit, const glm::dvec3& offset) const;
     SurfacePoint surfaceAt(const Triangle& triangle, double u, double v) const;

@@ -1,5 +1,4 @@
 #include "Foliage.h"
-#include "stromar/params/Season.h"
 #include "stromar/util/Random.h"
 #include <algorithm>
 #include <cmath>
@@ -11,23 +10,14 @@ namespace {
 constexpr std::uint64_t kFallOrder = 0x6c656166;
 } // namespace
 
-Seasonal seasonalOf(const GlobalParams& g, Organ organ) {
-    const Phenology now = phenologyOf(g);
-    switch (organ) {
-    case Organ::Blossom: return {now.blossoms, 1};
-    case Organ::Fruit: return {now.fruits, now.fruitSize};
-    default: return {now.leaves, now.leafSize};
-    }
-}
-
 bool hasFallen(const CStem& stem, std::uint32_t n, double share) {
-    return double(hashCombine(hashCombine(kFallOrder, stem.id), n) >> 11) * 0x1p-53 >= share;
+    return unitOf(hashCombine(hashCombine(kFallOrder, stem.id), n)) >= share;
 }
 
-Rounding roundingOf(const LeafArray& leaves, const GlobalParams& g) {
-    const double steepest = std::atan(std::tan(std::abs(g.leafFold)) * std::max(1.0, g.leafScaleX)); // of any leaflet
-    Rounding rounding{glm::dvec3(0), g.leafRounding, std::min(0.99, 0.05 + std::sin(steepest))};
-    if (g.leafRounding <= 0 || leaves.empty()) return rounding;
+Rounding roundingOf(const LeafArray& leaves, const LeafForm& form) {
+    const double steepest = std::atan(std::tan(std::abs(form.fold)) * std::max(1.0, form.aspect)); // of any leaflet
+    Rounding rounding{glm::dvec3(0), form.rounding, std::min(0.99, 0.05 + std::sin(steepest))};
+    if (form.rounding <= 0 || leaves.empty()) return rounding;
     glm::dvec3 low = leaves[0].position, high = low;
     for (const CLeaf& leaf : leaves) {
         low = glm::min(low, leaf.position);

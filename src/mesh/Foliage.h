@@ -1,28 +1,22 @@
 #pragma once
-#include "stromar/params/TreeParams.h"
+#include "stromar/mesh/MeshParams.h"
 #include "stromar/tree/Tree.h"
 
 namespace stromar {
-
-/// What the season leaves of an organ.
-struct Seasonal {
-    double share, size;
-};
-Seasonal seasonalOf(const GlobalParams& g, Organ organ);
 
 /// Whether a stem's n-th organ is among those that are gone where a share is left. One that has fallen stays on the
 /// ground when others fall.
 bool hasFallen(const CStem& stem, std::uint32_t n, double share);
 
-/// Calls visit(index, stem) for the organs that are there.
+/// Calls visit(index, organ) for the organs that are there.
 template <typename Visit>
 void forEachPresent(const CTree& tree, Organ organ, double share, Visit&& visit) {
     const LeafArray& all = *tree.shared(organ);
-    const auto& stems = tree.generation(tree.generationCount() - 1).stems;
     std::uint32_t onStem = 0; // organs lie in the order of their stems
     for (std::size_t i = 0; i < all.size(); ++i) {
-        onStem = i > 0 && all[i].stem == all[i - 1].stem ? onStem + 1 : 0;
-        if (!hasFallen(stems[all[i].stem], onStem, share)) visit(i, all[i].stem);
+        const CLeaf& own = all[i];
+        onStem = i > 0 && own.stem == all[i - 1].stem && own.generation == all[i - 1].generation ? onStem + 1 : 0;
+        if (!hasFallen(tree.generation(own.generation).stems[own.stem], onStem, share)) visit(i, own);
     }
 }
 
@@ -40,6 +34,6 @@ struct Rounding {
     /// A normal turned outwards, but never to the back of its leaf.
     glm::dvec3 turned(const glm::dvec3& normal, const glm::dvec3& place) const;
 };
-Rounding roundingOf(const LeafArray& leaves, const GlobalParams& inRadians);
+Rounding roundingOf(const LeafArray& leaves, const LeafForm& form);
 
 } // namespace stromar

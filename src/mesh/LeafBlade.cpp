@@ -2,6 +2,7 @@
 #include <algorithm>
 #include <cmath>
 #include <initializer_list>
+#include <numbers>
 #include <span>
 
 namespace stromar {
@@ -56,7 +57,7 @@ constexpr Leaflet kFan[] = {
 constexpr std::span<const Leaflet> kShapes[] = {kOvals,   kTriangles, kOaks,   kMaples3, kMaples5, kThree, kCards,
                                                 kNeedles, kLances,    kHearts, kPinnate, kPalmate, kFan};
 
-constexpr double kHalfTurn = 3.14159265358979323846;
+constexpr double kHalfTurn = std::numbers::pi;
 constexpr double kStalkWidth = 0.04; // parts of the length
 constexpr double kPictureAcross = 0.4,
                  kPictureAlong = 0.6; // of a picture that an outline shows: the inside of its leaf
@@ -145,15 +146,22 @@ private:
 };
 } // namespace
 
-LeafBlade makeBlade(const GlobalParams& g, const Detail& detail) {
+LeafBlade makeBlade(const LeafForm& form, const Detail& detail) {
     const bool close = detail.model == Model::Full && detail.lod <= 1;
-    const bool card = g.leafForm == 0 || !close;
-    CBladeMaker maker(close ? g.leafFold : 0, g.leafStalk, card);
-    for (const Leaflet& leaflet : card ? std::span<const Leaflet>(kCards) : kShapes[g.leafShape]) maker.add(leaflet);
-    if (card)
-        maker.addPlanes(detail.model == Model::Full && detail.lod == 3 ? std::min(2, g.leafPlanes) : g.leafPlanes);
+    const bool card = !form.outline || !close;
+    CBladeMaker maker(close ? form.fold : 0, form.stalk, card);
+    for (const Leaflet& leaflet : card ? std::span<const Leaflet>(kCards) : kShapes[form.shape]) maker.add(leaflet);
+    if (card) maker.addPlanes(detail.model == Model::Full && detail.lod == 3 ? std::min(2, form.planes) : form.planes);
     if (close) maker.addStalk();
     return maker.take();
+}
+
+LeafBlade bladeOf(const MeshParams& params, Organ organ, const Detail& detail) {
+    switch (organ) {
+    case Organ::Blossom: return makeCard(params.blossomPlanes);
+    case Organ::Fruit: return makeFruit(params.fruitStalk, detail);
+    default: return makeBlade(params.leaf, detail);
+    }
 }
 
 LeafBlade makeCard(int planes) {

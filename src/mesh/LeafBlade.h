@@ -1,6 +1,6 @@
 #pragma once
 #include "stromar/mesh/Detail.h"
-#include "stromar/params/TreeParams.h"
+#include "stromar/mesh/MeshParams.h"
 #include "stromar/tree/Tree.h"
 #include <algorithm>
 #include <cstdint>
@@ -49,9 +49,10 @@ private:
     double m_width, m_length;
 };
 
-/// LeafShape as a card for a picture, or as its outline; with LeafFold, LeafPlanes and LeafStalk. Coarse models get
-/// plain cards.
-LeafBlade makeBlade(const GlobalParams& inRadians, const Detail& detail);
+/// A leaf as a card for a picture or as its outline. Coarse models get plain cards.
+LeafBlade makeBlade(const LeafForm& form, const Detail& detail);
+/// What an organ is drawn as.
+LeafBlade bladeOf(const MeshParams& params, Organ organ, const Detail& detail);
 /// A square for a picture, in so many planes.
 LeafBlade makeCard(int planes);
 /// An ellipsoid on a stalk of so many of its lengths.

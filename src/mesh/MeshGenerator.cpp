@@ -8,11 +8,11 @@ namespace {
 constexpr std::size_t kTubeGrain = 128;
 } // namespace
 
-std::shared_ptr<const CMesh> meshOfStems(const CTree& tree, int generation, const MeshPlan& plan, const CParams& params,
+std::shared_ptr<const CMesh> meshOfStems(const CTree& tree, int generation, const MeshPlan& plan, const MeshParams& params,
                                          const CProgress& progress) {
     const auto mesh = allocateMesh(generation == 0 ? "trunk" : "branches " + std::to_string(generation), Surface::Bark,
                                    plan.vertexCount, plan.indexCount);
-    const CStemSurface surface(params, generation, tree);
+    const CStemSurface surface(tree, generation, params);
     parallelFor(
         plan.tubes.size(), kTubeGrain,
         [&](std::size_t begin, std::size_t end) {
@@ -26,16 +26,22 @@ std::shared_ptr<const CMesh> meshOfStems(const CTree& tree, int generation, cons
     return mesh;
 }
 
-StemMesh noStems(const CTree& tree, int generation) {
+StemMesh emptyStemMesh(const CTree& tree, int generation) {
     const CGeneration& own = tree.generation(static_cast<std::size_t>(generation));
-    StemMesh none;
-    none.plan.tubeOfPath.assign(own.paths.size(), -1);
-    none.plan.stemIsChosen.assign(own.stems.size(), true);
-    none.mesh = allocateMesh("branches " + std::to_string(generation), Surface::Bark, 0, 0);
-    return none;
+    StemMesh empty;
+    empty.plan.tubeOfPath.assign(own.paths.size(), -1);
+    empty.plan.stemIsChosen.assign(own.stems.size(), true);
+    empty.mesh = allocateMesh("branches " + std::to_string(generation), Surface::Bark, 0, 0);
+    return empty;
 }
 
-std::vector<StemMesh> meshAllStems(const CTree& tree, const CParams& params, const Detail& detail,
+std::vector<const MeshPlan*> plansOf(std::span<const StemMesh> stems) {
+    std::vector<const MeshPlan*> plans;
+    for (const StemMesh& own : stems) plans.push_back(&own.plan);
+    return plans;
+}
+
+std::vector<StemMesh> meshAllStems(const CTree& tree, const MeshParams& params, const Detail& detail,
                                    const CProgress& progress) {
     std::vector<StemMesh> all;
     for (int g = 0; g < static_cast<int>(tree.generationCount()); ++g) {

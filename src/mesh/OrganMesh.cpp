@@ -17,13 +17,14 @@ struct Offered {
     std::size_t total = 0;               ///< on all stems
 };
 
-Offered offeredOf(const CTree& tree, Organ organ, const MeshPlan& last, double share) {
-    const LeafArray& all = *tree.shared(organ);
+Offered offeredOf(const CTree& tree, Organ organ, std::span<const MeshPlan* const> plans, double share,
+                  std::uint32_t except) {
     Offered offered;
-    offered.drawable.reserve(all.size());
-    forEachPresent(tree, organ, share, [&](std::size_t i, std::uint32_t stem) {
+    offered.drawable.reserve(tree.shared(organ)->size());
+    forEachPresent(tree, organ, share, [&](std::size_t i, const CLeaf& own) {
+        if (own.generation == except) return;
         ++offered.total;
-        if (last.stemIsChosen[stem]) offered.drawable.push_back(static_cast<std::uint32_t>(i));
+        if (plans[own.generation]->stemIsChosen[own.stem]) offered.drawable.push_back(static_cast<std::uint32_t>(i));
     });
     return offered;
 }
@@ -43,27 +44,19 @@ struct OrganLook {
     Surface surface;
 };
 constexpr OrganLook kLooks[] = {{"leaves", Surface::Leaf}, {"blossoms", Surface::Blossom}, {"fruits", Surface::Fruit}};
-
-LeafBlade bladeOf(const GlobalParams& g, Organ organ, const Detail& detail) {
-    switch (organ) {
-    case Organ::Blossom: return makeCard(g.blossomPlanes);
-    case Organ::Fruit: return makeFruit(g.fruitStalk, detail);
-    default: return makeBlade(g, detail);
-    }
-}
 } // namespace
 
-std::shared_ptr<const CMesh> meshOfOrgans(const CTree& tree, Organ organ, const MeshPlan& last, const CParams& params,
-                                          const Detail& detail, const CProgress& progress) {
-    const GlobalParams global = CTreeParams(params, 0, tree.scaleTree()).global();
-    const Seasonal season = seasonalOf(global, organ);
+std::shared_ptr<const CMesh> meshOfOrgans(const CTree& tree, Organ organ, std::span<const MeshPlan* const> plans,
+                                          const MeshParams& params, const Detail& detail, const CProgress& progress,
+                                          std::uint32_t except) {
+    const SeasonShare season = params.seasonOf(organ);
     const LeafArray& all = *tree.shared(organ);
-    const Offered offered = offeredOf(tree, organ, last, season.share);
+    const Offered offered = offeredOf(tree, organ, plans, season.share, except);
     const auto share = std::max(kFewOrgans, static_cast<std::size_t>(std::ceil(double(offered.total) * detail.share)));
     const std::size_t count = std::min({detail.leafBudget, share, offered.drawable.size()});
     const double thinned = count == 0 ? 1 : std::min(kMostLeafGrowth, std::sqrt(double(offered.total) / double(count)));
-    const LeafBlade blade = bladeOf(global, organ, detail);
-    const Rounding rounding = organ == Organ::Fruit ? Rounding() : roundingOf(all, global);
+    const LeafBlade blade = bladeOf(params, organ, detail);
+    const Rounding rounding = organ == Organ::Fruit ? Rounding() : roundingOf(all, params.leaf);
     const std::size_t points = blade.points.size(), corners = blade.indices.size();
     const OrganLook& look = kLooks[static_cast<std::size_t>(organ)];
     const auto mesh = allocateMesh(look.name, look.surface, points * count, corners * count);
@@ -79,8 +72,8 @@ std::shared_ptr<const CMesh> meshOfOrgans(const CTree& tree, Organ organ, const 
     return mesh;
 }
 
-std::size_t verticesPerOrgan(const CParams& params, Organ organ, const Detail& detail) {
-    return bladeOf(CTreeParams(params, 0, 1).global(), organ, detail).points.size();
+std::size_t verticesPerOrgan(const MeshParams& params, Organ organ, const Detail& detail) {
+    return bladeOf(params, organ, detail).points.size();
 }
 
 } // namespace stromar

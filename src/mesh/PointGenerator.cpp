@@ -38,15 +38,13 @@ void CPointGenerator::startTube(const Tube& tube) {
 
 RingShape CPointGenerator::shapeOf(const Tube& tube, const Ring& ring) const {
     const CStem& stem = m_generation.stems[tube.stem];
-    const CPath& path = m_generation.paths[tube.path];
     const CSegment& segment = m_generation.segments[ring.segment];
-    const std::uint32_t position = path.firstPosition + ring.segment - path.firstSegment;
     RingShape shape{};
     static_cast<CCentreLine::Place&>(shape) = m_line.at(ring.segment, ring.t);
-    shape.radius = std::max(m_floor, m_surface.woodRadius(stem, segment, position, ring.t));
-    shape.along = CStemSurface::along(stem, position, ring.t);
+    shape.radius = std::max(m_floor, m_surface.woodRadius(stem, segment, ring.t));
+    shape.along = segment.start + ring.t * segment.length;
     shape.lobes = tube.lobed ? m_surface.lobes() : 0;
-    shape.lobeDepth = tube.lobed ? m_surface.lobeDepth(shape.along) : 0;
+    shape.lobeDepth = tube.lobed ? m_surface.lobeDepth(stem, shape.along) : 0;
     shape.openness = opennessAt(tube, shape.along);
     shape.points = ring.points;
     return shape;
@@ -56,9 +54,9 @@ RingShape CPointGenerator::shapeOf(const Tube& tube, const Ring& ring) const {
 std::uint8_t CPointGenerator::opennessAt(const Tube& tube, double along) const {
     const CStem& stem = m_generation.stems[tube.stem];
     const CPath& path = m_generation.paths[tube.path];
-    const double start = CStemSurface::along(stem, path.firstPosition, 0);
+    const double start = m_generation.segments[path.firstSegment].start;
     const double most = path.source >= 0 ? kHiddenInFork : stem.parent >= 0 ? kHiddenInCollar : kHiddenAtGround;
-    const double radii = (along - start) * stem.measures.length / std::max(1e-9, stem.measures.radius);
+    const double radii = (along - start) / std::max(1e-9, stem.radius);
     return static_cast<std::uint8_t>(255 * (1 - most * std::exp(-std::max(0.0, radii) / kHiddenReach)) + 0.5);
 }
 
@@ -74,7 +72,7 @@ double CPointGenerator::radiusAt(const RingShape& ring, double angle) const {
     const double round = ring.lobes == 0
                              ? ring.radius
                              : std::max(m_floor, ring.radius * (1 + ring.lobeDepth * std::sin(ring.lobes * angle)));
-    return m_roots.empty() ? round : round + trunkRadius() * m_roots.at(angle, ring.along).out;
+    return m_roots.empty() ? round : round + trunkRadius() * m_roots.at(angle, ring.along / stem().length).out;
 }
 
 glm::dvec3 CPointGenerator::pointAt(const RingShape& ring, std::uint32_t i) const {
@@ -89,12 +87,12 @@ glm::dvec3 CPointGenerator::pointAt(const RingShape& ring, std::uint32_t i) cons
 glm::dvec3 CPointGenerator::normalAt(const RingShape& ring, double angle, glm::dvec2 direction) const {
     const glm::dvec3 outwards = direction.x * ring.frame[0] + direction.y * ring.frame[1];
     if (ring.lobes == 0 && m_roots.empty()) return glm::normalize(outwards - ring.slope * ring.frame[2]);
-    const CRootFlare::Rise root = m_roots.at(angle, ring.along);
+    const CRootFlare::Rise root = m_roots.at(angle, ring.along / stem().length);
     const double radius = radiusAt(ring, angle), round = radius - trunkRadius() * root.out;
     const double turned =
         ring.radius * ring.lobeDepth * ring.lobes * std::cos(ring.lobes * angle) + trunkRadius() * root.around;
     const double slope =
-        ring.slope * (round / ring.radius) + trunkRadius() * root.up / std::max(1e-12, stem().measures.length);
+        ring.slope * (round / ring.radius) + trunkRadius() * root.up / std::max(1e-12, stem().length);
     const glm::dvec3 around = direction.x * ring.frame[1] - direction.y * ring.frame[0];
     return glm::normalize(outwards - turned / radius * around - slope * ring.frame[2]);
 }

@@ -10,7 +10,7 @@ namespace stromar {
 struct RingShape : CCentreLine::Place {
     double radius; ///< mean, at least the drawn floor
     double slope;  ///< change of the radius per metre along the stem
-    double along;  ///< position / length
+    double along;  ///< metres from the stem's base
     double lobeDepth;
     int lobes;
     std::uint8_t openness; ///< as in CMesh
@@ -54,7 +54,7 @@ private:
     void setSlopes();
     double radiusAt(const RingShape& ring, double angle) const;
     const CStem& stem() const { return m_generation.stems[m_tube->stem]; }
-    double trunkRadius() const { return stem().measures.radius; }
+    double trunkRadius() const { return stem().radius; }
     void addCollarLid(VertexSink& sink) const;
     glm::dvec3 creaseNormal(const glm::dvec3& parent, const glm::dvec3& own) const;
     SurfacePoint collarPointAt(std::uint32_t ring, std::uint32_t i) const;
@@ -62,9 +62,7 @@ private:
     double around(const RingShape& ring, double i) const { return m_bark.around * i / ring.points; }
     /// Cosine and sine of a point's angle.
     glm::dvec2 circle(const RingShape& ring, std::uint32_t i) const { return m_circle[i * (m_points / ring.points)]; }
-    double bark(double along) const {
-        return m_bark.perMetre * along * m_generation.stems[m_tube->stem].measures.length;
-    }
+    double bark(double along) const { return m_bark.perMetre * along; }
     glm::dvec3 normalAt(const RingShape& ring, double angle, glm::dvec2 direction) const;
 
     const CGeneration& m_generation;

@@ -1,5 +1,5 @@
 #pragma once
-#include "stromar/params/Params.h"
+#include "stromar/tree/StemForm.h"
 #include "stromar/util/Random.h"
 #include <algorithm>
 #include <cmath>
@@ -20,12 +20,12 @@ public:
     };
 
     CRootFlare() = default;
-    CRootFlare(const GlobalParams& g, std::uint64_t trunk) : m_height(g.rootHeight) {
+    CRootFlare(const BaseForm& g, std::uint64_t trunk) : m_height(g.rootHeight) {
         const double apart = kTurn / std::max(1, g.roots);
         m_width = kWidth * apart;
         for (int k = 0; k < g.roots; ++k) {
             const auto random = [&, key = hashCombine(hashCombine(kOrder, trunk), static_cast<std::uint64_t>(k))](
-                                    std::uint64_t draw) { return double(hashCombine(key, draw) >> 11) * 0x1p-52 - 1; };
+                                    std::uint64_t draw) { return 2 * unitOf(hashCombine(key, draw)) - 1; };
             m_roots.push_back({(k + kAside * random(0)) * apart, g.rootReach * (1 + kUneven * random(1))});
         }
     }
@@ -48,7 +48,7 @@ public:
     }
 
     /// The most that `out` can be at a height, of any trunk.
-    static double most(const GlobalParams& g, double along) {
+    static double most(const BaseForm& g, double along) {
         const double left = g.roots > 0 ? std::max(0.0, 1 - along / g.rootHeight) : 0;
         return kOverlap * g.rootReach * (1 + kUneven) * left * left * left;
     }

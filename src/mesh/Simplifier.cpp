@@ -7,7 +7,9 @@
 #include "stromar/util/Random.h"
 #include <algorithm>
 #include <glm/geometric.hpp>
+#include <numbers>
 #include <optional>
+#include <span>
 
 namespace stromar {
 
@@ -20,16 +22,16 @@ constexpr double kApart = 0.2;       // radii between the first own ring above a
 /// Whether a stem is among the share of its generation that is drawn. A smaller share chooses of what a larger one
 /// does.
 bool isChosen(const CStem& stem, std::uint32_t s, double share) {
-    return share >= 1 || s == 0 || double(hashCombine(0, stem.id) >> 11) * 0x1p-53 < share;
+    return share >= 1 || s == 0 || unitOf(hashCombine(0, stem.id)) < share;
 }
 
 /// Chooses the parts of one generation for a level of detail: which rings are drawn and how many points each has.
 class CSimplifier {
 public:
-    CSimplifier(const CTree& tree, int generation, const CParams& params, const Detail& detail, const StemMesh* parents,
+    CSimplifier(const CTree& tree, int generation, const MeshParams& params, const Detail& detail, const StemMesh* parents,
                 double share)
         : m_detail(detail), m_generation(tree.generation(static_cast<std::size_t>(generation))),
-          m_surface(params, generation, tree), m_smoother(m_surface), m_line(m_generation, m_surface),
+          m_surface(tree, generation, params), m_smoother(m_surface), m_line(m_generation, m_surface),
           m_smooth(generation < detail.smoothGenerations), m_share(share) {
         if (parents && detail.collarRings > 0)
             m_collars.emplace(tree.generation(static_cast<std::size_t>(generation - 1)), *parents);
@@ -74,7 +76,7 @@ private:
     /// How far from the stem's base its own rings start, metres; 0 without a collar.
     double addCollar(const CStem& stem, Tube& tube, MeshPlan& plan) {
         const CSegment& first = m_generation.segments[stem.firstSegment];
-        const double radius = std::max(m_surface.woodRadius(stem, first, 0, 0), m_surface.drawnFloor(stem, first));
+        const double radius = std::max(m_surface.woodRadius(stem, first, 0), m_surface.drawnFloor(stem, first));
         const Collar* collar = m_collars->make(
             stem,
             std::span(m_generation.segments).subspan(stem.firstSegment, m_generation.paths[tube.path].segmentCount),
@@ -87,37 +89,40 @@ private:
 
     /// False when the tube is too short to be drawn.
     bool addRings(const CStem& stem, const CPath& path, double start, Tube& tube, MeshPlan& plan) {
-        const double segmentLength = stem.measures.length / stem.curveRes;
-        const double clear = start > 0 ? start + kApart * stem.measures.radius : 0;
-        const auto segmentAt = static_cast<std::uint32_t>(start / segmentLength);
+        const std::span<const CSegment> segments = m_generation.segmentsOf(path);
+        const double clear = start > 0 ? start + kApart * stem.radius : segments.front().start;
+        std::uint32_t first = 0;
+        while (first + 1 < path.segmentCount && segments[first].end() <= start) ++first;
+        const double t = start > 0 ? (start - segments[first].start) / segments[first].length : 0;
         m_spacing = CStemSurface::leastDrawn(stem, m_generation.segments[stem.firstSegment]);
-        m_last = discAt(stem, path, {path.firstSegment + segmentAt, tube.points, start / segmentLength - segmentAt});
+        m_last = discAt(stem, {path.firstSegment + first, tube.points, t});
         plan.rings.push_back(m_last.ring);
-        const auto add = [&](std::uint32_t segment, double t, bool needed) {
-            if ((segment - path.firstSegment + t) * segmentLength > clear)
-                addRing(stem, path, tube, discAt(stem, path, {segment, tube.points, t}), needed, plan);
+        const auto add = [&](std::uint32_t segment, double place, bool needed) {
+            const CSegment& own = m_generation.segments[segment];
+            if (own.start + place * own.length > clear)
+                addRing(stem, tube, discAt(stem, {segment, tube.points, place}), needed, plan);
         };
         double left = 0;
-        for (std::uint32_t i = segmentAt; i < path.segmentCount; ++i) {
+        for (std::uint32_t i = first; i < path.segmentCount; ++i) {
             const std::uint32_t segment = path.firstSegment + i;
             if (i > 0 && !isLeftOut(stem, segment, left)) add(segment, 0, m_line.forksBelow(segment));
-            if (m_smooth) addBetween(stem, segment, path.firstPosition + i, add);
+            if (m_smooth) addBetween(stem, segment, add);
             if (i + 1 == path.segmentCount) add(segment, 1, true);
         }
         tube.ringCount = static_cast<std::uint32_t>(plan.rings.size()) - tube.firstRing;
-        halvePoints(stem, path, tube, plan);
+        halvePoints(stem, tube, plan);
         return glm::distance(ringCentre(plan.rings[tube.firstRing]), ringCentre(plan.rings.back())) >= m_spacing;
     }
 
     /// Gives rings half as many points as soon as that is enough for their radius. Lobes and spheres keep theirs.
-    void halvePoints(const CStem& stem, const CPath& path, const Tube& tube, MeshPlan& plan) const {
-        if (tube.lobed || stem.taper > 1) return;
+    void halvePoints(const CStem& stem, const Tube& tube, MeshPlan& plan) const {
+        if (tube.lobed || stem.profile.form != RadiusProfile::Form::Segments) return;
         std::uint32_t points = tube.points;
         for (std::uint32_t r = 0; r < tube.ringCount; ++r) {
             Ring& ring = plan.rings[tube.firstRing + r];
             const bool tip = tube.pointed && r + 1 == tube.ringCount;
             if (r > 0 && !tip && points >= 6 && points % 2 == 0 &&
-                roundPoints(discAt(stem, path, ring).radius) <= static_cast<int>(points / 2))
+                roundPoints(discAt(stem, ring).radius) <= static_cast<int>(points / 2))
                 points /= 2;
             ring.points = points;
         }
@@ -147,10 +152,9 @@ private:
         double radius;
     };
 
-    Disc discAt(const CStem& stem, const CPath& path, const Ring& ring) const {
+    Disc discAt(const CStem& stem, const Ring& ring) const {
         const CCentreLine::Place place = m_line.at(ring.segment, ring.t);
-        const std::uint32_t position = path.firstPosition + ring.segment - path.firstSegment;
-        const double radius = m_surface.outerRadius(stem, m_generation.segments[ring.segment], position, ring.t);
+        const double radius = m_surface.outerRadius(stem, m_generation.segments[ring.segment], ring.t);
         const double floor = m_surface.drawnFloor(stem, m_generation.segments[stem.firstSegment]);
         return {ring, place.centre, place.frame[2], place.stretch * std::max(radius, floor)};
     }
@@ -169,12 +173,11 @@ private:
     }
 
     /// Appends a ring that keeps off the last one; a ring that is needed pushes others out, all but the first.
-    void addRing(const CStem& stem, const CPath& path, const Tube& tube, const Disc& disc, bool needed,
-                 MeshPlan& plan) {
+    void addRing(const CStem& stem, const Tube& tube, const Disc& disc, bool needed, MeshPlan& plan) {
         if (!needed && collide(m_last, disc)) return;
         while (collide(m_last, disc) && plan.rings.size() - tube.firstRing > 1) {
             plan.rings.pop_back();
-            m_last = discAt(stem, path, plan.rings.back());
+            m_last = discAt(stem, plan.rings.back());
         }
         plan.rings.push_back(disc.ring);
         m_last = disc;
@@ -192,8 +195,8 @@ private:
     }
 
     double turnOf(const CStem& stem, double ofTrunk) const {
-        return kRadiansPerDegree *
-               std::min(kCoarsestTurn * ofTrunk, ofTrunk / std::max(1e-6, m_surface.thickness(stem.measures.radius)));
+        return std::numbers::pi / 180 *
+               std::min(kCoarsestTurn * ofTrunk, ofTrunk / std::max(1e-6, m_surface.thickness(stem.radius)));
     }
 
     /// Tries the tube's collar and what is next to it.
@@ -215,9 +218,9 @@ private:
     }
 
     template <typename Add>
-    void addBetween(const CStem& stem, std::uint32_t segment, std::uint32_t position, Add&& add) {
+    void addBetween(const CStem& stem, std::uint32_t segment, Add&& add) {
         m_places.clear();
-        m_smoother.subdivide(stem, m_generation.segments[segment], position, m_detail.helixRings, m_places);
+        m_smoother.subdivide(stem, m_generation.segments[segment], m_detail.helixRings, m_places);
         m_line.addBendRings(segment, m_places);
         std::ranges::sort(m_places);
         for (const double t : m_places) add(segment, t, false);
@@ -225,15 +228,14 @@ private:
 
     std::uint32_t ringPoints(const CStem& stem) const {
         const int forLobes = m_detail.lobePoints * m_surface.ridges();
-        return static_cast<std::uint32_t>(std::max(roundPoints(stem.measures.radius), forLobes));
+        return static_cast<std::uint32_t>(std::max(roundPoints(stem.radius), forLobes));
     }
 
     int roundPoints(double radius) const { return roundRingPoints(m_detail, m_surface.thickness(radius)); }
 
     bool endsInPoint(const CStem& stem, const CPath& path) const {
         const std::uint32_t last = path.firstSegment + path.segmentCount - 1;
-        const double radius =
-            m_surface.woodRadius(stem, m_generation.segments[last], path.firstPosition + path.segmentCount - 1, 1);
+        const double radius = m_surface.woodRadius(stem, m_generation.segments[last], 1);
         return radius < m_surface.drawnFloor(stem, m_generation.segments[stem.firstSegment]);
     }
 
@@ -280,7 +282,7 @@ void layOut(MeshPlan& plan, std::size_t paths) {
     }
 }
 
-MeshPlan planAll(const CTree& tree, int generation, const CParams& params, const Detail& detail,
+MeshPlan planAll(const CTree& tree, int generation, const MeshParams& params, const Detail& detail,
                  const StemMesh* parents, double share, const CProgress& progress) {
     const CGeneration& own = tree.generation(static_cast<std::size_t>(generation));
     std::vector<MeshPlan> parts((own.stems.size() + kGrain - 1) / kGrain);
@@ -300,7 +302,7 @@ MeshPlan planAll(const CTree& tree, int generation, const CParams& params, const
 }
 
 /// The part of the last generation's stems that fills what the others leave of the detail's share of triangles.
-double shareOfTwigs(const CTree& tree, const CParams& params, const Detail& detail, const CProgress& progress) {
+double shareOfTwigs(const CTree& tree, const MeshParams& params, const Detail& detail, const CProgress& progress) {
     const int last = static_cast<int>(tree.generationCount()) - 1;
     const auto size = [&](int generation, const Detail& at) {
         return double(planAll(tree, generation, params, at, nullptr, 1, progress).indexCount);
@@ -316,7 +318,7 @@ bool isSparse(const CTree& tree, int generation, const Detail& detail) {
     return detail.share < 1 && generation >= 2 && generation + 1 == static_cast<int>(tree.generationCount());
 }
 
-MeshPlan planRings(const CTree& tree, int generation, const CParams& params, const Detail& detail,
+MeshPlan planRings(const CTree& tree, int generation, const MeshParams& params, const Detail& detail,
                    const StemMesh* parents, const CProgress& progress) {
     const bool sparse = isSparse(tree, generation, detail);
     const double share = sparse ? shareOfTwigs(tree, params, detail, progress) : 1;

@@ -1,65 +1,63 @@
 #pragma once
 #include "RootFlare.h"
-#include "stromar/params/TreeParams.h"
+#include "stromar/mesh/MeshParams.h"
 #include "stromar/tree/Tree.h"
 #include <algorithm>
 #include <cmath>
 
 namespace stromar {
 
-/// The form of the stems' wood in one generation: radius by taper, flare, lobes and the least radius. Metres, radians.
+/// The form of the stems' wood in one generation: radius profile, base form and the least radius. Metres, radians;
+/// `along` is counted from a stem's base.
 class CStemSurface {
 public:
-    CStemSurface(const CParams& params, int generation, const CTree& tree)
-        : m_params(params, generation, tree.scaleTree()), m_trunk(generation == 0),
-          m_trunkMeasures(tree.generation(0).stems.empty() ? StemMeasures{} : tree.generation(0).stems[0].measures) {}
+    CStemSurface(const CTree& tree, int generation, const MeshParams& params)
+        : m_params(params), m_base(generation == 0 ? tree.base() : BaseForm()), m_trunk(generation == 0) {
+        if (tree.generation(0).stems.empty()) return;
+        m_trunkLength = tree.generation(0).stems[0].length;
+        m_trunkRadius = tree.generation(0).stems[0].radius;
+    }
 
     /// The root of the radius over the trunk's, at most 1: rings and bends err by equally many metres when their points
     /// and pieces are in this proportion.
     double thickness(double radius) const {
-        return m_trunkMeasures.radius > 0 ? std::min(1.0, std::sqrt(radius / m_trunkMeasures.radius)) : 1;
+        return m_trunkRadius > 0 ? std::min(1.0, std::sqrt(radius / m_trunkRadius)) : 1;
     }
 
     /// Radius at a place of a segment, before lobes and the least radius.
-    double woodRadius(const CStem& stem, const CSegment& segment, std::uint32_t position, double t) const {
-        const double z = along(stem, position, t);
-        const double tapered = stem.taper > 1 ? CCalculations::taperedRadius(stem.taper, stem.measures, z)
-                                              : segment.radiusBase + t * (segment.radiusEnd - segment.radiusBase);
-        return tapered * m_params.calc().flareAt(z);
+    double woodRadius(const CStem& stem, const CSegment& segment, double t) const {
+        const double along = segment.start + t * segment.length;
+        const double wood = stem.profile.form == RadiusProfile::Form::Segments
+                                ? segment.radiusBase + t * (segment.radiusEnd - segment.radiusBase)
+                                : stem.profile.radiusAt(along, stem.length, stem.radius);
+        return m_base.flare == 0 ? wood : wood * m_base.flareAt(along / stem.length);
     }
-    /// Position / length.
-    static double along(const CStem& stem, std::uint32_t position, double t) { return (position + t) / stem.curveRes; }
 
     /// Likewise, to the end of the farthest root.
-    double outerRadius(const CStem& stem, const CSegment& segment, std::uint32_t position, double t) const {
-        const double wood = woodRadius(stem, segment, position, t);
+    double outerRadius(const CStem& stem, const CSegment& segment, double t) const {
+        const double wood = woodRadius(stem, segment, t);
         if (roots() == 0) return wood;
-        return wood + stem.measures.radius * CRootFlare::most(m_params.global(), along(stem, position, t));
+        return wood + stem.radius * CRootFlare::most(m_base, (segment.start + t * segment.length) / stem.length);
     }
 
     /// Whether the radius changes other than evenly along a segment.
     bool uneven(const CStem& stem) const {
-        return stem.taper > 1 || (m_trunk && (m_params.global().flare != 0 || roots() > 0));
+        return stem.profile.form != RadiusProfile::Form::Segments || m_base.flare != 0 || roots() > 0;
     }
 
-    int lobes() const { return m_trunk && m_params.global().lobeDepth > 0 ? m_params.global().lobes : 0; }
-    int roots() const { return m_trunk && m_params.global().rootReach > 0 ? m_params.global().roots : 0; }
-    CRootFlare rootsOf(const CStem& stem) const {
-        return roots() > 0 ? CRootFlare(m_params.global(), stem.id) : CRootFlare();
-    }
+    int lobes() const { return m_base.lobeCount(); }
+    int roots() const { return m_base.rootCount(); }
+    CRootFlare rootsOf(const CStem& stem) const { return roots() > 0 ? CRootFlare(m_base, stem.id) : CRootFlare(); }
     /// What a ring around the trunk has to show.
     int ridges() const { return std::max(lobes(), roots()); }
-    /// How far lobes stand out at z = position / length (Weber & Penn §4.4; LobeFade ends them as the thesis draws).
-    double lobeDepth(double z) const {
-        const GlobalParams& g = m_params.global();
-        return g.lobeDepth * (1 + g.lobeFade * ((baseFalloff(z) - 1) / 99 - 1));
-    }
-    double minRadius() const { return m_params.global().minRadius; }
+    /// How far lobes stand out, as a part of the radius.
+    double lobeDepth(const CStem& stem, double along) const { return m_base.lobeDepthAt(along / stem.length); }
+    double minRadius() const { return m_params.minRadius; }
 
     /// Lengths below this vanish in the rounding of single-precision coordinates near the stem.
     static double leastDrawn(const CStem& stem, const CSegment& first) {
         const glm::dvec3 p = glm::abs(first.position);
-        return 1e-5 * (std::max({p.x, p.y, p.z}) + stem.measures.length);
+        return 1e-5 * (std::max({p.x, p.y, p.z}) + stem.length);
     }
     /// The radius below which a ring is drawn with this radius.
     double drawnFloor(const CStem& stem, const CSegment& first) const {
@@ -74,19 +72,20 @@ public:
     /// Each trunk by TextureWrapX/Y (thesis §4.7). Other stems in the first trunk's metres per repeat, but whole times
     /// around, at least once; along so that the picture keeps its shape.
     Bark barkOf(const CStem& stem) const {
-        const double x = m_params.global().textureWrapX, y = m_params.global().textureWrapY;
-        if (m_trunk) return {x, y / std::max(1e-9, stem.measures.length)};
-        const double perMetre = y / std::max(1e-9, m_trunkMeasures.length);
-        const double exact = x * std::max(minRadius(), stem.measures.radius) / std::max(1e-9, m_trunkMeasures.radius);
+        const double x = m_params.barkAround, y = m_params.barkAlong;
+        if (m_trunk) return {x, y / std::max(1e-9, stem.length)};
+        const double perMetre = y / std::max(1e-9, m_trunkLength);
+        const double exact = x * std::max(minRadius(), stem.radius) / std::max(1e-9, m_trunkRadius);
         if (!(exact > 1e-6)) return {1, perMetre};
         const double around = std::max(1.0, std::round(exact));
         return {around, perMetre * around / exact};
     }
 
 private:
-    CTreeParams m_params;
+    MeshParams m_params;
+    BaseForm m_base; ///< none above the trunks
     bool m_trunk;
-    StemMeasures m_trunkMeasures;
+    double m_trunkLength = 0, m_trunkRadius = 0; ///< of the first
 };
 
 } // namespace stromar

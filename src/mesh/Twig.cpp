@@ -3,9 +3,9 @@
 #include "LeafBlade.h"
 #include "StraightStem.h"
 #include "TubeWriter.h"
-#include "stromar/params/Season.h"
 #include <algorithm>
 #include <cmath>
+#include <numbers>
 #include <optional>
 
 namespace stromar {
@@ -18,7 +18,7 @@ constexpr double kMostTilt = 0.9;    // radians between a leaf that is seen best
 constexpr double kShowsBack = -0.25; // of a normal's z
 constexpr double kMargin = 0.02;     // of the card, around what it shows
 constexpr int kCells = 128;          // of the grid that measures what leaves cover, on a side
-constexpr double kPi = 3.14159265358979323846;
+constexpr double kPi = std::numbers::pi;
 
 /// What is known of the stems that bear leaves.
 struct Bearers {
@@ -29,14 +29,15 @@ struct Bearers {
 
 Bearers bearersOf(const CTree& tree, const CGeneration& last, double share) {
     Bearers bearers{std::vector<std::uint32_t>(last.stems.size(), 0)};
-    forEachPresent(tree, Organ::Leaf, share, [&](std::size_t, std::uint32_t stem) {
-        ++bearers.leaves[stem];
+    forEachPresent(tree, Organ::Leaf, share, [&](std::size_t, const CLeaf& leaf) {
+        if (leaf.generation != cardGeneration(tree)) return;
+        ++bearers.leaves[leaf.stem];
         bearers.total += 1;
     });
     for (std::size_t s = 0; s < last.stems.size(); ++s) {
         if (bearers.leaves[s] == 0) continue;
         bearers.count += 1;
-        bearers.stemLength += last.stems[s].measures.length;
+        bearers.stemLength += last.stems[s].length;
     }
     bearers.stemLength /= std::max(1.0, bearers.count);
     return bearers;
@@ -50,7 +51,7 @@ std::uint32_t typicalStem(const CGeneration& last, const Bearers& bearers) {
         if (bearers.leaves[s] == 0) continue;
         const CStem& stem = last.stems[s];
         const double off = std::abs(bearers.leaves[s] * bearers.count / bearers.total - 1) +
-                           std::abs(stem.measures.length / bearers.stemLength - 1) + (stem.pathCount - 1);
+                           std::abs(stem.length / bearers.stemLength - 1) + (stem.pathCount - 1);
         if (least && off >= *least) continue;
         least = off;
         best = s;
@@ -60,8 +61,8 @@ std::uint32_t typicalStem(const CGeneration& last, const Bearers& bearers) {
 
 std::vector<const CLeaf*> leavesOf(const CTree& tree, std::uint32_t chosen, double share) {
     std::vector<const CLeaf*> leaves;
-    forEachPresent(tree, Organ::Leaf, share, [&](std::size_t i, std::uint32_t stem) {
-        if (stem == chosen) leaves.push_back(&tree.leaves()[i]);
+    forEachPresent(tree, Organ::Leaf, share, [&](std::size_t, const CLeaf& leaf) {
+        if (leaf.generation == cardGeneration(tree) && leaf.stem == chosen) leaves.push_back(&leaf);
     });
     return leaves;
 }
@@ -75,7 +76,7 @@ struct Spread {
 Spread spreadOf(const CStraightStem& stem, const std::vector<const CLeaf*>& leaves, double size) {
     double xx = 0, xy = 0, yy = 0, frontX = 0, frontY = 0;
     for (const CLeaf* leaf : leaves) {
-        const Frame& f = stem.segment(stem.segmentAt(stem.nearest(leaf->position))).frame;
+        const Frame& f = stem.segments()[stem.segmentAt(stem.nearest(leaf->position))].frame;
         const auto add = [&](const glm::dvec3& way) {
             const double x = glm::dot(way, f[0]), y = glm::dot(way, f[1]);
             xx += x * x;
@@ -133,18 +134,20 @@ std::shared_ptr<const CMesh> straightLeaves(const CStraightStem& stem, const std
 /// The half of the wood that is seen.
 std::shared_ptr<const CMesh> straightWood(const CStraightStem& stem, double minRadius) {
     constexpr std::uint32_t kAcross = 5;
-    const std::uint32_t rings = stem.segmentCount() + 1;
+    const std::span<const CSegment> segments = stem.segments();
+    const auto rings = static_cast<std::uint32_t>(segments.size()) + 1;
     const auto mesh =
         allocateMesh("wood", Surface::Bark, std::size_t{rings} * kAcross, std::size_t{rings - 1} * (kAcross - 1) * 6);
     VertexSink sink = sinkAt(*mesh, 0);
     std::uint32_t* index = mesh->indices.data();
     for (std::uint32_t r = 0; r < rings; ++r) {
-        const CSegment& segment = stem.segment(std::min(r, stem.segmentCount() - 1));
-        const double radius = std::max(minRadius, r < stem.segmentCount() ? segment.radiusBase : segment.radiusEnd);
+        const CSegment& segment = segments[std::min<std::size_t>(r, segments.size() - 1)];
+        const bool tip = r == segments.size();
+        const double radius = std::max(minRadius, tip ? segment.radiusEnd : segment.radiusBase);
         for (std::uint32_t i = 0; i < kAcross; ++i) {
             const double angle = kPi * (1 - double(i) / (kAcross - 1));
             const glm::dvec3 out(std::cos(angle), 0, std::sin(angle));
-            sink.add(radius * out + glm::dvec3(0, r * segment.length, 0), out, 0.5, 0.5, 255);
+            sink.add(radius * out + glm::dvec3(0, tip ? segment.end() : segment.start, 0), out, 0.5, 0.5, 255);
             if (r == 0 || i == 0) continue;
             const std::uint32_t here = r * kAcross + i, below = here - kAcross;
             for (const std::uint32_t corner : {below - 1, below, here, below - 1, here, here - 1}) *index++ = corner;
@@ -187,21 +190,14 @@ void frame(Twig& twig) {
 }
 } // namespace
 
-bool suitsCards(const CParams& params) {
-    const GlobalParams& g = params.global;
-    const Phenology season = phenologyOf(g);
-    double length = g.scale;
-    for (int level = 0; level < g.levels; ++level)
-        length *= params.level[static_cast<std::size_t>(std::min(level, kParamLevels - 1))].length;
-    return g.levels >= 2 && season.leafSize > 0 && std::abs(g.leaves) * g.leafQuality * season.leaves >= kFewestLeaves &&
-           length <= kLongest * g.leafScale / std::sqrt(g.leafQuality);
+bool suitsCards(const BearerBound& bearers, const SeasonShare& season) {
+    return season.size > 0 && bearers.leaves * season.share >= kFewestLeaves &&
+           bearers.length <= kLongest * bearers.leafLength;
 }
 
-std::shared_ptr<const Twig> typicalTwig(const CTree& tree, const CParams& params, const CProgress& progress) {
-    if (!suitsCards(params)) return nullptr;
-    const GlobalParams global = CTreeParams(params, 0, tree.scaleTree()).global();
-    const Seasonal season = seasonalOf(global, Organ::Leaf);
-    const CGeneration& last = tree.generation(tree.generationCount() - 1);
+std::shared_ptr<const Twig> typicalTwig(const CTree& tree, const MeshParams& params, const CProgress& progress) {
+    const SeasonShare season = params.seasonOf(Organ::Leaf);
+    const CGeneration& last = tree.generation(cardGeneration(tree));
     const Bearers bearers = bearersOf(tree, last, season.share);
     if (bearers.count == 0) return nullptr;
     progress.poll();
@@ -209,16 +205,16 @@ std::shared_ptr<const Twig> typicalTwig(const CTree& tree, const CParams& params
     const std::vector<const CLeaf*> leaves = leavesOf(tree, chosen, season.share);
     const Spread spread = spreadOf(CStraightStem(last, last.stems[chosen], 0), leaves, season.size);
     const CStraightStem stem(last, last.stems[chosen], spread.turn);
-    const LeafBlade blade = makeBlade(global, detailOf(Model::Full, 3));
+    const LeafBlade blade = makeBlade(params.leaf, detailOf(Model::Full, 3));
     auto twig = std::make_shared<Twig>();
     twig->leaves = straightLeaves(stem, leaves, blade, season.size);
-    twig->wood = straightWood(stem, global.minRadius);
+    twig->wood = straightWood(stem, params.minRadius);
     twig->length = stem.length();
     twig->turn = spread.turn;
     twig->flat = spread.flat;
-    for (std::uint32_t i = 1; i < stem.segmentCount(); ++i)
-        twig->bend +=
-            std::acos(glm::clamp(glm::dot(stem.segment(i - 1).frame[2], stem.segment(i).frame[2]), -1.0, 1.0));
+    for (std::size_t i = 1; i < stem.segments().size(); ++i)
+        twig->bend += std::acos(
+            glm::clamp(glm::dot(stem.segments()[i - 1].frame[2], stem.segments()[i].frame[2]), -1.0, 1.0));
     frame(*twig);
     twig->leafArea = twig->leaves->area() / double(leaves.size());
     twig->allLeafArea = bearers.total * twig->leafArea;

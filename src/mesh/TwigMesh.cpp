@@ -30,10 +30,11 @@ struct CardPlan {
 
 CardPlan planCards(const CTree& tree, const Twig& twig, double share, const Detail& detail) {
     CardPlan plan{};
-    plan.leaves.assign(tree.generation(tree.generationCount() - 1).stems.size(), 0);
+    plan.leaves.assign(tree.generation(cardGeneration(tree)).stems.size(), 0);
     double total = 0;
-    forEachPresent(tree, Organ::Leaf, share, [&](std::size_t, std::uint32_t stem) {
-        ++plan.leaves[stem];
+    forEachPresent(tree, Organ::Leaf, share, [&](std::size_t, const CLeaf& leaf) {
+        if (leaf.generation != cardGeneration(tree)) return;
+        ++plan.leaves[leaf.stem];
         total += 1;
     });
     std::vector<std::uint32_t> bearers;
@@ -56,7 +57,7 @@ CardPlan planCards(const CTree& tree, const Twig& twig, double share, const Deta
 class CCardWriter {
 public:
     CCardWriter(const CTree& tree, const Twig& twig, const CardPlan& plan, const Rounding& rounding, CMesh& mesh)
-        : m_generation(tree.generation(tree.generationCount() - 1)), m_twig(twig), m_plan(plan), m_rounding(rounding),
+        : m_generation(tree.generation(cardGeneration(tree))), m_twig(twig), m_plan(plan), m_rounding(rounding),
           m_mesh(mesh), m_rows(plan.rows + 1), m_points(2 * m_rows.size()) {
         for (std::uint32_t row = 0; row < plan.rows; ++row)
             for (const std::uint32_t corner : {0u, 1u, 3u, 0u, 3u, 2u}) m_corners.push_back(2 * row + corner);
@@ -117,7 +118,7 @@ private:
 
     /// A flat card from the first row to the last.
     void straighten(const CStraightStem& stem, double turn) {
-        const Frame middle = stem.frameOf(stem.segmentCount() / 2);
+        const Frame middle = stem.frameOf(stem.segments().size() / 2);
         const glm::dvec3 low = m_rows.front().middle, way = m_rows.back().middle - low;
         const double length = glm::length(way);
         const glm::dvec3 along = length > 1e-9 ? way / length : middle[1];
@@ -178,11 +179,10 @@ std::size_t mostVerticesOfCard(const Detail& detail) {
     return 2 * static_cast<std::size_t>(detail.twigPlanes * (kMostRows + 1));
 }
 
-std::shared_ptr<const CMesh> meshOfTwigs(const CTree& tree, const Twig& twig, const CParams& params,
+std::shared_ptr<const CMesh> meshOfTwigs(const CTree& tree, const Twig& twig, const MeshParams& params,
                                          const Detail& detail, const CProgress& progress) {
-    const GlobalParams global = CTreeParams(params, 0, tree.scaleTree()).global();
-    const CardPlan plan = planCards(tree, twig, seasonalOf(global, Organ::Leaf).share, detail);
-    const Rounding rounding = roundingOf(tree.leaves(), global);
+    const CardPlan plan = planCards(tree, twig, params.seasonOf(Organ::Leaf).share, detail);
+    const Rounding rounding = roundingOf(tree.leaves(), params.leaf);
     const std::size_t count = plan.stems.size();
     const auto mesh = allocateMesh("twigs", Surface::Twig, plan.verticesOfCard() * count, plan.indicesOfCard() * count);
     parallelFor(

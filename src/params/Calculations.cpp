@@ -39,18 +39,6 @@ double CCalculations::gradedDownAngle(double downAngle, double downAngleV, const
     return downAngle + downAngleV * (1 - 2 * shapeRatio(0, ratio, m_global));
 }
 
-double CCalculations::taperedRadius(double taper, const StemMeasures& stem, double z) {
-    const double unit = taper < 1 ? taper : taper < 2 ? 2 - taper : 0;
-    const double radius = stem.radius * (1 - unit * z);
-    if (taper < 1 || radius <= 0) return std::max(0.0, radius);
-    const double toTip = (1 - z) * stem.length;
-    const double depth = taper < 2 || toTip < radius ? 1 : taper - 2;
-    const double inSphere = taper < 2 ? toTip : std::abs(toTip - 2 * radius * std::floor(toTip / (2 * radius) + 0.5));
-    if (taper < 2 && inSphere >= radius) return radius;
-    const double sphere = std::sqrt(std::max(0.0, radius * radius - (inSphere - radius) * (inSphere - radius)));
-    return (1 - depth) * radius + depth * sphere;
-}
-
 double CCalculations::childRadius(const StemMeasures& parent, double childLength, double woodThere) const {
     return std::min(parent.radius * std::pow(childLength / parent.length, m_global.ratioPower), woodThere);
 }
@@ -58,8 +46,6 @@ double CCalculations::childRadius(const StemMeasures& parent, double childLength
 double CTrunkCalc::length(double lengthMax, const StemMeasures&, double) const { return lengthMax * m_scaleTree; }
 
 double CTrunkCalc::childCount(double branches, const StemMeasures&) const { return branches; }
-
-double CTrunkCalc::flareAt(double z) const { return 1 + m_global.flare * (baseFalloff(z) - 1) / 100; }
 
 double C0BranchCalc::length(double lengthMax, const StemMeasures& parent, double offset) const {
     const double ratio = (parent.length - offset) / (parent.length - lengthBase());
@@ -77,8 +63,6 @@ double C1BranchCalc::length(double lengthMax, const StemMeasures& parent, double
 double C1BranchCalc::childCount(double branches, const StemMeasures& stem) const {
     return branches * (1 - 0.5 * stem.offset / stem.parentLength);
 }
-
-double baseFalloff(double z) { return std::pow(100.0, std::max(0.0, 1 - 8 * z)); }
 
 bool insideEnvelope(double x, double y, double z, const GlobalParams& global, double scaleTree) {
     const double ratio = (scaleTree - z) / (scaleTree * (1 - global.baseSize));

@@ -25,7 +25,7 @@ osg::ref_ptr<osg::Texture2D> textureNamed(const std::string& file) {
 }
 
 /// Fixed-function state that every viewer of these files shows.
-osg::ref_ptr<osg::StateSet> stateOf(const SurfaceLook& look) {
+osg::ref_ptr<osg::StateSet> stateOf(const Material& look) {
     osg::ref_ptr<osg::StateSet> state = new osg::StateSet;
     state->setName(look.name);
     osg::ref_ptr<osg::Material> material = new osg::Material;
@@ -48,7 +48,7 @@ osg::ref_ptr<osg::Group> makeGroup(const ExportModel& model, const std::string& 
     group->setName(name);
     for (const auto& mesh : meshes) {
         osg::ref_ptr<osg::Geometry> geometry = makeGeometry(*mesh);
-        geometry->setStateSet(states[model.lookIndex(*mesh)]);
+        geometry->setStateSet(states[model.materialIndex(*mesh)]);
         group->addChild(geometry);
     }
     return group;
@@ -58,7 +58,7 @@ osg::ref_ptr<osg::Group> makeGroup(const ExportModel& model, const std::string& 
 osg::ref_ptr<osg::Node> makeNode(const ExportModel& model) {
     constexpr float kScreen = 1080;
     States states;
-    for (const SurfaceLook& look : model.looks) states.push_back(stateOf(look));
+    for (const Material& look : model.materials) states.push_back(stateOf(look));
     if (model.coarser.empty()) return makeGroup(model, model.name, model.meshes, states);
     osg::ref_ptr<osg::LOD> root = new osg::LOD;
     root->setName(model.name);

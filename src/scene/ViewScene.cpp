@@ -4,7 +4,7 @@
 #include "Shaders.h"
 #include "ShadowMap.h"
 #include "SurfaceMaps.h"
-#include "stromar/mesh/Model.h"
+#include "stromar/model/Material.h"
 #include "stromar/scene/Daylight.h"
 #include "stromar/scene/OsgGeometry.h"
 #include "stromar/texture/Opacity.h"

@@ -32,7 +32,7 @@ std::uint64_t CTileNoise::hash(glm::ivec2 cell, glm::ivec2 cells) const {
 }
 
 double CTileNoise::uniform(std::uint64_t id, std::uint32_t purpose) const {
-    return static_cast<double>(hashCombine(id, purpose) >> 11) * 0x1p-53;
+    return unitOf(hashCombine(id, purpose));
 }
 
 double CTileNoise::gradient(glm::dvec2 at, glm::ivec2 cells) const {

@@ -21,6 +21,16 @@ glm::dvec3 CSegment::tangent(double t) const {
                           around * std::cos(kTurn * t) * frame[1]);
 }
 
+const CSegment* CGeneration::segmentBelow(const CStem& stem, const CPath& path) const {
+    if (path.source < 0) return nullptr;
+    return &segmentAt(stem, static_cast<std::uint32_t>(path.source), path.firstPosition - 1);
+}
+
+const CSegment& CGeneration::segmentAt(const CStem& stem, std::uint32_t path, std::uint32_t position) const {
+    const CPath& own = paths[stem.firstPath + path];
+    return segments[own.firstSegment + position - own.firstPosition];
+}
+
 std::size_t CTree::stemCount() const {
     std::size_t count = 0;
     for (const auto& generation : m_generations) count += generation->stems.size();

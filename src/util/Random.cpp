@@ -16,8 +16,7 @@ std::uint64_t hashCombine(std::uint64_t hash, std::uint64_t word) {
 }
 
 double CRandom::draw(std::uint64_t id, std::uint32_t purpose, std::uint64_t place) const {
-    const std::uint64_t bits = hashCombine(hashCombine(hashCombine(m_seed, id), purpose), place);
-    return static_cast<double>(bits >> 11) * 0x1p-53;
+    return unitOf(hashCombine(hashCombine(hashCombine(m_seed, id), purpose), place));
 }
 
 } // namespace stromar

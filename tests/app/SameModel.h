@@ -7,7 +7,7 @@ namespace stromar::test {
 
 /// What differs first between two models, or nothing.
 inline std::string modelDifference(const TreeModel& a, const TreeModel& b) {
-    if (a.tree->scaleTree() != b.tree->scaleTree()) return "the scale of the tree";
+    if (a.tree->height() != b.tree->height()) return "the scale of the tree";
     if (a.stems.size() != b.stems.size()) return "the number of generations";
     for (std::size_t g = 0; g < a.stems.size(); ++g)
         if (!sameBytes(*a.stems[g], *b.stems[g])) return a.stems[g]->name;

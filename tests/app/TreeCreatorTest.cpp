@@ -111,11 +111,11 @@ TEST(TreeCreator, AnEditOfAnyParameterGivesWhatANewCreatorGives) {
             const auto before = creator.create(params, *detail, CProgress(2));
             ref.set(params, otherValue(ref, params));
             ASSERT_NE(ref.get(params), ref.get(before->params)) << ref.key();
-            const Obsolete obsolete = firstObsolete(before->params, params);
+            const Invalidation invalid = invalidationOf(before->params, params);
             const auto after = creator.create(params, *detail, CProgress(2));
             EXPECT_EQ(modelDifference(*after, *createAnew(params, *detail)), "") << ref.key() << ", " << detail->name;
             int kept =
-                obsolete.stage > Stage::Mesh ? 4 : std::min(obsolete.generation, static_cast<int>(after->stems.size()));
+                invalid.stage > Stage::Mesh ? 4 : std::min(invalid.generation, static_cast<int>(after->stems.size()));
             // What becomes or was the last level is drawn in part: other stems than before.
             if (before->stems.size() != after->stems.size() && detail->share < 1) --kept;
             EXPECT_GE(sharedStems(*before, *after), kept) << ref.key() << ", " << detail->name;

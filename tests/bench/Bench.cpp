@@ -1,6 +1,7 @@
 // How fast trees grow, are meshed, change under an edit and are written. Real time: the work runs on several threads.
 #include "stromar/app/Export.h"
 #include "stromar/app/Formats.h"
+#include "stromar/model/MeshValues.h"
 #include "stromar/params/TreeFile.h"
 #include <algorithm>
 #include <benchmark/benchmark.h>
@@ -39,12 +40,13 @@ void growStructure(State& state, const CParams& params) {
 void buildMeshes(State& state, const CParams& params, const Detail& detail) {
     const auto tree = CWeberPennBuilder().build(params, nullptr, 0, CProgress());
     const CProgress progress;
+    const MeshParams mesh = meshParamsOf(params);
     std::size_t vertices = 0;
     for (auto _ : state) {
         vertices = 0;
-        const std::vector<StemMesh> all = meshAllStems(*tree, params, detail, progress);
+        const std::vector<StemMesh> all = meshAllStems(*tree, mesh, detail, progress);
         for (const StemMesh& stems : all) vertices += stems.mesh->vertexCount();
-        vertices += meshOfOrgans(*tree, Organ::Leaf, all.back().plan, params, detail, progress)->vertexCount();
+        vertices += meshOfOrgans(*tree, Organ::Leaf, plansOf(all), mesh, detail, progress)->vertexCount();
     }
     state.counters["vertices/s"] = perSecond(double(vertices));
 }

@@ -70,7 +70,7 @@ TEST(Info, SaysWhatTheLibraryMakes) {
         EXPECT_EQ(object.at("lod"), detail.lod);
         EXPECT_EQ(object.at("seed"), params.global.seed);
         EXPECT_EQ(object.at("species"), params.text.species);
-        EXPECT_NEAR(object.at("scale_tree"), model->tree->scaleTree(), 1e-9);
+        EXPECT_NEAR(object.at("scale_tree"), model->tree->height(), 1e-9);
         EXPECT_EQ(object.at("generations").size(), 3u);
         EXPECT_GE(object.at("mesh_bytes").get<std::size_t>(), 32 * model->vertexCount());
     }

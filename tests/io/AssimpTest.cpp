@@ -129,7 +129,7 @@ TEST_P(AssimpReads, EveryCornerInItsPlace) {
     const std::vector<Corner> wanted = cornersOf(model, yUp);
     ASSERT_EQ(got.corners.size(), wanted.size());
     const std::size_t leafCorners = model.leaves()->indices.size();
-    const float tolerance = 1e-6f * static_cast<float>(model.tree->scaleTree());
+    const float tolerance = 1e-6f * static_cast<float>(model.tree->height());
     const std::size_t turn = cornersTurned(got.corners, wanted);
     for (std::size_t i = 0; i < wanted.size(); ++i) {
         const Corner& corner = wanted[i - i % 3 + (i + turn) % 3];

@@ -12,7 +12,7 @@ namespace stromar::test {
 namespace {
 /// Looks straight along z at a tree that stands around the axis; prints its extent.
 std::string wrapperFor(const TreeModel& model, const std::string& file = "tree.pov") {
-    const double size = 1.2 * model.tree->scaleTree();
+    const double size = 1.2 * model.tree->height();
     std::ostringstream scene;
     scene << "#version 3.7;\n#declare Tree_Only = 1;\n#include \"" << file << "\"\n"
           << "#debug concat(\"EXTENT \", vstr(3, min_extent(Tree), \" \", 0, 6), \" \", vstr(3, max_extent(Tree), \" "

@@ -1,5 +1,5 @@
 #include "mesh/SampleTrees.h"
-#include "stromar/mesh/Model.h"
+#include "stromar/model/ExportModel.h"
 #include <algorithm>
 #include <gtest/gtest.h>
 #include <set>

@@ -1,4 +1,5 @@
 #include "mesh/MeshMeasures.h"
+#include "mesh/Cards.h"
 #include "mesh/SampleTrees.h"
 #include "stromar/mesh/Twig.h"
 #include <algorithm>
@@ -64,11 +65,11 @@ TEST(LeafMesh, ThinningKeepsTheAreaAndTheCrown) {
         const auto tree = grow(sample.params);
         const Bounds all = leavesOf(*tree, sample.params, detailOf(Model::Full))->bounds();
         const float least = sample.params.global.trunks > 1 ? 0.75f : 0.85f; // of many trunks one is the tallest
-        const bool onCards = typicalTwig(*tree, sample.params, CProgress()) != nullptr;
+        const bool onCards = twigOf(*tree, sample.params) != nullptr;
         for (const Detail& detail : detailTable()) {
             if (onCards && detail.twigPlanes > 0) continue;
             const auto mesh = leavesOf(*tree, sample.params, detail);
-            const std::size_t drawn = mesh->vertexCount() / verticesPerOrgan(sample.params, Organ::Leaf, detail);
+            const std::size_t drawn = mesh->vertexCount() / verticesPerOrgan(meshParamsOf(sample.params), Organ::Leaf, detail);
             EXPECT_LE(drawn, detail.leafBudget);
             EXPECT_LE(double(drawn),
                       std::max(double(kFewOrgans), std::ceil(detail.share * double(tree->leaves().size()))));
@@ -117,7 +118,7 @@ TEST(LeafMesh, EveryShapeIsSoundAndAboutAsLargeAsItsCard) {
                 SCOPED_TRACE("shape " + std::to_string(shape) + ", fold " + std::to_string(fold));
                 EXPECT_EQ(inWords(checkLeaves(*mesh)), "");
                 EXPECT_EQ(mesh->vertexCount(),
-                          tree->leaves().size() * verticesPerOrgan(params, Organ::Leaf, detailOf(Model::Full)));
+                          tree->leaves().size() * verticesPerOrgan(meshParamsOf(params), Organ::Leaf, detailOf(Model::Full)));
                 EXPECT_LT(mesh->area(), 1.01 * cards);
                 EXPECT_GT(mesh->area(), (shape == 7 ? 0.1 : 0.3) * cards);
                 for (const glm::vec2& at : mesh->texCoords) {

@@ -14,7 +14,7 @@ protected:
         m_params.global.levels = 2;
         m_params.level[1].branches = 12;
         m_tree = grow(m_params);
-        m_all = meshAllStems(*m_tree, m_params, detailOf(Model::Full), CProgress(2));
+        m_all = meshAllStems(*m_tree, meshParamsOf(m_params), detailOf(Model::Full), CProgress(2));
     }
 
     /// The faults of the branches after `spoil(mesh, tube)`, whose tube is the first with a collar.
@@ -105,7 +105,7 @@ TEST_F(MeshCheckTest, MeasuresCollars) {
             const CStem& stem = m_tree->generation(1).stems[tube.stem];
             const CSegment& first = m_tree->generation(1).segments[stem.firstSegment];
             for (std::uint32_t v = tube.firstVertex; v < tube.firstVertex + tube.vertexCount(); ++v)
-                mesh.positions[v] += glm::vec3(radii * stem.measures.radius * first.frame[2]);
+                mesh.positions[v] += glm::vec3(radii * stem.radius * first.frame[2]);
         });
     };
     EXPECT_EQ(inWords(moved(0.05)), "1 floating collars; ");

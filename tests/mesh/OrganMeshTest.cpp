@@ -18,8 +18,8 @@ CParams orchard() {
 std::shared_ptr<const CMesh> organs(CParams params, Organ organ, double month, const Detail& detail) {
     params.global.season = month;
     const auto tree = grow(params);
-    const auto all = meshAllStems(*tree, params, detail, CProgress(2));
-    return meshOfOrgans(*tree, organ, all.back().plan, params, detail, CProgress(2));
+    const auto all = meshAllStems(*tree, meshParamsOf(params), detail, CProgress(2));
+    return meshOfOrgans(*tree, organ, plansOf(all), meshParamsOf(params), detail, CProgress(2));
 }
 const Detail& full(int lod = 0) { return detailOf(Model::Full, lod); }
 } // namespace
@@ -30,7 +30,7 @@ TEST(OrganMesh, FruitsAreClosedAndSound) {
         ASSERT_GT(fruits->triangleCount(), 0u) << detail.name;
         EXPECT_TRUE(checkLeaves(*fruits).sound()) << detail.name;
         EXPECT_EQ(fruits->surface, Surface::Fruit);
-        const std::size_t each = verticesPerOrgan(orchard(), Organ::Fruit, detail);
+        const std::size_t each = verticesPerOrgan(meshParamsOf(orchard()), Organ::Fruit, detail);
         EXPECT_EQ(fruits->vertexCount() % each, 0u);
         EXPECT_GT(signedVolume(*fruits), 0) << detail.name << ": they face outwards";
     }

@@ -13,7 +13,7 @@ constexpr int kSeeds[] = {13, 4711};
 template <typename Look>
 void forEachStemMesh(const CParams& params, const Detail& detail, Look&& look) {
     const auto tree = grow(params);
-    for (int g = 0; const auto& [plan, mesh] : meshAllStems(*tree, params, detail, CProgress(2)))
+    for (int g = 0; const auto& [plan, mesh] : meshAllStems(*tree, meshParamsOf(params), detail, CProgress(2)))
         look(*tree, g++, plan, *mesh);
 }
 
@@ -36,7 +36,7 @@ TEST_P(PresetMesh, IsSound) {
         for (const Detail& detail : detailTable()) {
             const CParams seeded = params(seed);
             const auto tree = grow(seeded);
-            const auto all = meshAllStems(*tree, seeded, detail, CProgress(2));
+            const auto all = meshAllStems(*tree, meshParamsOf(seeded), detail, CProgress(2));
             const std::string label = std::string(detail.name) + ", seed " + std::to_string(seed) + ", ";
             for (std::size_t g = 0; g < all.size(); ++g) {
                 const MeshFaults faults = checkStems(*tree, static_cast<int>(g), all[g], g > 0 ? &all[g - 1] : nullptr);
@@ -44,7 +44,7 @@ TEST_P(PresetMesh, IsSound) {
                 EXPECT_GT(faults.triangles, 0u) << label << all[g].mesh->name;
             }
             EXPECT_EQ(
-                inWords(checkLeaves(*meshOfOrgans(*tree, Organ::Leaf, all.back().plan, seeded, detail, CProgress(2)))),
+                inWords(checkLeaves(*meshOfOrgans(*tree, Organ::Leaf, plansOf(all), meshParamsOf(seeded), detail, CProgress(2)))),
                 "")
                 << label;
         }
@@ -53,7 +53,7 @@ TEST_P(PresetMesh, IsSound) {
 TEST_P(PresetMesh, AlmostEveryBranchHasACollar) {
     for (int lod = 0; lod <= 2; ++lod) {
         const auto tree = grow(params());
-        const auto all = meshAllStems(*tree, params(), detailOf(Model::Full, lod), CProgress(2));
+        const auto all = meshAllStems(*tree, meshParamsOf(params()), detailOf(Model::Full, lod), CProgress(2));
         for (std::size_t g = 1; g < all.size(); ++g) {
             const auto chosen = std::ranges::count(all[g].plan.stemIsChosen, true);
             const auto collars =
@@ -112,13 +112,13 @@ TEST_P(PresetMesh, EveryTubeFacesOutwards) {
 TEST_P(PresetMesh, BarkGoesWholeTimesAroundAndKeepsItsScale) {
     const double wrapX = params().global.textureWrapX, wrapY = params().global.textureWrapY;
     const auto tree = grow(params());
-    const StemMeasures& trunk = tree->generation(0).stems[0].measures;
+    const CStem& trunk = tree->generation(0).stems[0];
     forEachStemMesh(
         params(), detailOf(Model::Full), [&](const CTree& grown, int g, const MeshPlan& plan, const CMesh& mesh) {
             for (const Tube& tube : plan.tubes) {
                 const std::size_t seam = tube.firstVertex + tube.points;
                 const double around = mesh.texCoords[seam].x - mesh.texCoords[tube.firstVertex].x;
-                const StemMeasures& own = grown.generation(std::size_t(g)).stems[tube.stem].measures;
+                const CStem& own = grown.generation(std::size_t(g)).stems[tube.stem];
                 const double radius = std::max(own.radius, params().global.minRadius);
                 if (g == 0)
                     ASSERT_NEAR(around, wrapX, 1e-5 * wrapX);
@@ -129,13 +129,15 @@ TEST_P(PresetMesh, BarkGoesWholeTimesAroundAndKeepsItsScale) {
                     tube.firstVertex + tube.vertexCount() - tube.points - (tube.middleOfLid(true) ? 1 : 0) - 1;
                 const Ring &low = plan.rings[tube.firstRing], &high = plan.rings[tube.firstRing + tube.ringCount - 1];
                 const CGeneration& generation = grown.generation(std::size_t(g));
-                const double along = (high.segment - low.segment + high.t - low.t) *
-                                     generation.stems[tube.stem].measures.length / generation.stems[tube.stem].curveRes;
+                const auto place = [&](const Ring& ring) {
+                    return generation.segments[ring.segment].start + ring.t * generation.segments[ring.segment].length;
+                };
+                const double along = place(high) - place(low);
                 if (!tube.pointed) continue; // lids show a round piece of the picture
                 const std::size_t first = tube.firstVertex + tube.collarRings * (tube.points + 1);
                 const double repeats = mesh.texCoords[tip].y - mesh.texCoords[first].y;
                 const double shape = (along / repeats) / (radius / around);
-                const StemMeasures& same = g == 0 ? own : trunk; // several trunks differ
+                const CStem& same = g == 0 ? own : trunk; // several trunks differ
                 const double trunkShape = (same.length / wrapY) / (same.radius / wrapX);
                 ASSERT_NEAR(shape / trunkShape, 1, 0.01) << mesh.name;
             }
@@ -172,10 +174,10 @@ TEST_P(PresetMesh, StaysInsideTheTreesSize) {
     const auto meshes = meshesOf(*tree, params(), detailOf(Model::Full));
     const Bounds trunk = meshes.front()->bounds();
     EXPECT_LT(trunk.min.z, 0.01f);
-    EXPECT_NEAR(trunk.max.z, tree->generation(0).stems[0].measures.length, 0.35 * tree->scaleTree());
+    EXPECT_NEAR(trunk.max.z, tree->generation(0).stems[0].length, 0.35 * tree->height());
     for (const auto& mesh : meshes) {
         if (mesh->vertexCount() == 0) continue; // leaves in winter
-        EXPECT_LT(mesh->bounds().max.z, 1.6 * tree->scaleTree()) << mesh->name;
+        EXPECT_LT(mesh->bounds().max.z, 1.6 * tree->height()) << mesh->name;
     }
 }
 

@@ -16,7 +16,7 @@ void forEachStemMesh(Look&& look) {
         const CParams params = randomParams(number);
         const auto tree = grow(params);
         for (const Detail& detail : detailTable())
-            for (int g = 0; const auto& [plan, mesh] : meshAllStems(*tree, params, detail, CProgress(2))) {
+            for (int g = 0; const auto& [plan, mesh] : meshAllStems(*tree, meshParamsOf(params), detail, CProgress(2))) {
                 const std::string label =
                     "sample " + std::to_string(number) + ", " + std::string(detail.name) + ", " + mesh->name;
                 look(*tree, params, g++, plan, *mesh, label);
@@ -30,11 +30,11 @@ template <typename Report>
 void checkAll(const CParams& params, Report&& report) {
     const auto tree = grow(params);
     for (const Detail& detail : detailTable()) {
-        const auto all = meshAllStems(*tree, params, detail, CProgress(2));
+        const auto all = meshAllStems(*tree, meshParamsOf(params), detail, CProgress(2));
         for (std::size_t g = 0; g < all.size(); ++g)
             report(checkStems(*tree, static_cast<int>(g), all[g], g > 0 ? &all[g - 1] : nullptr),
                    std::string(detail.name) + ", " + all[g].mesh->name);
-        report(checkLeaves(*meshOfOrgans(*tree, Organ::Leaf, all.back().plan, params, detail, CProgress(2))),
+        report(checkLeaves(*meshOfOrgans(*tree, Organ::Leaf, plansOf(all), meshParamsOf(params), detail, CProgress(2))),
                std::string(detail.name) + ", leaves");
     }
 }
@@ -60,7 +60,7 @@ TEST(RandomMesh, NoStemHasANegativeRadius) {
     for (std::uint64_t number = 0; number < kSamples; ++number) {
         const auto tree = grow(randomParams(number));
         for (const auto& generation : tree->generations())
-            for (const CStem& stem : generation->stems) ASSERT_GE(stem.measures.radius, 0) << "sample " << number;
+            for (const CStem& stem : generation->stems) ASSERT_GE(stem.radius, 0) << "sample " << number;
     }
 }
 
@@ -73,7 +73,7 @@ TEST(RandomMesh, StraightTubesFaceOutwards) {
         params.global.attractionUp = 0;
         const auto tree = grow(params);
         for (const Detail& detail : detailTable())
-            for (const auto& [plan, mesh] : meshAllStems(*tree, params, detail, CProgress(2))) {
+            for (const auto& [plan, mesh] : meshAllStems(*tree, meshParamsOf(params), detail, CProgress(2))) {
                 std::size_t inverted = 0;
                 for (const Tube& tube : plan.tubes)
                     if (!(signedVolume(*mesh, tube.firstIndex, tube.indexCount()) > 0)) ++inverted;
@@ -90,8 +90,8 @@ bool windsUp(const CTree& tree, const CParams& params, int generation) {
     const LevelParams& level = params.level[static_cast<std::size_t>(std::min(generation, kParamLevels - 1))];
     const double degrees = std::max(std::abs(level.curve), 2 * std::abs(level.curveBack)) + std::abs(level.curveV);
     const auto tight = [&](const CStem& stem) {
-        const double radius = std::max(stem.measures.radius * (1 + params.global.flare), params.global.minRadius);
-        return radius * degrees * kRadiansPerDegree > 0.8 * stem.measures.length;
+        const double radius = std::max(stem.radius * (1 + params.global.flare), params.global.minRadius);
+        return radius * degrees * kRadiansPerDegree > 0.8 * stem.length;
     };
     return std::ranges::any_of(tree.generation(static_cast<std::size_t>(generation)).stems, tight);
 }

@@ -122,9 +122,9 @@ std::vector<std::shared_ptr<const CMesh>> meshesOf(const CTree& tree, const CPar
                                                    int threads) {
     const CProgress progress(threads);
     std::vector<std::shared_ptr<const CMesh>> meshes;
-    const std::vector<StemMesh> all = meshAllStems(tree, params, detail, progress);
+    const std::vector<StemMesh> all = meshAllStems(tree, meshParamsOf(params), detail, progress);
     for (const StemMesh& stems : all) meshes.push_back(stems.mesh);
-    meshes.push_back(meshOfOrgans(tree, Organ::Leaf, all.back().plan, params, detail, progress));
+    meshes.push_back(meshOfOrgans(tree, Organ::Leaf, plansOf(all), meshParamsOf(params), detail, progress));
     return meshes;
 }
 

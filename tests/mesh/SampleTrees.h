@@ -1,5 +1,6 @@
 #pragma once
 #include "stromar/mesh/MeshBuilder.h"
+#include "stromar/model/MeshValues.h"
 #include "stromar/params/ParamTable.h"
 #include "stromar/tree/TreeBuilder.h"
 #include <cstdint>

@@ -1,6 +1,7 @@
 // The trunk alone, straight and upright: its surface can be told from the formulas.
 #include "mesh/MeshMeasures.h"
 #include "mesh/SampleTrees.h"
+#include "weberpenn/Grown.h"
 #include <algorithm>
 #include <cmath>
 #include <gtest/gtest.h>
@@ -21,7 +22,7 @@ struct Trunk {
 
 Trunk trunkOf(const CParams& params, const Detail& detail = detailOf(Model::Full)) {
     const auto tree = grow(params);
-    const StemMesh trunk = meshAllStems(*tree, params, detail, CProgress(2)).front();
+    const StemMesh trunk = meshAllStems(*tree, meshParamsOf(params), detail, CProgress(2)).front();
     return {tree, trunk.plan, trunk.mesh};
 }
 
@@ -60,11 +61,11 @@ TEST(TrunkSurface, FollowsTheTaper) {
             params.level[0].taper = taper;
             const Trunk trunk = trunkOf(params);
             const auto profile = profileOf(*trunk.mesh);
-            const StemMeasures& measures = trunk.stem().measures;
+            const CStem& measures = trunk.stem();
             double worst = 0;
             for (int i = 0; i <= 2000; ++i) {
                 const double z = i / 2000.0;
-                const double wanted = CCalculations::taperedRadius(taper, measures, z);
+                const double wanted = taperProfile(taper).radiusAt(z * measures.length, measures.length, measures.radius);
                 worst = std::max(worst, std::abs(drawnRadius(profile, z * measures.length) - wanted));
             }
             EXPECT_LE(worst, 0.1 * measures.radius) << "taper " << taper << ", ratio " << ratio;
@@ -77,7 +78,7 @@ TEST(TrunkSurface, FlaresAtTheGround) {
         params.global.flare = flare;
         const Trunk trunk = trunkOf(params);
         const auto profile = profileOf(*trunk.mesh);
-        const StemMeasures& m = trunk.stem().measures;
+        const CStem& m = trunk.stem();
         for (int i = 0; i <= 1000; ++i) {
             const double z = i / 1000.0;
             const double wanted = m.radius * (1 + flare * (std::pow(100.0, std::max(0.0, 1 - 8 * z)) - 1) / 100);
@@ -93,7 +94,7 @@ TEST(TrunkSurface, HasLobesAroundTheGround) {
     params.global.lobeDepth = 0.3;
     params.global.lobeFade = 0;
     const Trunk trunk = trunkOf(params);
-    const double radius = trunk.stem().measures.radius;
+    const double radius = trunk.stem().radius;
     std::size_t looked = 0;
     forEachWallVertex(*trunk.mesh, [&](const glm::vec3& p, const glm::vec2&) {
         const double angle = std::atan2(p.y, p.x);
@@ -109,7 +110,7 @@ TEST(TrunkSurface, HasRootsThatReachOutAndEnd) {
     params.global.rootReach = 2;
     params.global.rootHeight = 0.2;
     const Trunk trunk = trunkOf(params);
-    const StemMeasures& m = trunk.stem().measures;
+    const CStem& m = trunk.stem();
     std::vector<bool> reached(24);
     double farthest = 0;
     forEachWallVertex(*trunk.mesh, [&](const glm::vec3& p, const glm::vec2&) {
@@ -157,7 +158,7 @@ TEST(TrunkSurface, TheTextureGoesAroundAndAlong) {
     params.global.textureWrapY = 7;
     for (const Detail& detail : detailTable()) {
         const Trunk trunk = trunkOf(params, detail);
-        const double length = trunk.stem().measures.length;
+        const double length = trunk.stem().length;
         std::set<float> columns;
         forEachWallVertex(*trunk.mesh, [&](const glm::vec3& p, const glm::vec2& t) {
             double turn = std::atan2(p.y, p.x) / (2 * std::numbers::pi);
@@ -177,7 +178,7 @@ TEST(TrunkSurface, NormalsAreThoseOfACone) {
     CParams params = plainTrunk();
     params.level[0].taper = 0.6;
     const Trunk trunk = trunkOf(params);
-    const StemMeasures& m = trunk.stem().measures;
+    const CStem& m = trunk.stem();
     const double rise = 0.6 * m.radius / m.length;
     for (std::size_t v = 0; v < trunk.mesh->vertexCount(); ++v) {
         const glm::vec3& p = trunk.mesh->positions[v];
@@ -212,7 +213,7 @@ TEST(TrunkSurface, EnclosesTheVolumeOfItsPrism) {
     const CParams params = plainTrunk();
     for (const Detail& detail : detailTable()) {
         const Trunk trunk = trunkOf(params, detail);
-        const StemMeasures& m = trunk.stem().measures;
+        const CStem& m = trunk.stem();
         const int n = detail.ringPoints;
         const double area = 0.5 * n * m.radius * m.radius * std::sin(2 * std::numbers::pi / n);
         EXPECT_NEAR(signedVolume(*trunk.mesh), area * m.length, 1e-4 * area * m.length) << detail.name;
@@ -225,7 +226,7 @@ TEST(TrunkSurface, IsNeverThinnerThanTheLeastRadius) {
     params.global.minRadius = 0.2;
     const Trunk trunk = trunkOf(params);
     for (const auto& [z, radius] : profileOf(*trunk.mesh)) {
-        if (z > 0.99 * trunk.stem().measures.length) continue; // the tip may be a point
+        if (z > 0.99 * trunk.stem().length) continue; // the tip may be a point
         EXPECT_GE(radius, 0.2 - 1e-6) << z;
     }
 }
@@ -236,7 +237,7 @@ TEST(TrunkSurface, AHelixKeepsItsWidth) {
     const Trunk trunk = trunkOf(params);
     EXPECT_EQ(inWords(trunk.faults()), "");
     EXPECT_GT(signedVolume(*trunk.mesh), 0);
-    const StemMeasures& m = trunk.stem().measures;
+    const CStem& m = trunk.stem();
     const double around = m.length / params.level[0].curveRes * std::tan(std::numbers::pi / 6) / (2 * std::numbers::pi);
     const Bounds box = trunk.mesh->bounds();
     EXPECT_NEAR(box.max.y - box.min.y, 2 * (around + m.radius), 0.15 * (around + m.radius));

@@ -1,5 +1,6 @@
 #include "stromar/mesh/Twig.h"
 #include "mesh/MeshMeasures.h"
+#include "mesh/Cards.h"
 #include "mesh/SampleTrees.h"
 #include "stromar/mesh/MeshCheck.h"
 #include <cmath>
@@ -18,7 +19,7 @@ struct Carded {
 
 Carded cardsOf(const CParams& params) {
     const auto tree = grow(params);
-    return {tree, typicalTwig(*tree, params, CProgress())};
+    return {tree, twigOf(*tree, params)};
 }
 
 std::size_t quads(const CMesh& mesh) { return mesh.triangleCount() / 2; }
@@ -44,7 +45,7 @@ TEST_P(PresetTwig, KeepsTheCrown) {
     const Bounds all = meshesOf(*m_made.tree, m_sample.params, detailOf(Model::Full)).back()->bounds();
     for (const int lod : {2, 3}) {
         const Detail& detail = detailOf(Model::Full, lod);
-        const auto mesh = meshOfTwigs(*m_made.tree, twig, m_sample.params, detail, CProgress(2));
+        const auto mesh = meshOfTwigs(*m_made.tree, twig, meshParamsOf(m_sample.params), detail, CProgress(2));
         EXPECT_TRUE(checkLeaves(*mesh).sound()) << lod;
         EXPECT_LE(double(quads(*mesh)), std::ceil(detail.share * double(m_made.tree->leaves().size())));
         const double kept = mesh->area() * twig.shownArea / twig.cardArea() / twig.allLeafArea;
@@ -88,14 +89,14 @@ TEST(Twig, IsPressedSoThatNoLeafIsSeenEdgeOn) {
 TEST(Twig, CardsStandAboutTheirStems) {
     const CParams params = preset("quaking_aspen");
     const auto [tree, twig] = cardsOf(params);
-    const auto mesh = meshOfTwigs(*tree, *twig, params, detailOf(Model::Full, 3), CProgress(2));
+    const auto mesh = meshOfTwigs(*tree, *twig, meshParamsOf(params), detailOf(Model::Full, 3), CProgress(2));
     std::size_t card = 0;
     const CGeneration& last = tree->generation(tree->generationCount() - 1);
     ASSERT_EQ(mesh->vertexCount(), 4 * last.stems.size()) << "every stem bears leaves";
     for (const CStem& stem : last.stems) {
         const glm::vec3* p = &mesh->positions[4 * card++];
         const glm::dvec3 foot(0.5f * (p[0] + p[1]));
-        EXPECT_LT(glm::distance(foot, last.segments[stem.firstSegment].position), 0.25 * stem.measures.length);
+        EXPECT_LT(glm::distance(foot, last.segments[stem.firstSegment].position), 0.25 * stem.length);
     }
 }
 
@@ -133,10 +134,10 @@ TEST(Twig, OfRandomTreesIsSoundAndTheSameForEveryNumberOfThreads) {
         if (!twig) continue;
         for (const int lod : {2, 3}) {
             const Detail& detail = detailOf(Model::Full, lod);
-            const auto mesh = meshOfTwigs(*tree, *twig, params, detail, CProgress(3));
+            const auto mesh = meshOfTwigs(*tree, *twig, meshParamsOf(params), detail, CProgress(3));
             const MeshFaults faults = checkLeaves(*mesh);
             EXPECT_TRUE(faults.sound()) << number << ", LOD " << lod << ": " << inWords(faults);
-            const auto again = meshOfTwigs(*tree, *twig, params, detail, CProgress(1));
+            const auto again = meshOfTwigs(*tree, *twig, meshParamsOf(params), detail, CProgress(1));
             EXPECT_TRUE(std::ranges::equal(mesh->positions, again->positions)) << number;
             EXPECT_TRUE(std::ranges::equal(mesh->normals, again->normals)) << number;
             ++looked;

@@ -77,57 +77,6 @@ TEST(ShapeRatio, EnvelopeByHand) {
     }
 }
 
-struct TaperPoint {
-    double taper, length, radius, z, expected;
-};
-
-TEST(Taper, PointsByHand) {
-    const double root34 = std::sqrt(0.75);
-    const TaperPoint points[] = {{0, 10, 1, 0, 1},           {0, 10, 1, 0.5, 1},
-                                 {0, 10, 1, 1, 1}, // a cylinder
-                                 {0.5, 10, 1, 0, 1},         {0.5, 10, 1, 0.5, 0.75},
-                                 {0.5, 10, 1, 1, 0.5}, //
-                                 {1, 10, 1, 0, 1},           {1, 10, 1, 0.5, 0.5},
-                                 {1, 10, 1, 0.75, 0.25},     {1, 10, 1, 1, 0}, // a cone
-                                 {1, 1, 2, 0.5, root34}, // thicker than long: τ = 1, ½ m to the tip
-                                 {1.5, 10, 1, 0.5, 0.75},    {1.5, 10, 1, 0.95, std::sqrt(0.275)},
-                                 {1.5, 10, 1, 1, 0}, // rounded tip
-                                 {2, 10, 1, 0.5, 1},         {2, 10, 1, 0.6, 1},
-                                 {2, 10, 1, 0.95, root34},   {2, 10, 1, 1, 0}, // half a sphere
-                                 {2.5, 10, 1, 0.5, 1},       {2.5, 10, 1, 0.6, 0.5},
-                                 {2.5, 10, 1, 0.95, root34}, {2.5, 10, 1, 1, 0}, // dents
-                                 {3, 10, 1, 0.5, 1},         {3, 10, 1, 0.6, 0},
-                                 {3, 10, 1, 0.55, root34},   {3, 10, 1, 1, 0}}; // spheres
-    for (const auto& [taper, length, radius, z, expected] : points) {
-        const StemMeasures stem{.length = length, .radius = radius};
-        EXPECT_NEAR(CCalculations::taperedRadius(taper, stem, z), expected, 1e-7) << "taper " << taper << " at " << z;
-    }
-}
-
-TEST(Taper, NothingIsLeftOfNothing) {
-    for (const double taper : {0.0, 0.5, 1.0, 1.5, 2.0, 2.5, 3.0})
-        for (const double z : {0.0, 0.3, 1.0})
-            EXPECT_EQ(CCalculations::taperedRadius(taper, {.length = 2, .radius = 0}, z), 0) << taper;
-}
-
-TEST(Flare, WidensTheGroundOnly) {
-    GlobalParams g = CParams().global;
-    g.flare = 0.6;
-    const CTrunkCalc trunk(g, 10);
-    EXPECT_NEAR(trunk.flareAt(0), 1 + 0.99 * 0.6, kTolerance);
-    EXPECT_NEAR(trunk.flareAt(1.0 / 16), 1 + 0.6 * 9 / 100, kTolerance);
-    for (const double z : {0.125, 0.2, 0.5, 1.0}) EXPECT_EQ(trunk.flareAt(z), 1) << z;
-    EXPECT_EQ(C0BranchCalc(g, 10).flareAt(0), 1);
-    EXPECT_EQ(C1BranchCalc(g, 10).flareAt(0), 1);
-    g.flare = -1;
-    EXPECT_NEAR(CTrunkCalc(g, 10).flareAt(0), 0.01, kTolerance);
-    const StemMeasures stem{.length = 13, .radius = 0.195};
-    EXPECT_NEAR(trunk.woodRadius(1, stem, 1.0 / 16), 0.195 * 15 / 16 * 1.054, kTolerance);
-    EXPECT_NEAR(baseFalloff(0), 100, kTolerance);
-    EXPECT_NEAR(baseFalloff(1.0 / 16), 10, kTolerance);
-    EXPECT_EQ(baseFalloff(0.5), 1);
-}
-
 /// The aspen's crown: bare up to 5.2 m of 13.
 GlobalParams aspen() {
     GlobalParams g = CParams().global;

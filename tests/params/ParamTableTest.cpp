@@ -168,15 +168,15 @@ CParams withLevels(int levels) {
     return params;
 }
 
-Obsolete afterChangeOf(const ParamRef& ref, const CParams& before) {
+Invalidation afterChangeOf(const ParamRef& ref, const CParams& before) {
     CParams after = before;
     ref.set(after, otherValue(*ref.info, ref.get(before)));
-    return firstObsolete(before, after);
+    return invalidationOf(before, after);
 }
 
-TEST(FirstObsolete, NothingForTheSameTree) { EXPECT_EQ(firstObsolete(CParams(), CParams()).stage, Stage::None); }
+TEST(InvalidationOf, NothingForTheSameTree) { EXPECT_EQ(invalidationOf(CParams(), CParams()).stage, Stage::None); }
 
-TEST(FirstObsolete, EveryRowNamesItsStage) {
+TEST(InvalidationOf, EveryRowNamesItsStage) {
     const std::vector<std::string> nothing{"ZScale", "ZScaleV"};
     const std::vector<std::string> mesh{
         "MinRadius",  "Lobes",    "LobeDepth", "LobeFade",     "Roots",         "RootReach",    "RootHeight",
@@ -193,65 +193,65 @@ TEST(FirstObsolete, EveryRowNamesItsStage) {
     }
 }
 
-TEST(FirstObsolete, AValueOfALevelStartsAtItsGeneration) {
+TEST(InvalidationOf, AValueOfALevelStartsAtItsGeneration) {
     for (const ParamRef& ref : allParams())
         for (int levels = ref.info->perLevel() ? ref.level + 1 : 10; levels <= 9; ++levels)
-            EXPECT_EQ(afterChangeOf(ref, withLevels(levels)), (Obsolete{Stage::Structure, ref.level})) << ref.key();
+            EXPECT_EQ(afterChangeOf(ref, withLevels(levels)), (Invalidation{Stage::Structure, ref.level})) << ref.key();
 }
 
-TEST(FirstObsolete, TheLevelBehindTheLastPlacesTheLeaves) {
+TEST(InvalidationOf, TheLevelBehindTheLastPlacesTheLeaves) {
     const std::vector<std::string> placing{"2DownAngle", "2DownAngleV", "2Rotate", "2RotateV", "2BranchDistV"};
     for (const ParamRef& ref : allParams()) {
         if (!ref.info->perLevel() || ref.level < 2) continue;
         const bool places = std::ranges::find(placing, ref.key()) != placing.end();
-        const Obsolete first = afterChangeOf(ref, withLevels(2));
+        const Invalidation first = afterChangeOf(ref, withLevels(2));
         EXPECT_EQ(first.stage, places ? Stage::Structure : Stage::None) << ref.key();
         if (places) {
-            EXPECT_EQ(first.generation, Obsolete::kLeaves) << ref.key();
+            EXPECT_EQ(first.generation, Invalidation::kLeaves) << ref.key();
         }
     }
 }
 
-TEST(FirstObsolete, LeavesAlone) {
+TEST(InvalidationOf, LeavesAlone) {
     for (const char* key : {"Leaves", "LeafScale", "LeafScaleX", "LeafBend", "LeafQuality", "LeafWhorl", "Blossoms",
                             "BlossomScale", "BlossomUp", "Fruits", "FruitScale", "FruitScaleX"})
-        EXPECT_EQ(afterChangeOf(param(key), CParams()), (Obsolete{Stage::Structure, Obsolete::kLeaves})) << key;
+        EXPECT_EQ(afterChangeOf(param(key), CParams()), (Invalidation{Stage::Structure, Invalidation::kLeaves})) << key;
 }
 
-TEST(FirstObsolete, LevelsKeepsWhatBothTreesHave) {
+TEST(InvalidationOf, LevelsKeepsWhatBothTreesHave) {
     for (int from = 1; from <= 9; ++from)
         for (int to = 1; to <= 9; ++to) {
-            const Obsolete expected = from == to ? Obsolete{} : Obsolete{Stage::Structure, std::min(from, to)};
-            EXPECT_EQ(firstObsolete(withLevels(from), withLevels(to)), expected) << from << " to " << to;
+            const Invalidation expected = from == to ? Invalidation{} : Invalidation{Stage::Structure, std::min(from, to)};
+            EXPECT_EQ(invalidationOf(withLevels(from), withLevels(to)), expected) << from << " to " << to;
         }
 }
 
-TEST(FirstObsolete, OfTwoChangesTheEarlierCounts) {
+TEST(InvalidationOf, OfTwoChangesTheEarlierCounts) {
     for (const ParamRef& a : allParams())
         for (const char* key : {"Seed", "1Curve", "2Curve", "Leaves", "MinRadius", "ZScale"}) {
             const ParamRef b = param(key);
             if (a == b || a.key() == "Levels") continue;
-            const Obsolete alone = afterChangeOf(a, CParams()), other = afterChangeOf(b, CParams());
+            const Invalidation alone = afterChangeOf(a, CParams()), other = afterChangeOf(b, CParams());
             CParams both;
             a.set(both, otherValue(*a.info, a.get(both)));
             b.set(both, otherValue(*b.info, b.get(both)));
-            const Obsolete first = firstObsolete(CParams(), both);
+            const Invalidation first = invalidationOf(CParams(), both);
             EXPECT_EQ(first.stage, std::min(alone.stage, other.stage)) << a.key() << " and " << key;
-            for (const Obsolete& part : {alone, other}) {
+            for (const Invalidation& part : {alone, other}) {
                 if (part.stage == Stage::None) continue;
                 EXPECT_LE(first.generation, part.generation) << a.key() << " and " << key;
             }
         }
 }
 
-TEST(FirstObsolete, Texts) {
+TEST(InvalidationOf, Texts) {
     CParams params;
     params.text.species = params.text.author = params.text.description = "other";
-    EXPECT_EQ(firstObsolete(CParams(), params).stage, Stage::None);
+    EXPECT_EQ(invalidationOf(CParams(), params).stage, Stage::None);
     for (std::string TextParams::*picture : {&TextParams::barkTexture, &TextParams::leafTexture}) {
         CParams textured;
         textured.text.*picture = "bark.png";
-        EXPECT_EQ(firstObsolete(CParams(), textured).stage, Stage::Material);
+        EXPECT_EQ(invalidationOf(CParams(), textured).stage, Stage::Material);
     }
 }
 

@@ -107,7 +107,7 @@ TEST(Helix, ChildrenStartOnTheDrawnLine) {
     double aside = 0;
     for (const CStem& stem : branches.stems) {
         const CSegment& parent = segmentOf(trunk, trunk.stems[0], stem.path, stem.position);
-        const double w = stem.measures.offset / parent.length - stem.position;
+        const double w = stem.offset / parent.length - stem.position;
         const glm::dvec3 base = firstSegment(branches, stem).position;
         EXPECT_LT(glm::length(base - parent.centre(w)), 1e-9);
         aside = std::max(aside, glm::length(base - parent.axisPoint(w)));
@@ -166,7 +166,7 @@ TEST(AttractionUp, TipsOfAllTwigsFollowTheSign) {
         const auto tree = grow(with(params, {{"AttractionUp", attraction}}));
         std::vector<double> heights;
         for (const CStem& stem : tree->generation(2).stems)
-            heights.push_back(segmentOf(tree->generation(2), stem, 0, stem.curveRes - 1).axisPoint(1).z);
+            heights.push_back(segmentOf(tree->generation(2), stem, 0, curveRes(tree->generation(2)) - 1).axisPoint(1).z);
         return heights;
     };
     const auto low = tips(-1), plain = tips(0), high = tips(1);

@@ -9,7 +9,7 @@ using namespace test;
 void expectFinite(const CTree& tree, const std::string& what) {
     for (const auto& generation : tree.generations()) {
         for (const CStem& stem : generation->stems)
-            ASSERT_TRUE(std::isfinite(stem.measures.length) && std::isfinite(stem.measures.radius)) << what;
+            ASSERT_TRUE(std::isfinite(stem.length) && std::isfinite(stem.radius)) << what;
         for (const CSegment& segment : generation->segments) {
             const glm::dvec3 end = segment.centre(1);
             ASSERT_TRUE(std::isfinite(end.x) && std::isfinite(end.y) && std::isfinite(end.z)) << what;
@@ -36,8 +36,10 @@ TEST(Levels, OneToNineAreBuilt) {
         for (std::size_t g = 0; g < tree->generationCount(); ++g) {
             ASSERT_FALSE(tree->generation(g).stems.empty()) << levels << ", generation " << g;
             for (const CStem& stem : tree->generation(g).stems) {
-                EXPECT_EQ(stem.curveRes, g == 0 ? 3u : g == 1 ? 3u : g == 2 ? 2u : 3u);
-                EXPECT_EQ(stem.taper, g < 3 ? 1 : 0.4) << "level " << g << " uses the values of level 3";
+                EXPECT_EQ(stem.segmentCount, g == 0 ? 3u : g == 1 ? 3u : g == 2 ? 2u : 3u);
+                const CSegment& last = tree->generation(g).segments[stem.firstSegment + stem.segmentCount - 1];
+                EXPECT_NEAR(last.radiusEnd, g < 3 ? 0 : 0.6 * stem.radius, 1e-12)
+                    << "level " << g << " uses the values of level 3";
             }
         }
         EXPECT_EQ(tree->leaves().empty(), levels == 1);
@@ -80,9 +82,9 @@ TEST(ScaleOfTree, IsNeverLessThanATenth) {
 TEST(ScaleOfTree, IsTheTreesHeight) {
     const CParams params = with(richTree(), {{"0Length", 0.8}, {"0LengthV", 0}, {"0Scale", 2}, {"0ScaleV", 0}});
     const auto tree = grow(params);
-    EXPECT_EQ(tree->scaleTree(), scaleOfTree(params, true));
-    const StemMeasures& trunk = tree->generation(0).stems.at(0).measures;
-    EXPECT_DOUBLE_EQ(trunk.length, 0.8 * tree->scaleTree());
+    EXPECT_EQ(tree->height(), scaleOfTree(params, true));
+    const CStem& trunk = tree->generation(0).stems.at(0);
+    EXPECT_DOUBLE_EQ(trunk.length, 0.8 * tree->height());
     EXPECT_DOUBLE_EQ(trunk.radius, trunk.length * 0.03 * 2) << "0Scale counts once";
 }
 
@@ -114,13 +116,13 @@ TEST(Degenerate, StemsOfTenMicrometresAreLeftOut) {
     const auto tree = grow(with({}, {{"Levels", 2}, {"1Branches", 100}, {"1Length", 0}, {"1LengthV", 0.001}}));
     ASSERT_GT(tree->generation(1).stems.size(), 30u) << "about half of the lengths are positive";
     ASSERT_LT(tree->generation(1).stems.size(), 70u);
-    for (const CStem& stem : tree->generation(1).stems) EXPECT_GT(stem.measures.length, 1e-5);
+    for (const CStem& stem : tree->generation(1).stems) EXPECT_GT(stem.length, 1e-5);
 }
 
 TEST(Degenerate, VariationMakesNoNegativeRadius) {
     for (int seed = 0; seed < 50; ++seed) {
         const auto tree = grow(with({}, {{"0Scale", 0.1}, {"0ScaleV", 0.5}, {"Seed", double(seed)}}));
-        ASSERT_GE(tree->generation(0).stems.at(0).measures.radius, 0) << "seed " << seed;
+        ASSERT_GE(tree->generation(0).stems.at(0).radius, 0) << "seed " << seed;
         expectFinite(*tree, "seed " + std::to_string(seed));
         ASSERT_FALSE(HasFatalFailure());
     }

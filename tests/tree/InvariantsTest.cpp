@@ -67,13 +67,13 @@ private:
         for (std::uint32_t p = 0; p < stem.pathCount; ++p) {
             const CPath& path = generation.paths[stem.firstPath + p];
             ASSERT_EQ(path.firstSegment, segment);
-            ASSERT_EQ(path.firstPosition + path.segmentCount, stem.curveRes);
+            ASSERT_EQ(path.firstPosition + path.segmentCount, curveRes(generation));
             ASSERT_TRUE(ids.insert(path.id).second);
             segment += path.segmentCount;
             if (p == 0) {
                 ASSERT_EQ(path.source, -1);
                 ASSERT_EQ(path.firstPosition, 0u);
-                ASSERT_EQ(path.phase, 0);
+                ASSERT_EQ(grownOf(m_tree, m_g).rotationPhase[stem.firstPath], 0);
                 continue;
             }
             ASSERT_GE(path.source, 0);
@@ -91,8 +91,9 @@ private:
     }
 
     void checkSegments(const CGeneration& generation, const CStem& stem) {
-        std::vector<double> density(stem.curveRes, 0);
-        const double length = stem.measures.length / stem.curveRes;
+        std::vector<double> density(curveRes(generation), 0);
+        const double length = stem.length / curveRes(generation);
+        const RadiusProfile profile = taperProfile(seenBy(m_g).level().taper);
         for (std::uint32_t p = 0; p < stem.pathCount; ++p) {
             const CPath& path = generation.paths[stem.firstPath + p];
             for (std::uint32_t s = 0; s < path.segmentCount; ++s) {
@@ -101,6 +102,7 @@ private:
                 ASSERT_TRUE(finite(segment.position));
                 expectOrthonormal(segment.frame);
                 ASSERT_NEAR(segment.length, length, kClose);
+                ASSERT_NEAR(segment.start, position * length, kClose);
                 if (s > 0) {
                     ASSERT_LT(
                         glm::length(generation.segments[path.firstSegment + s - 1].axisPoint(1) - segment.position),
@@ -108,10 +110,11 @@ private:
                 }
                 for (const auto& [radius, end] :
                      {std::pair(segment.radiusBase, position), {segment.radiusEnd, position + 1}})
-                    ASSERT_NEAR(radius,
-                                CCalculations::taperedRadius(stem.taper, stem.measures, double(end) / stem.curveRes),
-                                1e-7);
-                density[position] += segment.density;
+                    {
+                    const double along = end == curveRes(generation) ? stem.length : end * length;
+                    ASSERT_NEAR(radius, profile.radiusAt(along, stem.length, stem.radius), 1e-7);
+                }
+                density[position] += grownOf(m_tree, m_g).density[path.firstSegment + s];
             }
         }
         for (const double sum : density) ASSERT_NEAR(sum, 1, kClose) << "clones share what the stem bears";
@@ -123,33 +126,38 @@ private:
         const CStem& parent = parents.stems[static_cast<std::size_t>(stem.parent)];
         ASSERT_LT(stem.path, parent.pathCount);
         ASSERT_GE(stem.position, parents.paths[parent.firstPath + stem.path].firstPosition);
-        ASSERT_LT(stem.position, parent.curveRes);
+        ASSERT_LT(stem.position, curveRes(parents));
         const CSegment& segment = segmentOf(parents, parent, stem.path, stem.position);
-        const StemMeasures& m = stem.measures;
+        const CStem& m = stem;
         const double w = m.offset / segment.length - stem.position;
         ASSERT_GE(w, -kClose);
         ASSERT_LE(w, 1 + kClose);
         ASSERT_LT(glm::length(firstSegment(generation, stem).position - segment.centre(w)), 1e-8)
             << "not on the drawn line";
-        ASSERT_EQ(m.parentLength, parent.measures.length);
+        ASSERT_EQ(scratchOf(generation, stem).parentLength, parent.length);
         ASSERT_GT(m.length, 1e-5);
-        checkSizes(stem, parent);
+        checkSizes(generation, stem, parent);
     }
 
-    void checkSizes(const CStem& stem, const CStem& parent) {
-        const CTreeParams seen(m_params, static_cast<int>(m_g) - 1, m_tree.scaleTree());
-        const StemMeasures& m = stem.measures;
-        const double wood = seen.calc().woodRadius(parent.taper, parent.measures, m.offset / m.parentLength);
+    CTreeParams seenBy(std::size_t generation) const {
+        return {m_params, static_cast<int>(generation), m_tree.height()};
+    }
+
+    void checkSizes(const CGeneration& generation, const CStem& stem, const CStem& parent) {
+        const CStem& m = stem;
+        const double tapered =
+            taperProfile(seenBy(m_g - 1).level().taper).radiusAt(m.offset, parent.length, parent.radius);
+        const double wood = m_g == 1 ? tapered * m_tree.base().flareAt(m.offset / parent.length) : tapered;
         ASSERT_TRUE(std::isfinite(m.radius) && m.radius >= 0);
-        ASSERT_NEAR(stem.woodAtBase, wood, kClose);
+        ASSERT_NEAR(stem.parentRadius, wood, kClose);
         ASSERT_LE(m.radius, wood + kClose) << "thicker than its parent";
         const double inherited =
-            parent.measures.radius * std::pow(m.length / m.parentLength, m_params.global.ratioPower);
+            parent.radius * std::pow(m.length / parent.length, m_params.global.ratioPower);
         ASSERT_NEAR(m.radius, std::min(inherited, wood), kClose);
-        const double bare = m_g == 1 ? m_params.global.baseSize * m_tree.scaleTree() : 0;
+        const double bare = m_g == 1 ? m_params.global.baseSize * m_tree.height() : 0;
         ASSERT_GE(m.offset, bare - kClose) << "on the bare trunk";
-        const CTreeParams own(m_params, static_cast<int>(m_g), m_tree.scaleTree());
-        ASSERT_LE(m.length, own.calc().length(m.lengthMax, parent.measures, m.offset) + kClose);
+        const StemMeasures on = grownOf(m_tree, m_g - 1).measuresOf(static_cast<std::size_t>(stem.parent));
+        ASSERT_LE(m.length, seenBy(m_g).calc().length(scratchOf(generation, stem).lengthMax, on, m.offset) + kClose);
     }
 
     void checkLeaves() {

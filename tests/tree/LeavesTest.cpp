@@ -20,8 +20,8 @@ std::map<std::uint32_t, std::vector<CLeaf>> byStem(const CTree& tree) {
     return all;
 }
 
-double numberOn(const CStem& stem, double leaves, double quality) {
-    return leaves * (0.5 + 0.5 * stem.measures.offset / stem.measures.parentLength) * quality;
+double numberOn(const CTree& tree, const CStem& stem, double leaves, double quality) {
+    return leaves * (0.5 + 0.5 * stem.offset / tree.generation(0).stems[0].length) * quality;
 }
 
 TEST(Leaves, CountsAreTaperedAlongTheParent) {
@@ -32,7 +32,7 @@ TEST(Leaves, CountsAreTaperedAlongTheParent) {
             const auto& stems = tree->generation(1).stems;
             double sum = 0;
             for (std::uint32_t s = 0; s < stems.size(); ++s) {
-                const double wanted = numberOn(stems[s], 20, quality);
+                const double wanted = numberOn(*tree, stems[s], 20, quality);
                 EXPECT_NEAR(double(leaves.contains(s) ? leaves.at(s).size() : 0), wanted, 1) << s;
                 sum += wanted;
             }
@@ -130,8 +130,8 @@ TEST(Leaves, AFanHasExactlyItsArc) {
     ASSERT_EQ(fans.size(), branches.stems.size());
     for (const auto& [s, leaves] : fans) {
         const CStem& stem = branches.stems[s];
-        ASSERT_EQ(leaves.size(), std::size_t(std::floor(numberOn(stem, 7, 1) + 0.5)));
-        const CSegment& last = segmentOf(branches, stem, 0, stem.curveRes - 1);
+        ASSERT_EQ(leaves.size(), std::size_t(std::floor(numberOn(*tree, stem, 7, 1) + 0.5)));
+        const CSegment& last = segmentOf(branches, stem, 0, curveRes(branches) - 1);
         for (std::size_t i = 0; i < leaves.size(); ++i) {
             const double turn = glm::radians(150 * (double(i) / double(leaves.size() - 1) - 0.5));
             EXPECT_LT(glm::length(leaves[i].position - last.axisPoint(1)), 1e-12);
@@ -149,7 +149,7 @@ TEST(Leaves, FansStandAtTheTipsOfClonesToo) {
     for (const auto& [s, leaves] : byStem(*tree)) {
         const CStem& stem = branches.stems[s];
         ASSERT_EQ(stem.pathCount, 2u);
-        const auto share = std::size_t(std::floor(numberOn(stem, 12, 1) / 2 + 0.5)); // the density is halved
+        const auto share = std::size_t(std::floor(numberOn(*tree, stem, 12, 1) / 2 + 0.5)); // the density is halved
         ASSERT_EQ(leaves.size(), 2 * share);
         for (std::size_t i = 0; i < leaves.size(); ++i) {
             const CSegment& last = segmentOf(branches, stem, i < share ? 0 : 1, 1);
@@ -163,7 +163,7 @@ TEST(Leaves, AFanOfOneStandsStraight) {
     ASSERT_EQ(tree->leaves().size(), tree->generation(1).stems.size()); // ½ to 1 leaf, rounded
     for (const CLeaf& leaf : tree->leaves()) {
         const CStem& stem = tree->generation(1).stems[leaf.stem];
-        EXPECT_LT(glm::length(leaf.axis - segmentOf(tree->generation(1), stem, 0, stem.curveRes - 1).frame[2]), 1e-12);
+        EXPECT_LT(glm::length(leaf.axis - segmentOf(tree->generation(1), stem, 0, curveRes(tree->generation(1)) - 1).frame[2]), 1e-12);
     }
 }
 

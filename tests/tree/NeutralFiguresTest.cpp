@@ -54,8 +54,8 @@ void expectFigures(const CGeneration& generation, const Figures& expected, const
     double length = 0, radius = 0, height = 0, spread = 0;
     for (const CStem& stem : generation.stems) {
         const glm::dvec3 base = test::firstSegment(generation, stem).position;
-        length += stem.measures.length;
-        radius += stem.measures.radius;
+        length += stem.length;
+        radius += stem.radius;
         height += base.z;
         spread += std::abs(base.x) + std::abs(base.y);
     }

@@ -36,7 +36,7 @@ TEST(Pruning, FullPruningLeavesNothingOutside) {
         for (std::size_t g = 1; g < tree->generationCount(); ++g)
             for (const CStem& stem : tree->generation(g).stems) {
                 ++stems;
-                ASSERT_TRUE(inside(tree->generation(g), stem, params, tree->scaleTree(), 1)) << "generation " << g;
+                ASSERT_TRUE(inside(tree->generation(g), stem, params, tree->height(), 1)) << "generation " << g;
             }
     }
     EXPECT_GT(stems, 3000u);
@@ -68,12 +68,12 @@ TEST(Pruning, LengthsShrinkByTenths) {
     const auto fitted = branches(*tree);
     int shortened = 0;
     for (const auto& [id, stem] : fitted) {
-        const double steps = std::log(stem.measures.length / whole.at(id).measures.length) / std::log(0.9);
+        const double steps = std::log(stem.length / whole.at(id).length) / std::log(0.9);
         EXPECT_NEAR(steps, std::round(steps), 1e-6);
-        EXPECT_GE(stem.measures.length, 0.05 * whole.at(id).measures.length);
+        EXPECT_GE(stem.length, 0.05 * whole.at(id).length);
         if (steps < 0.5) continue;
         ++shortened;
-        EXPECT_FALSE(inside(tree->generation(1), stem, wide(), tree->scaleTree(), 1 / 0.9)) << "one step too short";
+        EXPECT_FALSE(inside(tree->generation(1), stem, wide(), tree->height(), 1 / 0.9)) << "one step too short";
     }
     EXPECT_GT(shortened, 20);
     EXPECT_LT(shortened, 80);
@@ -86,10 +86,10 @@ TEST(Pruning, TheRatioBlends) {
         const auto blended = branches(*tree);
         EXPECT_EQ(blended.size(), whole.size()) << "only a full pruning drops stems";
         for (const auto& [id, stem] : blended) {
-            const double least = fitted.contains(id) ? fitted.at(id).measures.length : 0;
-            EXPECT_NEAR(stem.measures.length, whole.at(id).measures.length * (1 - ratio) + least * ratio, 1e-9);
-            const double inherited = 0.5 * stem.measures.length / 10; // trunk 10 m long, ½ m thick
-            EXPECT_NEAR(stem.measures.radius, std::min(inherited, stem.woodAtBase), 1e-12)
+            const double least = fitted.contains(id) ? fitted.at(id).length : 0;
+            EXPECT_NEAR(stem.length, whole.at(id).length * (1 - ratio) + least * ratio, 1e-9);
+            const double inherited = 0.5 * stem.length / 10; // trunk 10 m long, ½ m thick
+            EXPECT_NEAR(stem.radius, std::min(inherited, stem.parentRadius), 1e-12)
                 << "radius from the pruned length";
         }
     }
@@ -127,11 +127,11 @@ TEST(Pruning, TheWillowsNeutralFigures) {
     const auto tree = growNeutral(params);
     int shortened = 0;
     for (std::size_t g = 1; g < tree->generationCount(); ++g) {
-        const CTreeParams seen(params, static_cast<int>(g), tree->scaleTree());
+        const CTreeParams seen(params, static_cast<int>(g), tree->height());
         for (const CStem& stem : tree->generation(g).stems) {
-            const StemMeasures& parent = tree->generation(g - 1).stems[static_cast<std::size_t>(stem.parent)].measures;
-            shortened +=
-                stem.measures.length < 0.99 * seen.calc().length(stem.measures.lengthMax, parent, stem.measures.offset);
+            const StemMeasures parent = grownOf(*tree, g - 1).measuresOf(static_cast<std::size_t>(stem.parent));
+            const double lengthMax = scratchOf(tree->generation(g), stem).lengthMax;
+            shortened += stem.length < 0.99 * seen.calc().length(lengthMax, parent, stem.offset);
         }
     }
     EXPECT_EQ(shortened, 402);

@@ -111,7 +111,7 @@ TEST(Splits, BaseSplitsSpreadEvenly) {
             const double around = 360.0 * j / (clones + 1);
             const double azimuth = azimuthOf(segmentOf(trunk, trunk.stems[0], j, 1).frame[2]);
             EXPECT_NEAR(turnFrom(-90 + around, azimuth), 0, 1e-9) << j; // path 0 leans towards −Y
-            EXPECT_NEAR(trunk.paths[j].phase, glm::radians(around), 1e-12);
+            EXPECT_NEAR(grownOf(*tree, 0).rotationPhase[j], glm::radians(around), 1e-12);
         }
     }
 }
@@ -130,7 +130,7 @@ TEST(Splits, ClonesBelongToTheStem) {
         EXPECT_LT(glm::length(segmentOf(trunk, trunk.stems[0], p, 1).position - fork), 1e-12);
         for (std::uint32_t k = path.firstPosition; k < 5; ++k) {
             const CSegment& segment = segmentOf(trunk, trunk.stems[0], p, k);
-            EXPECT_NEAR(segment.density, k == 0 ? 1 : 1.0 / 3, 1e-12);
+            EXPECT_NEAR(grownOf(*tree, 0).density[path.firstSegment + k - path.firstPosition], k == 0 ? 1 : 1.0 / 3, 1e-12);
             EXPECT_EQ(segment.forks, k == 0);
             EXPECT_DOUBLE_EQ(segment.length, 2);
         }

@@ -1,6 +1,7 @@
 #pragma once
 #include "stromar/params/TreeFile.h"
 #include "stromar/tree/TreeBuilder.h"
+#include "weberpenn/Grown.h"
 #include <cmath>
 #include <cstring>
 #include <glm/geometric.hpp>
@@ -47,9 +48,18 @@ inline double turnFrom(double from, double to) { return std::remainder(to - from
 
 inline const CSegment& segmentOf(const CGeneration& generation, const CStem& stem, std::uint32_t path,
                                  std::uint32_t position) {
-    const CPath& own = generation.paths.at(stem.firstPath + path);
-    return generation.segments.at(own.firstSegment + position - own.firstPosition);
+    return generation.segmentAt(stem, path, position);
 }
+/// How many segments the builder gives a stem of a generation from base to tip.
+inline std::uint32_t curveRes(const CGeneration& generation) {
+    return static_cast<const CGrownGeneration&>(generation).curveRes;
+}
+/// What the builder keeps of a stem.
+inline const StemScratch& scratchOf(const CGeneration& generation, const CStem& stem) {
+    const auto& grown = static_cast<const CGrownGeneration&>(generation);
+    return grown.scratch.at(static_cast<std::size_t>(&stem - grown.stems.data()));
+}
+
 inline const CSegment& firstSegment(const CGeneration& generation, const CStem& stem) {
     return generation.segments.at(stem.firstSegment);
 }
@@ -61,21 +71,25 @@ bool sameBits(const T& a, const T& b) {
     return std::memcmp(&a, &b, sizeof a) == 0;
 }
 inline bool same(const CStem& a, const CStem& b) {
-    static_assert(sizeof(CStem) == sizeof(a.id) + 9 * sizeof(double) + 8 * sizeof(std::uint32_t), "no padding");
-    return sameBits(a, b);
+    return a.id == b.id && sameBits(a.length, b.length) && sameBits(a.radius, b.radius) &&
+           sameBits(a.offset, b.offset) && sameBits(a.parentRadius, b.parentRadius) && sameBits(a.birth, b.birth) &&
+           sameBits(a.profile.narrowing, b.profile.narrowing) && sameBits(a.profile.depth, b.profile.depth) &&
+           a.profile.form == b.profile.form && a.parent == b.parent && a.path == b.path && a.position == b.position &&
+           a.firstPath == b.firstPath && a.pathCount == b.pathCount && a.firstSegment == b.firstSegment &&
+           a.segmentCount == b.segmentCount;
 }
 inline bool same(const CPath& a, const CPath& b) {
     return a.id == b.id && a.firstSegment == b.firstSegment && a.segmentCount == b.segmentCount &&
-           a.firstPosition == b.firstPosition && a.source == b.source && sameBits(a.phase, b.phase);
+           a.firstPosition == b.firstPosition && a.source == b.source;
 }
 inline bool same(const CSegment& a, const CSegment& b) {
-    return sameBits(a.position, b.position) && sameBits(a.frame, b.frame) && sameBits(a.length, b.length) &&
+    return sameBits(a.position, b.position) && sameBits(a.frame, b.frame) && sameBits(a.start, b.start) && sameBits(a.length, b.length) &&
            sameBits(a.radiusBase, b.radiusBase) && sameBits(a.radiusEnd, b.radiusEnd) &&
-           sameBits(a.density, b.density) && sameBits(a.helixRadius, b.helixRadius) && a.forks == b.forks;
+           sameBits(a.helixRadius, b.helixRadius) && a.forks == b.forks;
 }
 inline bool same(const CLeaf& a, const CLeaf& b) {
     return sameBits(a.position, b.position) && sameBits(a.axis, b.axis) && sameBits(a.normal, b.normal) &&
-           sameBits(a.length, b.length) && sameBits(a.width, b.width) && a.stem == b.stem;
+           sameBits(a.length, b.length) && sameBits(a.width, b.width) && a.stem == b.stem && a.generation == b.generation;
 }
 template <typename Array>
 bool sameArrays(const Array& a, const Array& b) {
@@ -84,16 +98,17 @@ bool sameArrays(const Array& a, const Array& b) {
 inline bool same(const CGeneration& a, const CGeneration& b) {
     return sameArrays(a.stems, b.stems) && sameArrays(a.paths, b.paths) && sameArrays(a.segments, b.segments);
 }
+inline const std::string kBaseForm = "the trunks' base";
 /// What differs first, or nothing.
 inline std::string difference(const CTree& a, const CTree& b) {
-    if (!sameBits(a.scaleTree(), b.scaleTree())) return "the height";
+    if (!sameBits(a.height(), b.height())) return "the height";
     if (a.generationCount() != b.generationCount()) return "the number of generations";
     for (std::size_t g = 0; g < a.generationCount(); ++g)
         if (!same(a.generation(g), b.generation(g))) return "generation " + std::to_string(g);
     for (const Organ organ : kOrgans)
         if (!sameArrays(*a.shared(organ), *b.shared(organ)))
             return "organ " + std::to_string(static_cast<int>(organ)); // 0 the leaves
-    return "";
+    return a.base() == b.base() ? "" : kBaseForm;
 }
 
 /// A small tree with some of everything: splits, a helix, graded angles, alternating branches, pruning, leaves.

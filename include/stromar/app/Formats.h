@@ -1,5 +1,5 @@
 #pragma once
-#include "stromar/mesh/Model.h"
+#include "stromar/model/ExportModel.h"
 #include "stromar/util/FileSet.h"
 #include <filesystem>
 #include <span>

@@ -1,6 +1,6 @@
 #pragma once
 #include "stromar/app/TreeCreator.h"
-#include "stromar/mesh/Model.h"
+#include "stromar/model/ExportModel.h"
 #include "stromar/params/Params.h"
 #include "stromar/util/Progress.h"
 #include <filesystem>

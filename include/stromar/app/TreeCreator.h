@@ -1,37 +1,11 @@
 #pragma once
 #include "stromar/mesh/MeshBuilder.h"
-#include "stromar/mesh/Twig.h"
+#include "stromar/model/TreeModel.h"
 #include "stromar/tree/TreeBuilder.h"
-#include <array>
-#include <functional>
 #include <memory>
 #include <vector>
 
 namespace stromar {
-
-/// A tree with its meshes. Immutable, safe to share between threads.
-struct TreeModel {
-    CParams params;
-    const Detail* detail;
-    std::shared_ptr<const CTree> tree;
-    std::vector<std::shared_ptr<const CMesh>> stems;                 ///< by generation
-    std::array<std::shared_ptr<const CMesh>, kOrgans.size()> organs; ///< by Organ
-    std::shared_ptr<const Twig> twig; ///< what cards show in place of leaves and last stems; null: there are none
-    struct {
-        double structure = 0, smooth = 0, mesh = 0, total = 0;
-    } milliseconds;
-
-    const std::shared_ptr<const CMesh>& leaves() const { return organs[static_cast<std::size_t>(Organ::Leaf)]; }
-
-    static constexpr int kLeaves = -1; ///< then −2 the blossoms, −3 the fruits
-    using MeshVisitor = std::function<void(const std::shared_ptr<const CMesh>& mesh, int generation)>;
-
-    /// Visits the meshes that have vertices: stems by generation, then the organs (kLeaves …).
-    void visitMeshes(const MeshVisitor& visit) const;
-    std::vector<std::shared_ptr<const CMesh>> meshes() const;
-    std::size_t vertexCount() const;
-    std::size_t triangleCount() const;
-};
 
 /// The pipeline from parameters to meshes. Keeps what it made, compares with what was asked for, redoes the least:
 /// equal parts of two results are shared. Not thread-safe: one thread at a time.
@@ -48,14 +22,14 @@ public:
     void forget();
 
 private:
-    enum class Shown { All, Part, AsCards }; ///< of a generation, of the leaves
+    enum class Drawn { All, Part, AsCards }; ///< of a generation, of the leaves
     struct MadeMesh {
         std::shared_ptr<const void> source; ///< the generation or the organs it shows
         StemMesh stems;                     ///< of organs only the mesh
         CParams params;
-        Shown shown = Shown::All;
+        Drawn drawn = Drawn::All;
     };
-    using MadeMeshes = std::vector<MadeMesh>; ///< by generation, the organs last
+    using MadeMeshes = std::vector<MadeMesh>; ///< by generation, then by organ, then the cards
 
     void refuseTooLarge(const CParams& params, const Detail& detail) const;
     void updateTree(const CParams& params, const CProgress& progress);

@@ -1,5 +1,5 @@
 #pragma once
-#include "stromar/mesh/Model.h"
+#include "stromar/model/ExportModel.h"
 #include "stromar/util/FileSet.h"
 #include <filesystem>
 
@@ -21,7 +21,7 @@ void writeLwo(const ExportModel& model, const std::filesystem::path& path, CFile
 void writePov(const ExportModel& model, const std::filesystem::path& path, CFileSet& files);
 
 /// glTF 2.0 in one file, or with its buffer beside it. Metres, y up. Normals, tangents, ambient occlusion as COLOR_0,
-/// levels of detail by MSFT_lod. Pictures are embedded where `SurfaceLook::texture` is empty.
+/// levels of detail by MSFT_lod. Pictures are embedded where `Material::texture` is empty.
 void writeGlb(const ExportModel& model, const std::filesystem::path& path, CFileSet& files);
 void writeGltf(const ExportModel& model, const std::filesystem::path& path, CFileSet& files);
 

@@ -6,6 +6,7 @@
 #include <glm/vec3.hpp>
 #include <memory>
 #include <string>
+#include <vector>
 
 namespace stromar {
 
@@ -37,6 +38,8 @@ public:
     /// Of a mesh with vertices.
     Bounds bounds() const;
 };
+
+using Meshes = std::vector<std::shared_ptr<const CMesh>>;
 
 /// A mesh with so many vertices and indices, their values not yet set.
 std::shared_ptr<CMesh> allocateMesh(std::string name, Surface surface, std::size_t vertices, std::size_t indices);

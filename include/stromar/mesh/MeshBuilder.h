@@ -1,10 +1,11 @@
 #pragma once
 #include "stromar/mesh/Detail.h"
 #include "stromar/mesh/Mesh.h"
-#include "stromar/params/Params.h"
+#include "stromar/mesh/MeshParams.h"
 #include "stromar/tree/Tree.h"
 #include "stromar/util/Progress.h"
 #include <memory>
+#include <span>
 #include <vector>
 
 namespace stromar {
@@ -70,27 +71,34 @@ bool isSparse(const CTree& tree, int generation, const Detail& detail);
 /// level of detail, branches get collars on it. A sparse generation keeps so many stems, chosen evenly, that all wood
 /// together has about the detail's share of the triangles of LOD 0, but never less than that share of them.
 /// Time linear in the segments; runs on progress.threads() threads.
-MeshPlan planRings(const CTree& tree, int generation, const CParams& params, const Detail& detail,
+MeshPlan planRings(const CTree& tree, int generation, const MeshParams& params, const Detail& detail,
                    const StemMesh* parents, const CProgress& progress);
 
 /// The mesh of one generation of stems: every tube is closed at its base and its tip. Same result for any number of
 /// threads. Throws CCancelled.
-std::shared_ptr<const CMesh> meshOfStems(const CTree& tree, int generation, const MeshPlan& plan, const CParams& params,
+std::shared_ptr<const CMesh> meshOfStems(const CTree& tree, int generation, const MeshPlan& plan, const MeshParams& params,
                                          const CProgress& progress);
 
 /// No mesh for a generation that cards show: see Twig.h. What it bears is drawn.
-StemMesh noStems(const CTree& tree, int generation);
+StemMesh emptyStemMesh(const CTree& tree, int generation);
 
 /// The meshes of all generations, each on the one before.
-std::vector<StemMesh> meshAllStems(const CTree& tree, const CParams& params, const Detail& detail,
+std::vector<StemMesh> meshAllStems(const CTree& tree, const MeshParams& params, const Detail& detail,
                                    const CProgress& progress);
 
-/// The leaves by LeafShape, LeafForm, LeafFold, LeafPlanes and LeafStalk, seen from above; blossoms as cards, fruits as
-/// ellipsoids. As many and as large as the season has them. Only those on the stems that `last`, the plan of the last
-/// generation, chose; at most the detail's share or kFewOrgans, enlarged to keep their area as far as kMostLeafGrowth allows. Throws
-/// CCancelled.
-std::shared_ptr<const CMesh> meshOfOrgans(const CTree& tree, Organ organ, const MeshPlan& last, const CParams& params,
-                                          const Detail& detail, const CProgress& progress);
-std::size_t verticesPerOrgan(const CParams& params, Organ organ, const Detail& detail);
+/// By generation.
+std::vector<const MeshPlan*> plansOf(std::span<const StemMesh> stems);
+
+constexpr std::uint32_t kNoGeneration = ~0u;
+
+/// The leaves by their form, seen from above; blossoms as cards, fruits as ellipsoids. As many and as large as the
+/// season has them. Only those on stems that `plans`, by generation, chose; at most the detail's share or kFewOrgans,
+/// enlarged to keep their area as far as kMostLeafGrowth allows. Not those of the generation `except`, which cards show.
+/// Throws CCancelled.
+std::shared_ptr<const CMesh> meshOfOrgans(const CTree& tree, Organ organ, std::span<const MeshPlan* const> plans,
+                                          const MeshParams& params, const Detail& detail, const CProgress& progress,
+                                          std::uint32_t except = kNoGeneration);
+
+std::size_t verticesPerOrgan(const MeshParams& params, Organ organ, const Detail& detail);
 
 } // namespace stromar

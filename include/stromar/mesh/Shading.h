@@ -1,5 +1,5 @@
 #pragma once
-#include "stromar/mesh/Model.h"
+#include "stromar/mesh/Mesh.h"
 #include <glm/vec4.hpp>
 
 namespace stromar {

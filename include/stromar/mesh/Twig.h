@@ -1,7 +1,7 @@
 #pragma once
 #include "stromar/mesh/Detail.h"
 #include "stromar/mesh/Mesh.h"
-#include "stromar/params/Params.h"
+#include "stromar/mesh/MeshParams.h"
 #include "stromar/tree/Tree.h"
 #include "stromar/util/Progress.h"
 #include <glm/vec2.hpp>
@@ -25,17 +25,27 @@ struct Twig {
     double cardArea() const { return (high.x - low.x) * (high.y - low.y); }
 };
 
+/// What is known of the stems that bear leaves before a tree is grown.
+struct BearerBound {
+    double leaves = 0;     ///< on one of them, at most
+    double length = 0;     ///< of one of them, metres, at most
+    double leafLength = 0; ///< metres
+};
+
 /// Whether cards of whole twigs gain something: not where stems bear few leaves (the season counts), or are too long for
 /// the leaves to be seen in a picture.
-bool suitsCards(const CParams& params);
+bool suitsCards(const BearerBound& bearers, const SeasonShare& season);
 
-/// Null where !suitsCards(), and for a tree without leaves. Linear in the leaves. Throws CCancelled.
-std::shared_ptr<const Twig> typicalTwig(const CTree& tree, const CParams& params, const CProgress& progress);
+/// The generation whose stems cards stand for: the last one.
+inline std::uint32_t cardGeneration(const CTree& tree) { return static_cast<std::uint32_t>(tree.generationCount()) - 1; }
+
+/// Null when the last generation bears no leaves. Linear in the leaves. Throws CCancelled.
+std::shared_ptr<const Twig> typicalTwig(const CTree& tree, const MeshParams& params, const CProgress& progress);
 
 /// A card for every stem of the last generation that bears leaves, bent with it, in the detail's number of planes. No
 /// more rectangles than the detail's share of the leaves: else fewer planes, straight cards, at last fewer cards. Each
 /// shows as much leaf as its stem has, as far as kMostLeafGrowth allows. Throws CCancelled.
-std::shared_ptr<const CMesh> meshOfTwigs(const CTree& tree, const Twig& twig, const CParams& params,
+std::shared_ptr<const CMesh> meshOfTwigs(const CTree& tree, const Twig& twig, const MeshParams& params,
                                          const Detail& detail, const CProgress& progress);
 std::size_t mostVerticesOfCard(const Detail& detail);
 

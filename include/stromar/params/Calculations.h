@@ -29,18 +29,10 @@ public:
     virtual double childCount(double branches, const StemMeasures& stem) const = 0;
     /// The part of a stem of this kind, from its base, that bears nothing. Metres.
     virtual double bareLength() const { return 0; }
-    /// The wider base of a trunk as a factor on the radius at `z` = position / length (Weber & Penn §4.4).
-    virtual double flareAt(double) const { return 1; }
 
     /// The down angle of a child at `offset` on a stem of this kind when its variation is negative: graded, not random.
     double gradedDownAngle(double downAngle, double downAngleV, const StemMeasures& stem, double offset) const;
-    /// Radius at `z` = position / length by taper 0..3 (Weber & Penn §4.4); without flare, lobes and the least radius.
-    static double taperedRadius(double taper, const StemMeasures& stem, double z);
-    /// The same with flare: the wood a child has to fit on.
-    double woodRadius(double taper, const StemMeasures& stem, double z) const {
-        return taperedRadius(taper, stem, z) * flareAt(z);
-    }
-    /// The radius of a child's base (Weber & Penn §4.4); `woodThere` is the parent's woodRadius at the child's offset.
+    /// The radius of a child's base (Weber & Penn §4.4); `woodThere` is the parent's at the child's offset.
     double childRadius(const StemMeasures& parent, double childLength, double woodThere) const;
 
     double scaleTree() const { return m_scaleTree; }
@@ -59,7 +51,6 @@ public:
     double length(double lengthMax, const StemMeasures& parent, double offset) const override;
     double childCount(double branches, const StemMeasures& stem) const override;
     double bareLength() const override { return lengthBase(); }
-    double flareAt(double z) const override;
 };
 
 /// Branches on the trunk.
@@ -77,9 +68,6 @@ public:
     double length(double lengthMax, const StemMeasures& parent, double offset) const override;
     double childCount(double branches, const StemMeasures& stem) const override;
 };
-
-/// 100^max(0, 1 − 8z): how flare and fading lobes fall off above the ground, 100 at z = 0, 1 from z = 1/8.
-double baseFalloff(double z);
 
 /// Whether a point lies inside the pruning envelope (Weber & Penn §4.6). Metres, the trunk's base at the origin.
 bool insideEnvelope(double x, double y, double z, const GlobalParams& global, double scaleTree);

@@ -17,15 +17,16 @@ enum class Unit { None, Metre, Degree };
 /// What has to be done again, in the order of the work. A stage includes all that follow.
 enum class Stage { Structure, Mesh, Material, None };
 
-/// The first stage and the first generation that a change makes obsolete. Deeper generations follow.
-struct Obsolete {
+/// The first stage and the first generation that a change makes invalid. Deeper generations follow.
+struct Invalidation {
     static constexpr int kOwnLevel = -1;  ///< the level of the value
     static constexpr int kLastLevel = -2; ///< the first generation that only one of the two trees has
     static constexpr int kLeaves = 1000;  ///< the leaves alone
+    static constexpr int kNone = 1001;    ///< nothing that grows
 
     Stage stage = Stage::None;
     int generation = 0;
-    bool operator==(const Obsolete&) const = default;
+    bool operator==(const Invalidation&) const = default;
 };
 
 struct Range {
@@ -56,7 +57,7 @@ struct ParamInfo {
     double step;
     int decimals = 0; ///< shown in the window; files keep all
     std::array<double, kParamLevels> defaults;
-    Obsolete obsolete;
+    Invalidation invalidates;
     std::string_view help;
     std::span<const std::string_view> words{};   ///< names of 0, 1, 2 …
     std::span<const std::string_view> aliases{}; ///< other keys accepted in files
@@ -70,7 +71,7 @@ struct ParamInfo {
     constexpr bool integer() const { return field.index() % 2 == 1; }
     constexpr int lastLevel() const { return perLevel() ? kParamLevels - 1 : firstLevel; }
     /// Read, kept and written, but without any effect: no editor.
-    constexpr bool unused() const { return obsolete.stage == Stage::None; }
+    constexpr bool unused() const { return invalidates.stage == Stage::None; }
 
     double get(const CParams&, int level = 0) const;
     /// Clamps to the range (integers are rounded); false if it had to.
@@ -118,7 +119,7 @@ const ParamInfo* variationOf(const ParamInfo& info);
 std::string_view whyIdle(const ParamRef& ref, const CParams& params);
 
 /// What has to be done again to turn the tree of `before` into that of `after`.
-Obsolete firstObsolete(const CParams& before, const CParams& after);
+Invalidation invalidationOf(const CParams& before, const CParams& after);
 
 std::string_view groupName(Group group);
 std::string_view unitName(Unit unit);

@@ -1,24 +1,26 @@
 #pragma once
-#include "stromar/params/Calculations.h"
 #include "stromar/tree/Frame.h"
+#include "stromar/tree/StemForm.h"
 #include "stromar/util/RawVector.h"
 #include <array>
 #include <cstdint>
 #include <memory>
+#include <span>
 #include <vector>
 
 namespace stromar {
 
-/// A straight piece of a stem, or one turn of a helix about a straight axis.
+/// A straight piece of a stem, or one turn of a helix about a straight axis. Pieces of one stem may differ in length.
 struct CSegment {
     glm::dvec3 position; ///< of its base, metres
     Frame frame;
-    double length;
-    double radiusBase, radiusEnd; ///< by taper; without flare, lobes and the least radius
-    double density;     ///< share of the stem's children and leaves that this path's part gets, 1 before any split
-    double helixRadius; ///< of the drawn centre line about the axis; 0 = straight
-    bool forks;         ///< clones start at its end
+    double start;                 ///< of its base, metres along the stem from the stem's base
+    double length;                ///< metres
+    double radiusBase, radiusEnd; ///< without base form and the least radius
+    double helixRadius;           ///< of the drawn centre line about the axis; 0 = straight
+    bool forks;                   ///< clones start at its end
 
+    double end() const { return start + length; }
     /// A point of the axis, t in 0..1 from base to end.
     glm::dvec3 axisPoint(double t) const { return position + t * length * frame[2]; }
     /// A point of the drawn centre line: the axis, or the helix about it.
@@ -34,32 +36,41 @@ struct CPath {
     std::uint32_t segmentCount;
     std::uint32_t firstPosition; ///< how many segments of the stem lie below the first
     std::int32_t source;         ///< the path in the same stem it split from, −1 for path 0
-    double phase;                ///< start of its children's rotation, radians
 };
 
 /// A trunk, branch or twig with its clones. It owns paths, and through them segments, of its generation's arrays.
 struct CStem {
     std::uint64_t id; ///< the same in every tree in which the stem sits in the same place
-    double key;       ///< start of its counts' error diffusion, 0..1
-    StemMeasures measures;
-    double woodAtBase;      ///< radius of the parent's wood where it sits; 0 for the trunk
-    double taper;           ///< up to 1: radii are linear along segments; above: CCalculations::taperedRadius
-    double birth;           ///< when it starts to grow, 0..1 of the tree's age
-    std::int32_t parent;    ///< stem of the generation before, −1 for the trunk
+    double length;    ///< from its base to the tip of path 0, metres
+    double radius;    ///< at its base; without base form and the least radius
+    double offset;    ///< of its base along the parent, from the parent's base, metres
+    double parentRadius; ///< of the parent's wood where it sits; 0 without a parent
+    double birth;        ///< when it starts to grow, 0..1 of the tree's age
+    RadiusProfile profile;
+    std::int32_t parent;    ///< stem of the generation before, −1 for a trunk
     std::uint32_t path;     ///< of the parent
-    std::uint32_t position; ///< which segment along that path's stem it sits on, counted from the stem's base
+    std::uint32_t position; ///< which segment of that path it sits on, counted from the parent's base
     std::uint32_t firstPath, pathCount;
     std::uint32_t firstSegment, segmentCount; ///< all it owns, the clones' included
-    std::uint32_t curveRes;                   ///< segments from base to tip
 };
 
-/// All stems of one level. Immutable once built; links are indices.
+/// All stems that are equally many turns away from the root. Immutable once built; links are indices.
 struct CGeneration {
     std::vector<CStem> stems;
     std::vector<CPath> paths;
     std::vector<CSegment> segments;
 
     std::size_t cloneCount() const { return paths.size() - stems.size(); }
+    /// The segments of a path, from its base.
+    std::span<const CSegment> segmentsOf(const CPath& path) const {
+        return std::span(segments).subspan(path.firstSegment, path.segmentCount);
+    }
+    /// The segment at whose end a clone's path starts; null for path 0 of a stem.
+    const CSegment* segmentBelow(const CStem& stem, const CPath& path) const;
+    /// The segment of a path of a stem at a place counted from the stem's base.
+    const CSegment& segmentAt(const CStem& stem, std::uint32_t path, std::uint32_t position) const;
+    /// From the stem's base to the path's tip, metres.
+    double lengthOf(const CPath& path) const { return segmentsOf(path).back().end(); }
 };
 
 struct CLeaf {
@@ -67,11 +78,12 @@ struct CLeaf {
     glm::dvec3 axis;     ///< unit vector along the blade
     glm::dvec3 normal;   ///< unit vector out of its upper side
     double length, width;
-    std::uint32_t stem; ///< that bears it, in the last generation
+    std::uint32_t stem;       ///< that bears it
+    std::uint32_t generation; ///< of that stem
 };
 using LeafArray = RawVector<CLeaf>;
 
-/// What grows on the stems of the last generation. Blossoms and fruits are placed like leaves.
+/// What grows on stems of any generation; in the order of generations and stems. Blossoms and fruits are placed like leaves.
 enum class Organ { Leaf, Blossom, Fruit };
 inline constexpr std::array kOrgans{Organ::Leaf, Organ::Blossom, Organ::Fruit};
 using OrganArrays = std::array<std::shared_ptr<const LeafArray>, kOrgans.size()>; ///< by Organ, none is null
@@ -80,11 +92,15 @@ using OrganArrays = std::array<std::shared_ptr<const LeafArray>, kOrgans.size()>
 /// from any thread.
 class CTree {
 public:
-    CTree(double scaleTree, std::vector<std::shared_ptr<const CGeneration>> generations, OrganArrays organs)
-        : m_scaleTree(scaleTree), m_generations(std::move(generations)), m_organs(std::move(organs)) {}
+    /// `height` is what the builder aims at. `base` is the form of all trunks where they enter the ground.
+    CTree(double height, std::vector<std::shared_ptr<const CGeneration>> generations, OrganArrays organs,
+          const BaseForm& base = {})
+        : m_height(height), m_base(base), m_generations(std::move(generations)), m_organs(std::move(organs)) {}
 
-    /// Height by which all lengths are scaled, metres.
-    double scaleTree() const { return m_scaleTree; }
+    /// What the builder aims at, metres: by it guides are scaled.
+    double height() const { return m_height; }
+    /// Of the stems of generation 0.
+    const BaseForm& base() const { return m_base; }
     std::size_t generationCount() const { return m_generations.size(); }
     const CGeneration& generation(std::size_t g) const { return *m_generations[g]; }
     const std::vector<std::shared_ptr<const CGeneration>>& generations() const { return m_generations; }
@@ -95,7 +111,8 @@ public:
     std::size_t stemCount() const;
 
 private:
-    double m_scaleTree;
+    double m_height;
+    BaseForm m_base;
     std::vector<std::shared_ptr<const CGeneration>> m_generations;
     OrganArrays m_organs;
 };

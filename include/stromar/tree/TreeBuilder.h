@@ -11,9 +11,9 @@ class ITreeBuilder {
 public:
     virtual ~ITreeBuilder() = default;
 
-    /// Grows the tree. Generations before `firstObsolete` are taken over from `previous`, which was grown by the same
-    /// builder from parameters that differ only as firstObsolete() says; null grows everything. Throws CCancelled.
-    virtual std::shared_ptr<const CTree> build(const CParams& params, const CTree* previous, int firstObsolete,
+    /// Grows the tree. Generations before `firstInvalid` are taken over from `previous`, which was grown by the same
+    /// builder from parameters that differ only as invalidationOf() says; null grows everything. Throws CCancelled.
+    virtual std::shared_ptr<const CTree> build(const CParams& params, const CTree* previous, int firstInvalid,
                                                const CProgress& progress) const = 0;
 };
 
@@ -23,7 +23,7 @@ public:
     /// `varied` false replaces every random number by its middle value.
     explicit CWeberPennBuilder(bool varied = true) : m_varied(varied) {}
 
-    std::shared_ptr<const CTree> build(const CParams& params, const CTree* previous, int firstObsolete,
+    std::shared_ptr<const CTree> build(const CParams& params, const CTree* previous, int firstInvalid,
                                        const CProgress& progress) const override;
 
 private:

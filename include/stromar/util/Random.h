@@ -6,6 +6,9 @@ namespace stromar {
 /// Mixes a word into a hash. A good avalanche: every input bit reaches every output bit.
 std::uint64_t hashCombine(std::uint64_t hash, std::uint64_t word);
 
+/// A hash as a number in [0, 1).
+inline double unitOf(std::uint64_t hash) { return static_cast<double>(hash >> 11) * 0x1p-53; }
+
 /// Random numbers without a state: each is a pure function of (seed, id, purpose, place). So numbers can be drawn in
 /// any order and on any thread, and one draw more or less never changes another.
 class CRandom {

@@ -26,19 +26,21 @@ public:
     CLeafGrower(const CTreeParams& bearing, const CTreeParams& leafLevel, const CRandom& random, const OrganRule& rule)
         : m_bearing(bearing), m_leafLevel(leafLevel), m_random(random), m_rule(rule) {}
 
-    std::shared_ptr<const LeafArray> grow(const CGeneration& generation, const CProgress& progress) const;
+    std::shared_ptr<const LeafArray> grow(const CGrownGeneration& generation, const CProgress& progress) const;
 
 private:
-    std::size_t countOn(const CGeneration& generation, const CStem& stem) const;
-    void growOn(const CGeneration& generation, std::uint32_t stem, CLeaf* leaf) const;
-    void growAlong(const CGeneration& generation, std::uint32_t stem, CLeaf* leaf) const;
-    void growNode(const CGeneration& generation, std::uint32_t stem, const SegmentShare& share, int node,
+    std::size_t countOn(const CGrownGeneration& generation, std::size_t stem) const;
+    void growOn(const CGrownGeneration& generation, std::uint32_t stem, CLeaf* leaf) const;
+    void growAlong(const CGrownGeneration& generation, std::uint32_t stem, CLeaf* leaf) const;
+    void growNode(const CGrownGeneration& generation, std::uint32_t stem, const SegmentShare& share, int node,
                   CRotation& rotation, CLeaf*& leaf) const;
-    void growFans(const CGeneration& generation, std::uint32_t stem, CLeaf* leaf) const;
-    double numberOn(const CStem& stem) const;
-    double nodesOn(const CStem& stem) const { return numberOn(stem) / m_rule.whorl; }
-    double startError(const CStem& stem) const;
-    int fanSize(const CGeneration& generation, const CStem& stem, const CPath& path) const;
+    void growFans(const CGrownGeneration& generation, std::uint32_t stem, CLeaf* leaf) const;
+    double numberOn(const CGrownGeneration& generation, std::size_t stem) const;
+    double nodesOn(const CGrownGeneration& generation, std::size_t stem) const {
+        return numberOn(generation, stem) / m_rule.whorl;
+    }
+    double startError(const CGrownGeneration& generation, std::size_t stem) const;
+    int fanSize(const CGrownGeneration& generation, std::size_t stem, const CPath& path) const;
     std::uint64_t leafId(const CStem& stem, const CPath& path, std::uint32_t position, int i) const;
     CLeaf makeLeaf(const glm::dvec3& position, const Frame& frame, std::uint32_t stem) const;
 

@@ -18,9 +18,10 @@ void CAxisGrower::grow(std::uint64_t id, double key, const Frame& frame, StemAxi
     m_splitError = centred(key + m_random.phase(id, kDrawCountPhase));
     m_growing.clear();
     axis.paths.clear();
+    axis.rotationPhase.clear();
     axis.segments.clear();
     axis.curveRes = m_params.level().curveRes;
-    openPath({.id = 0, .firstSegment = 0, .segmentCount = 0, .firstPosition = 0, .source = -1, .phase = 0},
+    openPath({.id = 0, .firstSegment = 0, .segmentCount = 0, .firstPosition = 0, .source = -1}, 0,
              {frame, glm::dvec3(0), 0, 1, false}, axis);
     for (int k = 0; k < axis.curveRes; ++k) {
         const std::size_t live = axis.paths.size();
@@ -30,12 +31,13 @@ void CAxisGrower::grow(std::uint64_t id, double key, const Frame& frame, StemAxi
     }
 }
 
-void CAxisGrower::openPath(const CPath& path, const Growing& growing, StemAxis& axis) {
+void CAxisGrower::openPath(const CPath& path, double rotationPhase, const Growing& growing, StemAxis& axis) {
     CPath opened = path;
     opened.firstSegment = static_cast<std::uint32_t>(axis.segments.size());
     opened.segmentCount = static_cast<std::uint32_t>(axis.curveRes) - path.firstPosition;
     axis.segments.resize(axis.segments.size() + opened.segmentCount);
     axis.paths.push_back(opened);
+    axis.rotationPhase.push_back(rotationPhase);
     m_growing.push_back(growing);
 }
 
@@ -95,9 +97,8 @@ void CAxisGrower::split(std::size_t p, int k, StemAxis& axis) {
                   .firstSegment = 0,
                   .segmentCount = 0,
                   .firstPosition = static_cast<std::uint32_t>(k + 1),
-                  .source = static_cast<std::int32_t>(p),
-                  .phase = kTurn * j / (clones + 1)},
-                 clone, axis);
+                  .source = static_cast<std::int32_t>(p)},
+                 kTurn * j / (clones + 1), clone, axis);
     }
 }
 

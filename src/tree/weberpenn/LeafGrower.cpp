@@ -52,13 +52,13 @@ Frame bentToLight(const Frame& frame, const glm::dvec3& position, double bend) {
     return rotatedAbout(turned, axis, bend * std::atan2(level, m.z));
 }
 
-std::shared_ptr<const LeafArray> CLeafGrower::grow(const CGeneration& generation, const CProgress& progress) const {
+std::shared_ptr<const LeafArray> CLeafGrower::grow(const CGrownGeneration& generation, const CProgress& progress) const {
     const std::size_t stems = generation.stems.size();
     std::vector<std::size_t> first(stems + 1, 0);
     parallelFor(
         stems, kGrain,
         [&](std::size_t begin, std::size_t end) {
-            for (std::size_t s = begin; s < end; ++s) first[s + 1] = countOn(generation, generation.stems[s]);
+            for (std::size_t s = begin; s < end; ++s) first[s + 1] = countOn(generation, s);
         },
         progress);
     for (std::size_t s = 0; s < stems; ++s) first[s + 1] += first[s];
@@ -74,54 +74,55 @@ std::shared_ptr<const LeafArray> CLeafGrower::grow(const CGeneration& generation
     return leaves;
 }
 
-double CLeafGrower::numberOn(const CStem& stem) const {
+double CLeafGrower::numberOn(const CGrownGeneration& generation, std::size_t stem) const {
     const GlobalParams& g = m_bearing.global();
-    const double along = stem.measures.offset / stem.measures.parentLength;
+    const double along = generation.stems[stem].offset / generation.scratch[stem].parentLength;
     return std::abs(m_rule.number) * shapeRatio(kTaperedShape, along, g) * m_rule.density;
 }
 
-double CLeafGrower::startError(const CStem& stem) const {
-    return centred(stem.key + 2.0 / 3 + m_random.phase(stem.id, kDrawCountPhase));
+double CLeafGrower::startError(const CGrownGeneration& generation, std::size_t stem) const {
+    const double phase = m_random.phase(generation.stems[stem].id, kDrawCountPhase);
+    return centred(generation.scratch[stem].countPhase + 2.0 / 3 + phase);
 }
 
-int CLeafGrower::fanSize(const CGeneration& generation, const CStem& stem, const CPath& path) const {
-    const CSegment& last = generation.segments[path.firstSegment + path.segmentCount - 1];
-    return static_cast<int>(std::floor(numberOn(stem) * last.density + 0.5));
+int CLeafGrower::fanSize(const CGrownGeneration& generation, std::size_t stem, const CPath& path) const {
+    const double density = generation.density[path.firstSegment + path.segmentCount - 1];
+    return static_cast<int>(std::floor(numberOn(generation, stem) * density + 0.5));
 }
 
-std::size_t CLeafGrower::countOn(const CGeneration& generation, const CStem& stem) const {
+std::size_t CLeafGrower::countOn(const CGrownGeneration& generation, std::size_t s) const {
+    const CStem& stem = generation.stems[s];
     std::size_t count = 0;
     if (m_rule.number < 0) {
         for (std::uint32_t p = 0; p < stem.pathCount; ++p)
-            count += static_cast<std::size_t>(fanSize(generation, stem, generation.paths[stem.firstPath + p]));
+            count += static_cast<std::size_t>(fanSize(generation, s, generation.paths[stem.firstPath + p]));
         return count;
     }
-    distribute(generation, stem, m_bearing.calc().bareLength(), nodesOn(stem), startError(stem),
+    distribute(generation, stem, m_bearing.calc().bareLength(), nodesOn(generation, s), startError(generation, s),
                [&](const SegmentShare& share) { count += static_cast<std::size_t>(share.count * m_rule.whorl); });
     return count;
 }
 
-void CLeafGrower::growOn(const CGeneration& generation, std::uint32_t stem, CLeaf* leaf) const {
+void CLeafGrower::growOn(const CGrownGeneration& generation, std::uint32_t stem, CLeaf* leaf) const {
     if (m_rule.number < 0)
         growFans(generation, stem, leaf);
     else
         growAlong(generation, stem, leaf);
 }
 
-void CLeafGrower::growAlong(const CGeneration& generation, std::uint32_t s, CLeaf* leaf) const {
+void CLeafGrower::growAlong(const CGrownGeneration& generation, std::uint32_t s, CLeaf* leaf) const {
     const CStem& stem = generation.stems[s];
     CRotation rotation(m_leafLevel.level().rotate);
     std::uint32_t path = stem.pathCount;
-    distribute(generation, stem, m_bearing.calc().bareLength(), nodesOn(stem), startError(stem),
+    distribute(generation, stem, m_bearing.calc().bareLength(), nodesOn(generation, s), startError(generation, s),
                [&](const SegmentShare& share) {
-                   const CPath& own = generation.paths[stem.firstPath + share.path];
-                   if (share.path != path) rotation.startPath(own.phase);
+                   if (share.path != path) rotation.startPath(generation.rotationPhase[stem.firstPath + share.path]);
                    path = share.path;
                    for (int i = 0; i < share.count; ++i) growNode(generation, s, share, i, rotation, leaf);
                });
 }
 
-void CLeafGrower::growNode(const CGeneration& generation, std::uint32_t s, const SegmentShare& share, int node,
+void CLeafGrower::growNode(const CGrownGeneration& generation, std::uint32_t s, const SegmentShare& share, int node,
                            CRotation& rotation, CLeaf*& leaf) const {
     const CStem& stem = generation.stems[s];
     const CSegment& segment = generation.segments[share.segment];
@@ -138,23 +139,23 @@ void CLeafGrower::growNode(const CGeneration& generation, std::uint32_t s, const
             turn += 2 * std::numbers::pi / m_rule.whorl;
         const double offset = (share.position + w) * segment.length;
         const double down =
-            downAngle(level, m_bearing.calc(), stem.measures, offset, m_random.uniform(id, kDrawDownAngle));
+            downAngle(level, m_bearing.calc(), generation.measuresOf(s), offset, m_random.uniform(id, kDrawDownAngle));
         *leaf++ = makeLeaf(segment.centre(w), rotatedX(rotatedZ(segment.frame, turn), down), s);
     }
 }
 
-void CLeafGrower::growFans(const CGeneration& generation, std::uint32_t s, CLeaf* leaf) const {
+void CLeafGrower::growFans(const CGrownGeneration& generation, std::uint32_t s, CLeaf* leaf) const {
     const CStem& stem = generation.stems[s];
     const LevelParams& level = m_leafLevel.level();
     for (std::uint32_t p = 0; p < stem.pathCount; ++p) {
         const CPath& path = generation.paths[stem.firstPath + p];
         const CSegment& last = generation.segments[path.firstSegment + path.segmentCount - 1];
-        const int count = fanSize(generation, stem, path);
+        const int count = fanSize(generation, s, path);
         for (int i = 0; i < count; ++i) {
-            const std::uint64_t id = leafId(stem, path, stem.curveRes, i);
+            const std::uint64_t id = leafId(stem, path, generation.curveRes, i);
             const double inFan = count > 1 ? level.rotate * (double(i) / (count - 1) - 0.5) : 0;
             const double turn = inFan + m_random.vary(level.rotateV, id, kDrawRotation);
-            const double down = downAngle(level, m_bearing.calc(), stem.measures, stem.measures.length,
+            const double down = downAngle(level, m_bearing.calc(), generation.measuresOf(s), stem.length,
                                           m_random.uniform(id, kDrawDownAngle));
             *leaf++ = makeLeaf(last.centre(1), rotatedX(rotatedY(last.frame, turn), down), s);
         }
@@ -163,7 +164,8 @@ void CLeafGrower::growFans(const CGeneration& generation, std::uint32_t s, CLeaf
 
 CLeaf CLeafGrower::makeLeaf(const glm::dvec3& position, const Frame& frame, std::uint32_t stem) const {
     const Frame bent = bentToLight(m_rule.rise != 0 ? raised(frame, m_rule.rise) : frame, position, m_rule.bend);
-    return {position, bent[2], bent[1], m_rule.length, m_rule.width, stem};
+    return {position, bent[2], bent[1], m_rule.length, m_rule.width, stem,
+            static_cast<std::uint32_t>(m_bearing.generation())};
 }
 
 } // namespace stromar

@@ -1,8 +1,9 @@
 #pragma once
+#include "Grown.h"
 #include "stromar/params/TreeParams.h"
-#include "stromar/tree/Tree.h"
 #include <algorithm>
 #include <cmath>
+#include <numbers>
 
 namespace stromar {
 
@@ -18,21 +19,21 @@ struct SegmentShare {
 /// Shares out `number` children over a stem's segments, path by path, low to high, by error diffusion from `error`
 /// (Weber & Penn §4.3), and calls visit(SegmentShare) for every segment that gets some.
 template <typename Visit>
-void distribute(const CGeneration& generation, const CStem& stem, double bare, double number, double error,
+void distribute(const CGrownGeneration& generation, const CStem& stem, double bare, double number, double error,
                 Visit&& visit) {
-    const double length = stem.measures.length, segmentLength = length / stem.curveRes;
+    const double length = stem.length, segmentLength = length / generation.curveRes;
     if (length <= bare || number <= 0) return;
     for (std::uint32_t p = 0; p < stem.pathCount; ++p) {
         const CPath& path = generation.paths[stem.firstPath + p];
         for (std::uint32_t s = 0; s < path.segmentCount; ++s) {
             const std::uint32_t position = path.firstPosition + s;
             const double bareShare = std::clamp(bare / segmentLength - position, 0.0, 1.0);
-            const CSegment& segment = generation.segments[path.firstSegment + s];
-            const double wanted = number * (1 - bareShare) * segmentLength / (length - bare) * segment.density;
+            const double density = generation.density[path.firstSegment + s];
+            const double wanted = number * (1 - bareShare) * segmentLength / (length - bare) * density;
             const double count = std::floor(wanted + error + 0.5);
             error -= count - wanted;
             if (count < 1) continue;
-            const double inParent = position == 0 ? std::min(1.0, stem.woodAtBase / segmentLength) : 0.0;
+            const double inParent = position == 0 ? std::min(1.0, stem.parentRadius / segmentLength) : 0.0;
             visit(SegmentShare{p, path.firstSegment + s, position, static_cast<int>(count),
                                std::max(bareShare, inParent)});
         }
@@ -59,7 +60,7 @@ public:
     /// `variation` is var(nRotateV) of this child.
     double next(double variation) {
         if (m_rotate >= 0) return m_phase + (m_running += m_rotate + variation);
-        const double turn = m_side * (3.14159265358979323846 + m_rotate + variation);
+        const double turn = m_side * (std::numbers::pi + m_rotate + variation);
         m_side = -m_side;
         return m_phase + turn;
     }

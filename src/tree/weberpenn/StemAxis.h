@@ -16,6 +16,7 @@ struct StemAxis {
         bool forks;
     };
     std::vector<CPath> paths; ///< firstSegment counts from this axis's first
+    std::vector<double> rotationPhase; ///< by path: start of its children's rotation, radians
     std::vector<Segment> segments;
     int curveRes = 1;
 
@@ -40,7 +41,7 @@ private:
         bool halved;
     };
 
-    void openPath(const CPath& path, const Growing& growing, StemAxis& axis);
+    void openPath(const CPath& path, double rotationPhase, const Growing& growing, StemAxis& axis);
     void addSegment(std::size_t path, int k, StemAxis& axis);
     void bend(std::size_t path, int k, const StemAxis& axis);
     void attractUp(Frame& frame) const;

@@ -1,4 +1,5 @@
 #include "Draw.h"
+#include "Grown.h"
 #include "LeafGrower.h"
 #include "Placement.h"
 #include "StemAxis.h"
@@ -13,14 +14,14 @@ namespace stromar {
 
 namespace {
 constexpr std::uint64_t kTrunkId = 1;
-constexpr double kTrunkKey = 0.20710678118654752; // (√2 − 1) / 2
+constexpr double kTrunkPhase = 0.20710678118654752; // (√2 − 1) / 2
 constexpr double kLeastLength = 1e-5;             // metres; shorter stems are not grown
 constexpr std::size_t kParentGrain = 16, kStemGrain = 64;
 
 /// A place where a stem will grow, with all that its parent says about it.
 struct Site {
     std::uint64_t id;
-    double key;
+    double countPhase;
     Frame frame;
     glm::dvec3 base;
     StemMeasures measures; ///< length before pruning; radius not yet known
@@ -31,8 +32,13 @@ struct Site {
     std::uint32_t path, position;
 };
 
+template <typename Array>
+void append(Array& whole, const Array& part) {
+    whole.insert(whole.end(), part.begin(), part.end());
+}
+
 /// Appends `part`, whose indices count from its own arrays.
-void append(CGeneration& whole, CGeneration&& part) {
+void append(CGrownGeneration& whole, CGrownGeneration&& part) {
     const auto paths = static_cast<std::uint32_t>(whole.paths.size());
     const auto segments = static_cast<std::uint32_t>(whole.segments.size());
     for (CStem& stem : part.stems) {
@@ -40,9 +46,27 @@ void append(CGeneration& whole, CGeneration&& part) {
         stem.firstSegment += segments;
     }
     for (CPath& path : part.paths) path.firstSegment += segments;
-    whole.stems.insert(whole.stems.end(), part.stems.begin(), part.stems.end());
-    whole.paths.insert(whole.paths.end(), part.paths.begin(), part.paths.end());
-    whole.segments.insert(whole.segments.end(), part.segments.begin(), part.segments.end());
+    append(whole.stems, part.stems);
+    append(whole.paths, part.paths);
+    append(whole.segments, part.segments);
+    append(whole.scratch, part.scratch);
+    append(whole.rotationPhase, part.rotationPhase);
+    append(whole.density, part.density);
+}
+
+void reserve(CGrownGeneration& whole, const std::vector<CGrownGeneration>& parts) {
+    std::size_t stems = 0, paths = 0, segments = 0;
+    for (const CGrownGeneration& part : parts) {
+        stems += part.stems.size();
+        paths += part.paths.size();
+        segments += part.segments.size();
+    }
+    whole.stems.reserve(stems);
+    whole.scratch.reserve(stems);
+    whole.paths.reserve(paths);
+    whole.rotationPhase.reserve(paths);
+    whole.segments.reserve(segments);
+    whole.density.reserve(segments);
 }
 
 /// Finds where children of one generation grow on the stems of the one before.
@@ -51,7 +75,7 @@ public:
     CSiteFinder(const CTreeParams& parents, const CTreeParams& children, const CRandom& random)
         : m_parents(parents), m_children(children), m_random(random) {}
 
-    std::vector<Site> find(const CGeneration& generation, const CProgress& progress) const {
+    std::vector<Site> find(const CGrownGeneration& generation, const CProgress& progress) const {
         const std::size_t count = generation.stems.size();
         std::vector<std::vector<Site>> parts((count + kParentGrain - 1) / kParentGrain);
         parallelFor(
@@ -71,22 +95,24 @@ public:
     }
 
 private:
-    void findOn(const CGeneration& generation, std::int32_t parent, std::vector<Site>& sites) const {
-        const CStem& stem = generation.stems[static_cast<std::size_t>(parent)];
+    void findOn(const CGrownGeneration& generation, std::int32_t parent, std::vector<Site>& sites) const {
+        const auto p = static_cast<std::size_t>(parent);
+        const CStem& stem = generation.stems[p];
         const LevelParams& level = m_children.level();
-        const double number = m_parents.calc().childCount(level.branches, stem.measures) / level.whorl;
-        const double error = centred(stem.key + 1.0 / 3 + m_random.phase(stem.id, kDrawCountPhase));
+        const double number = m_parents.calc().childCount(level.branches, generation.measuresOf(p)) / level.whorl;
+        const double phase = generation.scratch[p].countPhase;
+        const double error = centred(phase + 1.0 / 3 + m_random.phase(stem.id, kDrawCountPhase));
         CRotation rotation(level.rotate);
         std::uint32_t path = stem.pathCount;
         distribute(generation, stem, m_parents.calc().bareLength(), number, error, [&](const SegmentShare& share) {
-            if (share.path != path) rotation.startPath(generation.paths[stem.firstPath + share.path].phase);
+            if (share.path != path) rotation.startPath(generation.rotationPhase[stem.firstPath + share.path]);
             path = share.path;
             for (int i = 0; i < share.count; ++i) addNode(generation, parent, share, i, rotation, sites);
         });
     }
 
     /// A branch, or a whorl of them.
-    void addNode(const CGeneration& generation, std::int32_t parent, const SegmentShare& share, int node,
+    void addNode(const CGrownGeneration& generation, std::int32_t parent, const SegmentShare& share, int node,
                  CRotation& rotation, std::vector<Site>& sites) const {
         const LevelParams& level = m_children.level();
         const CStem& stem = generation.stems[static_cast<std::size_t>(parent)];
@@ -105,32 +131,40 @@ private:
         }
     }
 
-    Site makeSite(const CGeneration& generation, std::int32_t parent, const SegmentShare& share, int i,
+    Site makeSite(const CGrownGeneration& generation, std::int32_t parent, const SegmentShare& share, int i,
                   std::uint64_t id, double w, double turn) const {
-        const CStem& stem = generation.stems[static_cast<std::size_t>(parent)];
+        const auto p = static_cast<std::size_t>(parent);
+        const CStem& stem = generation.stems[p];
+        const StemMeasures measures = generation.measuresOf(p);
         const CSegment& segment = generation.segments[share.segment];
         const LevelParams& level = m_children.level();
         Site site{};
         site.id = id;
-        site.key = fraction(stem.key + 0.6180339887498949 * (i + 1) + 0.7320508075688772 * share.position +
+        site.countPhase = fraction(generation.scratch[p].countPhase + 0.6180339887498949 * (i + 1) + 0.7320508075688772 * share.position +
                             0.41421356237309515 * share.path);
         const double offset = (share.position + w) * segment.length;
         const double down =
-            downAngle(level, m_parents.calc(), stem.measures, offset, m_random.uniform(site.id, kDrawDownAngle));
+            downAngle(level, m_parents.calc(), measures, offset, m_random.uniform(site.id, kDrawDownAngle));
         site.frame = rotatedX(rotatedZ(segment.frame, turn), down);
         site.base = segment.centre(w);
         site.measures.lengthMax = level.length + m_random.vary(level.lengthV, site.id, kDrawLength);
-        site.measures.length = m_children.calc().length(site.measures.lengthMax, stem.measures, offset);
+        site.measures.length = m_children.calc().length(site.measures.lengthMax, measures, offset);
         site.measures.offset = offset;
-        site.measures.parentLength = stem.measures.length;
-        site.parentMeasures = stem.measures;
-        site.woodThere = m_parents.calc().woodRadius(stem.taper, stem.measures, offset / stem.measures.length);
+        site.measures.parentLength = stem.length;
+        site.parentMeasures = measures;
+        site.woodThere = woodRadius(measures, offset);
         // The parent's tip passes here, if it grows evenly until now.
-        site.birth = stem.birth + (1 - stem.birth) * offset / stem.measures.length;
+        site.birth = stem.birth + (1 - stem.birth) * offset / stem.length;
         site.parent = parent;
         site.path = share.path;
         site.position = share.position;
         return site;
+    }
+
+    /// The wood that a child has to fit on.
+    double woodRadius(const StemMeasures& stem, double offset) const {
+        const double tapered = taperProfile(m_parents.level().taper).radiusAt(offset, stem.length, stem.radius);
+        return m_parents.generation() > 0 ? tapered : tapered * baseFormOf(m_parents.global()).flareAt(offset / stem.length);
     }
 
     static std::uint64_t siteId(const CStem& stem, const CPath& path, std::uint32_t position, int i) {
@@ -146,10 +180,11 @@ private:
 /// Grows stems at their sites: form, pruning, radius, segments.
 class CStemGrower {
 public:
-    CStemGrower(const CTreeParams& params, const CRandom& random) : m_params(params), m_grower(params, random) {}
+    CStemGrower(const CTreeParams& params, const CRandom& random)
+        : m_params(params), m_taper(taperProfile(params.level().taper)), m_grower(params, random) {}
 
-    void grow(const Site& site, CGeneration& generation) {
-        m_grower.grow(site.id, site.key, site.frame, m_axis);
+    void grow(const Site& site, CGrownGeneration& generation) {
+        m_grower.grow(site.id, site.countPhase, site.frame, m_axis);
         StemMeasures measures = site.measures;
         if (site.parent >= 0) {
             measures.length = prunedLength(site);
@@ -182,13 +217,14 @@ private:
         return true;
     }
 
-    void addStem(const Site& site, const StemMeasures& measures, CGeneration& generation) const {
+    void addStem(const Site& site, const StemMeasures& measures, CGrownGeneration& generation) const {
         CStem stem{};
         stem.id = site.id;
-        stem.key = site.key;
-        stem.measures = measures;
-        stem.woodAtBase = site.woodThere;
-        stem.taper = m_params.level().taper;
+        stem.length = measures.length;
+        stem.radius = measures.radius;
+        stem.offset = measures.offset;
+        stem.parentRadius = site.woodThere;
+        stem.profile = m_params.level().taper > 1 ? m_taper : RadiusProfile();
         stem.birth = site.birth;
         stem.parent = site.parent;
         stem.path = site.path;
@@ -197,40 +233,44 @@ private:
         stem.pathCount = static_cast<std::uint32_t>(m_axis.paths.size());
         stem.firstSegment = static_cast<std::uint32_t>(generation.segments.size());
         stem.segmentCount = static_cast<std::uint32_t>(m_axis.segments.size());
-        stem.curveRes = static_cast<std::uint32_t>(m_axis.curveRes);
         for (CPath path : m_axis.paths) {
-            for (std::uint32_t s = 0; s < path.segmentCount; ++s)
-                generation.segments.push_back(
-                    makeSegment(site, stem, m_axis.segments[path.firstSegment + s], path.firstPosition + s));
+            for (std::uint32_t s = 0; s < path.segmentCount; ++s) {
+                const StemAxis::Segment& form = m_axis.segments[path.firstSegment + s];
+                generation.segments.push_back(makeSegment(site, stem, form, path.firstPosition + s));
+                generation.density.push_back(form.density);
+            }
             path.firstSegment += stem.firstSegment;
             generation.paths.push_back(path);
         }
+        append(generation.rotationPhase, m_axis.rotationPhase);
         generation.stems.push_back(stem);
+        generation.scratch.push_back({site.countPhase, measures.lengthMax, measures.parentLength});
     }
 
     CSegment makeSegment(const Site& site, const CStem& stem, const StemAxis::Segment& form,
                          std::uint32_t position) const {
-        const double n = stem.curveRes, length = stem.measures.length / n;
-        const auto radius = [&](double z) { return CCalculations::taperedRadius(stem.taper, stem.measures, z); };
+        const double n = m_axis.curveRes, length = stem.length / n;
+        const auto radius = [&](double along) { return m_taper.radiusAt(along, stem.length, stem.radius); };
         const double curveV = m_params.level().curveV;
-        return {.position = site.base + stem.measures.length * form.position,
+        return {.position = site.base + stem.length * form.position,
                 .frame = form.frame,
+                .start = position * length,
                 .length = length,
-                .radiusBase = radius(position / n),
-                .radiusEnd = radius((position + 1) / n),
-                .density = form.density,
-                .helixRadius = curveV < 0 ? length * std::tan(-curveV) / (2 * 3.14159265358979323846) : 0,
+                .radiusBase = radius(position * length),
+                .radiusEnd = radius(position + 1 < n ? (position + 1) * length : stem.length),
+                .helixRadius = curveV < 0 ? length * std::tan(-curveV) / (2 * std::numbers::pi) : 0,
                 .forks = form.forks};
     }
 
     const CTreeParams& m_params;
+    RadiusProfile m_taper;
     CAxisGrower m_grower;
     StemAxis m_axis;
 };
 
-std::shared_ptr<const CGeneration> growStems(const CTreeParams& params, const CRandom& random,
+std::shared_ptr<const CGrownGeneration> growStems(const CTreeParams& params, const CRandom& random,
                                              const std::vector<Site>& sites, const CProgress& progress) {
-    std::vector<CGeneration> parts((sites.size() + kStemGrain - 1) / kStemGrain);
+    std::vector<CGrownGeneration> parts((sites.size() + kStemGrain - 1) / kStemGrain);
     parallelFor(
         sites.size(), kStemGrain,
         [&](std::size_t begin, std::size_t end) {
@@ -238,17 +278,10 @@ std::shared_ptr<const CGeneration> growStems(const CTreeParams& params, const CR
             for (std::size_t s = begin; s < end; ++s) grower.grow(sites[s], parts[begin / kStemGrain]);
         },
         progress);
-    auto generation = std::make_shared<CGeneration>();
-    std::size_t stems = 0, paths = 0, segments = 0;
-    for (const CGeneration& part : parts) {
-        stems += part.stems.size();
-        paths += part.paths.size();
-        segments += part.segments.size();
-    }
-    generation->stems.reserve(stems);
-    generation->paths.reserve(paths);
-    generation->segments.reserve(segments);
-    for (CGeneration& part : parts) append(*generation, std::move(part));
+    auto generation = std::make_shared<CGrownGeneration>();
+    generation->curveRes = static_cast<std::uint32_t>(params.level().curveRes);
+    reserve(*generation, parts);
+    for (CGrownGeneration& part : parts) append(*generation, std::move(part));
     return generation;
 }
 
@@ -263,7 +296,7 @@ Site trunkSite(const CTreeParams& params, const CRandom& random, int i) {
     const auto [out, around] = placeOfTrunk(i, g.trunks);
     Site site{};
     site.id = i == 0 ? kTrunkId : hashCombine(kTrunkId, static_cast<std::uint64_t>(i));
-    site.key = fraction(kTrunkKey + 0.6180339887498949 * i);
+    site.countPhase = fraction(kTrunkPhase + 0.6180339887498949 * i);
     site.frame = Frame(1.0);
     if (g.trunks > 1) {
         site.base = out * g.trunksSpread * glm::dvec3(std::cos(around), std::sin(around), 0);
@@ -277,7 +310,7 @@ Site trunkSite(const CTreeParams& params, const CRandom& random, int i) {
     return site;
 }
 
-std::vector<Site> sitesOf(int generation, const std::vector<std::shared_ptr<const CGeneration>>& grown,
+std::vector<Site> sitesOf(int generation, const std::vector<std::shared_ptr<const CGrownGeneration>>& grown,
                           const std::vector<CTreeParams>& params, const CRandom& random, const CProgress& progress) {
     const auto g = static_cast<std::size_t>(generation);
     if (generation > 0) return CSiteFinder(params[g - 1], params[g], random).find(*grown[g - 1], progress);
@@ -298,31 +331,35 @@ double scaleOfTree(const CParams& params, bool varied) {
     return std::max(g.scale + randomOf(params, varied).vary(g.scaleV, kTrunkId, kDrawTreeScale), 0.1 * g.scale);
 }
 
-std::shared_ptr<const CTree> CWeberPennBuilder::build(const CParams& params, const CTree* previous, int firstObsolete,
+std::shared_ptr<const CTree> CWeberPennBuilder::build(const CParams& params, const CTree* previous, int firstInvalid,
                                                       const CProgress& progress) const {
     const CRandom random = randomOf(params, m_varied);
     const double scale = scaleOfTree(params, m_varied);
     const int levels = params.global.levels;
     std::vector<CTreeParams> seen;
     for (int g = 0; g <= levels; ++g) seen.emplace_back(params, g, scale);
-    std::vector<std::shared_ptr<const CGeneration>> grown;
+    std::vector<std::shared_ptr<const CGrownGeneration>> grown;
     for (int g = 0; g < levels; ++g) {
         progress.poll();
-        const bool kept = previous && g < firstObsolete && g < static_cast<int>(previous->generationCount());
-        grown.push_back(kept ? previous->generations()[static_cast<std::size_t>(g)]
-                             : growStems(seen[static_cast<std::size_t>(g)], random,
-                                         sitesOf(g, grown, seen, random, progress), progress));
+        const auto slot = static_cast<std::size_t>(g);
+        const bool kept = previous && g < firstInvalid && slot < previous->generationCount();
+        grown.push_back(kept ? std::static_pointer_cast<const CGrownGeneration>(previous->generations()[slot])
+                             : growStems(seen[slot], random, sitesOf(g, grown, seen, random, progress), progress));
     }
     const auto last = static_cast<std::size_t>(levels) - 1;
     OrganArrays organs;
     for (const Organ organ : kOrgans) {
+        std::shared_ptr<const LeafArray>& all = organs[static_cast<std::size_t>(organ)];
         const OrganRule rule = organRule(params.global, organ);
-        organs[static_cast<std::size_t>(organ)] =
-            levels < 2 || rule.number == 0
-                ? std::make_shared<const LeafArray>()
-                : CLeafGrower(seen[last], seen[last + 1], random, rule).grow(*grown[last], progress);
+        if (previous && firstInvalid > Invalidation::kLeaves)
+            all = previous->shared(organ);
+        else if (levels < 2 || rule.number == 0)
+            all = std::make_shared<const LeafArray>();
+        else
+            all = CLeafGrower(seen[last], seen[last + 1], random, rule).grow(*grown[last], progress);
     }
-    return std::make_shared<const CTree>(scale, std::move(grown), std::move(organs));
+    return std::make_shared<const CTree>(scale, std::vector<std::shared_ptr<const CGeneration>>(grown.begin(), grown.end()),
+                                         std::move(organs), baseFormOf(params.global));
 }
 
 } // namespace stromar

@@ -1,26 +1,10 @@
-#include "stromar/mesh/Model.h"
+#include "stromar/model/ExportModel.h"
 #include <algorithm>
 #include <cassert>
-#include <iterator>
 
 namespace stromar {
 
 namespace {
-using T = TextParams;
-constexpr SurfaceInfo kSurfaceTable[] = {
-    {"bark", {0.42f, 0.34f, 0.26f}, false, &T::barkTexture, "bark.png", nullptr},
-    {"leaf", {0.30f, 0.45f, 0.18f}, true, &T::leafTexture, "leaf.png", nullptr},
-    {"blossom", {0.95f, 0.88f, 0.90f}, true, &T::blossomTexture, "leaf:blossom", &GlobalParams::blossoms},
-    {"fruit",
-     {0.65f, 0.16f, 0.10f},
-     false,
-     &T::fruitTexture,
-     "bark:smooth spots=0 light=#c8402c dark=#7c1c18",
-     &GlobalParams::fruits},
-    {"twig", {0.30f, 0.45f, 0.18f}, true, nullptr, "", nullptr},
-};
-static_assert(std::size(kSurfaceTable) == kSurfaces.size());
-
 /// Sums over the meshes of all levels of detail.
 template <typename Count>
 std::size_t sum(const ExportModel& model, Count&& count) {
@@ -32,17 +16,10 @@ std::size_t sum(const ExportModel& model, Count&& count) {
 }
 } // namespace
 
-const SurfaceInfo& surfaceOf(Surface surface) { return kSurfaceTable[static_cast<std::size_t>(surface)]; }
-
-bool hasSurface(const CParams& params, Surface surface) {
-    const SurfaceInfo& info = surfaceOf(surface);
-    return info.texture && (!info.number || params.global.*info.number > 0);
-}
-
-std::size_t ExportModel::lookIndex(const CMesh& mesh) const {
-    const auto look = std::ranges::find(looks, mesh.surface, &SurfaceLook::surface);
-    assert(look != looks.end());
-    return static_cast<std::size_t>(look - looks.begin());
+std::size_t ExportModel::materialIndex(const CMesh& mesh) const {
+    const auto own = std::ranges::find(materials, mesh.surface, &Material::surface);
+    assert(own != materials.end());
+    return static_cast<std::size_t>(own - materials.begin());
 }
 
 std::size_t ExportModel::vertexCount() const {

@@ -1,0 +1,35 @@
+#pragma once
+#include "stromar/tree/Tree.h"
+#include <array>
+
+namespace stromar {
+
+/// The shape of a leaf: an outline, or a card for a picture. Angles in radians.
+struct LeafForm {
+    int shape = 0; ///< row of the blades: the words of LeafShape
+    bool outline = false;
+    int planes = 1;      ///< of a card
+    double fold = 0;     ///< of both halves about the midrib
+    double stalk = 0;    ///< parts of the length
+    double aspect = 1;   ///< width / length
+    double rounding = 0; ///< 0..1: how far normals look out of the crown
+};
+
+/// What a season leaves of an organ: a part of them, in a part of their size.
+struct SeasonShare {
+    double share = 1, size = 1;
+};
+
+/// All that the mesher is told beside the tree and the level of detail.
+struct MeshParams {
+    double minRadius = 0;                  ///< metres; thinner wood is drawn with it
+    double barkAround = 1, barkAlong = 1;  ///< how often the bark's picture is repeated on a trunk (thesis §4.7)
+    LeafForm leaf;
+    int blossomPlanes = 1;
+    double fruitStalk = 0;                 ///< parts of the length
+    std::array<SeasonShare, kOrgans.size()> season; ///< by Organ
+
+    const SeasonShare& seasonOf(Organ organ) const { return season[static_cast<std::size_t>(organ)]; }
+};
+
+} // namespace stromar

@@ -1,0 +1,15 @@
+#pragma once
+#include "stromar/app/Prediction.h"
+#include "stromar/mesh/Twig.h"
+#include "stromar/model/MeshValues.h"
+
+namespace stromar::test {
+
+/// What cards show of a tree; null where they gain nothing.
+inline std::shared_ptr<const Twig> twigOf(const CTree& tree, const CParams& params) {
+    const MeshParams mesh = meshParamsOf(params);
+    if (!suitsCards(bearerBound(params), mesh.seasonOf(Organ::Leaf))) return nullptr;
+    return typicalTwig(tree, mesh, CProgress());
+}
+
+} // namespace stromar::test
