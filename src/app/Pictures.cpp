@@ -24,7 +24,7 @@ int sizeOf(Surface surface, Drawn drawn) {
 
 /// " season=9.4" where the month changes the picture.
 std::string seasonWords(const CParams& params) {
-    const GlobalParams& g = params.global;
+    const CommonParams& g = params.common;
     const double month = std::round(g.season / kSeasonSteps) * kSeasonSteps;
     const bool summer = month >= kGreenFrom && month <= kGreenUntil;
     return g.evergreen || summer ? std::string() : " season=" + numberText(month);

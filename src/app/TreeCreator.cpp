@@ -1,5 +1,5 @@
 #include "stromar/app/TreeCreator.h"
-#include "stromar/app/Pictures.h"
+#include "stromar/app/Methods.h"
 #include "stromar/app/Prediction.h"
 #include "stromar/model/MeshValues.h"
 #include "stromar/params/ParamTable.h"
@@ -41,18 +41,10 @@ std::shared_ptr<const CMesh> reuseOrMake(Made& made, int generation, const std::
     }
     return made.stems.mesh;
 }
-
-/// "950", "1.3 million": rounded up.
-std::string countText(double count) {
-    if (count < 1e6) return numberText(std::ceil(count));
-    if (count < 1e12) return numberText(std::ceil(count / 1e5) / 10) + " million";
-    return "more than a million million";
-}
 } // namespace
 
-CTreeCreator::CTreeCreator(bool varied, double mostVertices)
-    : m_varied(varied), m_mostVertices(mostVertices), m_builder(std::make_unique<CWeberPennBuilder>(varied)),
-      m_made(detailTable().size()) {}
+CTreeCreator::CTreeCreator(bool varied, const SizeLimits& limits)
+    : m_varied(varied), m_limits(limits), m_made(detailTable().size()) {}
 
 void CTreeCreator::forget() {
     m_tree.reset();
@@ -118,20 +110,27 @@ std::shared_ptr<const TreeModel> CTreeCreator::create(const CParams& params, con
 
 void CTreeCreator::refuseTooLarge(const CParams& params, const Detail& detail) const {
     const Prediction size = predictSize(params, detail);
-    if (size.vertices <= m_mostVertices) return;
-    throw CError("this tree would have up to " + countText(size.stems) + " stems, " + countText(size.leaves) +
-                 " leaves and " + countText(size.vertices) + " vertices; the limit is " + countText(m_mostVertices) +
-                 " vertices");
+    if (!m_limits.allow(size)) throw CError(refusalText(size, m_limits));
 }
 
 void CTreeCreator::updateTree(const CParams& params, const CProgress& progress) {
     const Invalidation invalid = m_tree ? invalidationOf(m_treeParams, params) : Invalidation{Stage::Structure, 0};
     if (invalid.stage > Stage::Mesh) return;
+    chooseBuilder(params);
     // The form of the trunks' bases is part of the tree, though no generation has to grow for it.
     const int first = invalid.stage == Stage::Structure ? invalid.generation : Invalidation::kNone;
-    m_tree = m_builder->build(params, m_tree.get(), first, progress);
+    const auto tree = m_builder->build(params, m_tree.get(), first, progress);
+    const bool same = m_tree && invalid.stage > Stage::Structure && tree->base() == m_tree->base();
+    if (!same) m_tree = tree;
     m_treeParams = params;
     dropStaleMeshes();
+}
+
+/// Another method grows from nothing.
+void CTreeCreator::chooseBuilder(const CParams& params) {
+    if (m_builder && &m_treeParams.block() == &params.block()) return;
+    m_builder = methodOf(params).makeBuilder(m_varied);
+    m_tree.reset();
 }
 
 /// Frees the meshes of generations that are gone, so that no level of detail keeps an old tree in memory.

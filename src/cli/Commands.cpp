@@ -1,6 +1,8 @@
 #include "Commands.h"
 #include "stromar/app/Export.h"
 #include "stromar/app/Formats.h"
+#include "stromar/app/Methods.h"
+#include "stromar/app/Prediction.h"
 #include "stromar/mesh/MeshCheck.h"
 #include "stromar/model/MeshValues.h"
 #include "stromar/params/TreeFile.h"
@@ -25,27 +27,31 @@ void applySetting(CParams& params, const CommonOptions& common, const std::strin
     const auto equals = setting.find('=');
     if (equals == std::string::npos) throw CUsageError("--set wants KEY=VALUE, not '" + setting + "'");
     const std::string key(trimmed(std::string_view(setting).substr(0, equals)));
-    const std::string value(trimmed(std::string_view(setting).substr(equals + 1)));
-    const auto target = findParam(key);
-    if (!target) throw CUsageError("--set: there is no parameter '" + key + "'" + keySuggestion(key));
-    std::string problem;
-    const SetResult result = setFromText(params, *target, value, problem);
-    if (result == SetResult::BadValue) throw CUsageError("--set: " + problem);
-    if (result == SetResult::Clamped) say(common, "--set: warning: " + problem);
+    std::string value(trimmed(std::string_view(setting).substr(equals + 1)));
+    if (key == "Method" && value != params.block().method)
+        throw CUsageError("--set: a tree keeps the method of its file, '" + std::string(params.block().method) + "'");
+    if (key == "Method") return;
+    const auto ref = findParam(key, params.block());
+    if (!ref) throw CUsageError("--set: there is no parameter '" + key + "'" + keySuggestion(key, params.block()));
+    const bool fromFile = ref->info->kind() == ParamKind::Text && ref->info->block && value.starts_with('@');
+    const std::string path = fromFile ? value.substr(1) : std::string();
+    if (fromFile) value = readFile(path);
+    SetProblem problem;
+    const SetResult result = setFromText(params, *ref, value, problem);
+    if (result == SetResult::BadValue) throw CUsageError("--set: " + (fromFile ? path + ": " : "") + problem.text);
+    if (result == SetResult::Clamped) say(common, "--set: warning: " + problem.text);
 }
 
 /// Recipes are read when they are drawn, which may be late or never; a wrong one is told at once.
 void refuseBadRecipes(const CParams& params, const CTreeFile& file) {
     Messages faults;
-    for (const TextInfo& text : textTable()) {
-        const std::string& value = params.text.*text.field;
-        if (!text.path() || !isRecipe(value)) continue;
+    for (const ParamRef& ref : allParams(params.block())) {
+        if (!ref.info->picture() || !isRecipe(ref.text(params))) continue;
         try {
-            const CRecipe recipe(value);
+            const CRecipe recipe(ref.text(params));
         } catch (const CError& e) {
-            if (value != file.params().text.*text.field)
-                throw CUsageError("--set: " + std::string(text.key) + ": " + e.what());
-            faults.push_back(file.errorAt(&text, e.what()));
+            if (ref.differs(params, file.params())) throw CUsageError("--set: " + ref.key() + ": " + e.what());
+            faults.push_back(file.errorAt(ref, e.what()));
         }
     }
     if (!faults.empty()) throw CInputError(std::move(faults));
@@ -63,7 +69,7 @@ CParams readParams(const CommonOptions& common) {
 std::shared_ptr<const TreeModel> createModel(const CommonOptions& common, const Detail& detail,
                                              const CProgress& progress) {
     const CParams params = readParams(common);
-    return CTreeCreator(common.varied, common.mostVertices).create(params, detail, progress);
+    return CTreeCreator(common.varied, common.limits).create(params, detail, progress);
 }
 
 template <typename Vector>
@@ -138,6 +144,34 @@ Json stemInfo(const CGeneration& generation, std::size_t g, std::size_t index, s
             {"leaves", leaves}};
 }
 
+Json predictedInfo(const Prediction& size) {
+    return {{"stems", size.stems},
+            {"segments", size.segments},
+            {"organs", size.organs},
+            {"vertices", size.vertices},
+            {"bytes", size.bytes}};
+}
+
+/// The segments of a stem, path by path.
+void printSegments(const CGeneration& generation, std::size_t g, std::size_t index, std::ostream& out) {
+    const CStem& stem = generation.stems[index];
+    for (std::uint32_t p = 0; p < stem.pathCount; ++p) {
+        const CPath& path = generation.paths[stem.firstPath + p];
+        for (std::uint32_t s = 0; s < path.segmentCount; ++s) {
+            const CSegment& segment = generation.segments[path.firstSegment + s];
+            const Json line = {{"generation", g},
+                               {"stem", index},
+                               {"path", p},
+                               {"index", path.firstPosition + s},
+                               {"base", array(segment.position)},
+                               {"end", array(segment.axisPoint(1))},
+                               {"radius_base", segment.radiusBase},
+                               {"radius_end", segment.radiusEnd}};
+            out << line.dump() << "\n";
+        }
+    }
+}
+
 void printFaultsHead(std::ostream& out) {
     out << std::left << std::setw(12) << "mesh" << std::right << std::setw(10) << "surfaces" << std::setw(9)
         << "collars" << std::setw(12) << "vertices" << std::setw(12) << "triangles";
@@ -168,10 +202,11 @@ void printInfo(const CommonOptions& common, const ModelOptions& options, std::os
     const auto& ms = model->milliseconds;
     const Json info = {
         {"species", model->params.text.species},
-        {"seed", model->params.global.seed},
-        {"method", model->params.text.method},
+        {"seed", model->params.common.seed},
+        {"method", model->params.block().method},
         {"scale_tree", model->tree->height()},
         {"generations", generations},
+        {"predicted", predictedInfo(predictSize(model->params, options.detail()))},
         {"leaves", model->tree->leaves().size()},
         {"model", options.simple ? "simple" : "full"},
         {"lod", options.lod},
@@ -184,7 +219,7 @@ void printInfo(const CommonOptions& common, const ModelOptions& options, std::os
     out << info.dump(2) << "\n";
 }
 
-void printStructure(const CommonOptions& common, std::ostream& out, const CProgress& progress) {
+void printStructure(const CommonOptions& common, bool segments, std::ostream& out, const CProgress& progress) {
     const auto model = createModel(common, detailOf(Model::Simple), progress);
     const CTree& tree = *model->tree;
     const std::vector<std::vector<std::size_t>> leaves = leafCounts(tree);
@@ -192,6 +227,7 @@ void printStructure(const CommonOptions& common, std::ostream& out, const CProgr
         const CGeneration& generation = tree.generation(g);
         for (std::size_t s = 0; s < generation.stems.size(); ++s) {
             out << stemInfo(generation, g, s, leaves[g][s]).dump() << "\n";
+            if (segments) printSegments(generation, g, s, out);
             progress.poll();
         }
     }
@@ -221,7 +257,7 @@ void exportTree(const CommonOptions& common, const ExportOptions& options, const
     if (!format) throw CUsageError(unknownFormat(path));
     if (const std::string conflict = conflictText(options, *format); !conflict.empty()) throw CUsageError(conflict);
     const CParams params = readParams(common);
-    CTreeCreator creator(common.varied, common.mostVertices);
+    CTreeCreator creator(common.varied, common.limits);
     std::vector<std::shared_ptr<const TreeModel>> lods;
     for (const Detail* detail : detailsOf(options)) lods.push_back(creator.create(params, *detail, progress));
     exportModels(lods, options, std::filesystem::path(common.file).parent_path(), path, progress);
@@ -258,33 +294,54 @@ void writeTexture(const std::vector<std::string>& recipe, int size, const std::s
     files.commit();
 }
 
-void printParams(ListStyle style, std::ostream& out) {
-    if (style == ListStyle::Markdown) out << paramsAsMarkdown();
-    if (style == ListStyle::Text) out << paramsAsText();
+namespace {
+Json numberInfo(const ParamInfo& p) {
+    Json row = {{"min", p.range.min}, {"max", p.range.max}, {"step", p.step}};
+    if (!p.words.empty()) row["words"] = std::vector<std::string>(p.words.begin(), p.words.end());
+    return row;
+}
+
+Json paramInfo(const ParamRef& ref, const ParamBlock& block) {
+    const ParamInfo& p = *ref.info;
+    Json row = {{"key", ref.key()}, {"label", p.label}, {"group", ref.group().name}, {"unit", unitName(p.unit)}, {"type", kindName(p)}};
+    const ParamValue value = defaultOf(ref, block);
+    if (p.numeric()) {
+        row.update(numberInfo(p));
+        row["default"] = std::get<double>(value);
+    } else if (p.kind() == ParamKind::Curve) {
+        row.update(numberInfo(p));
+        row["over"] = {{"label", p.overLabel}, {"min", p.over.min}, {"max", p.over.max}};
+        row["default"] = std::get<CCurve>(value).text();
+    } else {
+        row["lines"] = p.block;
+        row["default"] = std::get<std::string>(value);
+    }
+    row["help"] = p.help;
+    return row;
+}
+} // namespace
+
+void printParams(const std::string& method, ListStyle style, std::ostream& out) {
+    const ParamBlock* block = blockNamed(method);
+    if (!block) throw CUsageError("there is no method '" + method + "'" + methodSuggestion(method));
+    if (style == ListStyle::Markdown) out << paramsAsMarkdown(*block);
+    if (style == ListStyle::Text) out << paramsAsText(*block);
     if (style != ListStyle::Json) return;
     Json rows = Json::array();
-    for (const ParamRef& ref : allParams()) {
-        const ParamInfo& p = *ref.info;
-        Json row = {{"key", ref.key()},
-                    {"label", p.label},
-                    {"group", groupName(ref.group())},
-                    {"unit", unitName(p.unit)},
-                    {"type", p.integer() ? "integer" : "number"},
-                    {"min", p.range.min},
-                    {"max", p.range.max},
-                    {"step", p.step},
-                    {"default", p.defaultOf(ref.level)},
-                    {"help", p.help}};
-        if (!p.words.empty()) row["words"] = std::vector<std::string>(p.words.begin(), p.words.end());
-        rows.push_back(row);
-    }
-    for (const TextInfo& text : textTable())
-        rows.push_back({{"key", text.key},
-                        {"label", text.label},
-                        {"group", groupName(text.group)},
-                        {"type", "text"},
-                        {"help", text.help}});
+    for (const ParamRef& ref : allParams(*block)) rows.push_back(paramInfo(ref, *block));
     out << rows.dump(2) << "\n";
+}
+
+void printMethods(ListStyle style, std::ostream& out) {
+    Json rows = Json::array();
+    for (const TreeMethod& method : treeMethods()) {
+        const ParamBlock& block = *method.block;
+        if (style == ListStyle::Json)
+            rows.push_back({{"method", block.method}, {"label", block.label}, {"help", block.help}});
+        else
+            out << std::left << std::setw(14) << block.method << block.label << ": " << block.help << "\n";
+    }
+    if (style == ListStyle::Json) out << rows.dump(2) << "\n";
 }
 
 namespace {

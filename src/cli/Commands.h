@@ -1,5 +1,6 @@
 #pragma once
 #include "stromar/app/ExportOptions.h"
+#include "stromar/app/Prediction.h"
 #include "stromar/app/Render.h"
 #include "stromar/mesh/Detail.h"
 #include "stromar/util/Progress.h"
@@ -21,7 +22,7 @@ struct CommonOptions {
     bool varied = true;
     bool quiet = false;
     int threads = 0;
-    double mostVertices = 20e6;
+    SizeLimits limits;
 };
 
 struct ModelOptions {
@@ -34,7 +35,8 @@ enum class ListStyle { Text, Markdown, Json };
 
 // Each writes its data to `out` and messages to standard error, and throws when it cannot do its work.
 void printInfo(const CommonOptions& common, const ModelOptions& model, std::ostream& out, const CProgress& progress);
-void printStructure(const CommonOptions& common, std::ostream& out, const CProgress& progress);
+/// A line for each stem; with `segments` one for each of its segments behind it.
+void printStructure(const CommonOptions& common, bool segments, std::ostream& out, const CProgress& progress);
 /// Prints a table of the meshes' faults; false when there are any.
 bool checkMeshes(const CommonOptions& common, const ModelOptions& model, std::ostream& out, const CProgress& progress);
 void exportTree(const CommonOptions& common, const ExportOptions& options, const std::string& path,
@@ -44,7 +46,8 @@ void writeTexture(const std::vector<std::string>& recipe, int size, const std::s
 /// Draws the tree and writes the picture.
 void renderTree(const CommonOptions& common, const ModelOptions& model, const RenderOptions& options,
                 const std::string& path, const CProgress& progress);
-void printParams(ListStyle style, std::ostream& out);
+void printParams(const std::string& method, ListStyle style, std::ostream& out);
+void printMethods(ListStyle style, std::ostream& out);
 void printFormats(ListStyle style, std::ostream& out);
 
 } // namespace stromar

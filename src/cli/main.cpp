@@ -19,6 +19,8 @@ void onSignal(int) {
     if (g_running) g_running->cancel();
 }
 
+constexpr std::pair<char, double> kMemoryUnits[] = {{'K', 1e3}, {'M', 1e6}, {'G', 1e9}};
+
 /// Everything the command line can say.
 struct Options {
     CommonOptions common;
@@ -29,7 +31,8 @@ struct Options {
     std::vector<std::string> recipe;
     int size = 1024;
     RenderOptions rendered;
-    std::string pictureSize, season;
+    std::string pictureSize, season, memory, method = "weber-penn";
+    bool segments = false;
     bool markdown = false, json = false;
     bool lodGiven = false;
 
@@ -42,9 +45,18 @@ struct Options {
             common.settings.push_back("Season=" + (named == seasonNames().end() ? season : numberText(named->month)));
         }
         if (!pictureSize.empty()) readPictureSize();
+        if (!memory.empty()) readMemory();
         if (seedGiven) common.settings.push_back("Seed=" + seed);
         if (model.simple && lodGiven)
             throw CUsageError("--lod belongs to the full model; the simple model has no levels of detail");
+    }
+    /// A number of megabytes, or with a letter: 500M, 2.5G.
+    void readMemory() {
+        const auto unit = std::ranges::find(kMemoryUnits, memory.back(), &std::pair<char, double>::first);
+        const bool named = unit != std::end(kMemoryUnits);
+        const auto number = parseNumber(std::string_view(memory).substr(0, memory.size() - (named ? 1 : 0)));
+        if (!number || *number <= 0) throw CUsageError("--max-memory wants a size as 500M or 2.5G, not '" + memory + "'");
+        common.limits.bytes = *number * (named ? unit->second : 1e6);
     }
     void readPictureSize() {
         const std::size_t cross = pictureSize.find('x');
@@ -83,9 +95,13 @@ void addCommon(CLI::App& command, Options& options) {
         ->check(CLI::IsMember({"on", "off"}));
     command.add_option("--threads", options.common.threads, "How many threads; default: one per processor")
         ->check(CLI::Range(1, 1024));
-    command.add_option("--max-vertices", options.common.mostVertices, "Refuse trees that may be larger")
+    command.add_option("--max-vertices", options.common.limits.vertices, "Refuse trees that may be larger")
         ->check(CLI::PositiveNumber)
         ->capture_default_str();
+    command
+        .add_option("--max-memory", options.memory,
+                    "Refuse trees that may take more memory while they are made; default: half of what is free")
+        ->type_name("SIZE");
     command.add_flag("--quiet", options.common.quiet, "No warnings, no report");
 }
 
@@ -152,13 +168,14 @@ int run(const CLI::App& app, Options& options) {
     const CProgress progress(options.common.threads);
     g_running = &progress;
     if (name == "info") printInfo(options.common, options.model, std::cout, progress);
-    if (name == "structure") printStructure(options.common, std::cout, progress);
+    if (name == "structure") printStructure(options.common, options.segments, std::cout, progress);
     bool sound = true;
     if (name == "check") sound = checkMeshes(options.common, options.model, std::cout, progress);
     if (name == "export") exportTree(options.common, options.exported, options.output, progress);
     if (name == "render") renderTree(options.common, options.model, options.rendered, options.output, progress);
     if (name == "texture") writeTexture(options.recipe, options.size, options.output, progress);
-    if (name == "params") printParams(options.style(), std::cout);
+    if (name == "params") printParams(options.method, options.style(), std::cout);
+    if (name == "methods") printMethods(options.style(), std::cout);
     if (name == "formats") printFormats(options.style(), std::cout);
     if (name == "man") printManPage(app, std::cout);
     if (name == "completion") printCompletion(app, std::cout);
@@ -177,9 +194,13 @@ void setUp(CLI::App& app, Options& options) {
     CLI::App* texture =
         app.add_subcommand("texture", "Draws a bark that can be laid side by side, or a leaf, with their relief");
     CLI::App* params = app.add_subcommand("params", "The table of parameters");
+    CLI::App* methods = app.add_subcommand("methods", "The ways to grow a tree");
     CLI::App* formats = app.add_subcommand("formats", "What can be written, and what each format loses");
     for (CLI::App* command : {info, structure, checker, exporter, renderer}) addCommon(*command, options);
     for (CLI::App* command : {info, checker, renderer}) addModel(*command, options);
+    structure->add_flag("--segments", options.segments, "Behind each stem a line for each of its segments");
+    params->add_option("--method", options.method, "Of which way to grow")->type_name("NAME")->capture_default_str();
+    methods->add_flag("--json", options.json, "As JSON");
     addRender(*renderer, options);
     addExport(*exporter, options.exported);
     exporter->add_option("-o,--output", options.output, "The model to write")->required()->type_name("OUT.ext");

@@ -3,25 +3,32 @@
 #include "stromar/texture/Draw.h"
 #include <QFileInfo>
 #include <QUndoCommand>
+#include <algorithm>
+#include <iterator>
 
 namespace stromar {
 
 namespace fs = std::filesystem;
 
 namespace {
+/// The values that name pictures.
+std::vector<ParamRef> picturesIn(const CParams& params) {
+    std::vector<ParamRef> refs;
+    std::ranges::copy_if(allParams(params.block()), std::back_inserter(refs), [](const ParamRef& ref) { return ref.info->picture(); });
+    return refs;
+}
+
 CParams rebased(CParams params, const fs::path& from, const fs::path& to) {
     if (from == to) return params;
-    for (const TextInfo& text : textTable())
-        if (text.path()) params.text.*text.field = rebasedPath(params.text.*text.field, from, to);
+    for (const ParamRef& ref : picturesIn(params)) ref.setValue(params, rebasedPath(ref.text(params), from, to));
     return params;
 }
 
 /// Pictures by their whole paths, for a document without a folder.
 CParams withWholePaths(CParams params, const fs::path& folder) {
-    for (const TextInfo& text : textTable())
-        if (std::string& picture = params.text.*text.field;
-            text.path() && !picture.empty() && !isRecipe(picture) && !folder.empty())
-            picture = (folder / picture).lexically_normal().generic_string();
+    for (const ParamRef& ref : picturesIn(params))
+        if (const std::string picture = ref.text(params); !picture.empty() && !isRecipe(picture) && !folder.empty())
+            ref.setValue(params, (folder / picture).lexically_normal().generic_string());
     return params;
 }
 } // namespace
@@ -97,7 +104,7 @@ QString CDocument::displayName() const {
     return m_place->name.isEmpty() ? tr("new.tree") : m_place->name;
 }
 
-void CDocument::startNew() { replace(newPlace(CTreeFile(), {}, {})); }
+void CDocument::startNew(const ParamBlock& block) { replace(newPlace(CTreeFile(block), {}, {})); }
 
 void CDocument::open(const QString& path) {
     replace(newPlace(CTreeFile::read(toPath(path)), QFileInfo(path).absoluteFilePath(), {}));
@@ -166,22 +173,16 @@ void CDocument::edit(const QString& text, const std::function<void(CParams&)>& c
     if (after != m_params) m_history.push(new CEditCommand(*this, text, std::move(after), gesture, subject));
 }
 
-void CDocument::setValue(const ParamRef& ref, double value, int gesture) {
+void CDocument::setValue(const ParamRef& ref, const ParamValue& value, int gesture) {
     const QString key = toQString(ref.key());
     edit(
-        tr("Change %1").arg(key), [&](CParams& p) { ref.set(p, value); }, gesture, key);
+        tr("Change %1").arg(key), [&](CParams& p) { ref.setValue(p, value); }, gesture, key);
 }
 
-void CDocument::setValues(const QString& text, const std::vector<std::pair<ParamRef, double>>& values) {
+void CDocument::setValues(const QString& text, const ParamValues& values) {
     edit(text, [&](CParams& p) {
-        for (const auto& [ref, value] : values) ref.set(p, value);
+        for (const auto& [ref, value] : values) ref.setValue(p, value);
     });
-}
-
-void CDocument::setText(const TextInfo& text, const QString& value) {
-    std::string problem;
-    edit(tr("Change %1").arg(toQString(text.key)),
-         [&](CParams& p) { setFromText(p, ParamTarget(&text), value.toStdString(), problem); });
 }
 
 void CDocument::assign(const CParams& params, const fs::path& from) {

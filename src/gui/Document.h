@@ -32,7 +32,7 @@ public:
     /// What a crash must not take.
     CAutosave::State kept() const { return {m_place->file, m_params, path().isEmpty() ? m_place->name : path()}; }
 
-    void startNew();
+    void startNew(const ParamBlock& block = weberPennBlock());
     /// Throws CError; then nothing has changed.
     void open(const QString& path);
     /// Throws CError; then the old file is as it was. Texture paths follow the file to another folder.
@@ -45,10 +45,10 @@ public:
     /// `subject` are one step.
     void edit(const QString& text, const std::function<void(CParams&)>& change, int gesture = 0,
               const QString& subject = {});
-    void setValue(const ParamRef& ref, double value, int gesture);
+    void setValue(const ParamRef& ref, const ParamValue& value, int gesture);
+    void setValue(const ParamRef& ref, double value, int gesture) { setValue(ref, ParamValue(value), gesture); }
     /// Several values as one step; `text` names it.
-    void setValues(const QString& text, const std::vector<std::pair<ParamRef, double>>& values);
-    void setText(const TextInfo& text, const QString& value);
+    void setValues(const QString& text, const ParamValues& values);
     /// The tree of a preset as a new, unnamed document; one step of the history, so that nothing is lost. Throws
     /// CError.
     void loadPreset(const QString& path);

@@ -23,7 +23,7 @@ void CExportJob::work() {
 }
 
 std::vector<std::shared_ptr<const TreeModel>> CExportJob::createModels() const {
-    CTreeCreator creator(true, m_task.mostVertices);
+    CTreeCreator creator(true, m_task.limits);
     std::vector<std::shared_ptr<const TreeModel>> models;
     for (const Detail* detail : detailsOf(m_task.options)) {
         const bool ready = m_task.model && m_task.model->detail == detail;

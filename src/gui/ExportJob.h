@@ -16,7 +16,7 @@ public:
         std::shared_ptr<const TreeModel> model; ///< the full one, when it is already made
         ExportOptions options;
         std::filesystem::path treeFolder, path;
-        double mostVertices = CTreeCreator::kMostVertices;
+        SizeLimits limits;
     };
 
     explicit CExportJob(Task task, QObject* parent = nullptr) : QObject(parent), m_task(std::move(task)) {}

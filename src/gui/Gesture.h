@@ -10,6 +10,6 @@ inline int nextGesture() {
 }
 
 /// What the dice throws: few digits, easy to tell others.
-inline int thrownSeed() { return QRandomGenerator::global()->bounded(10000); }
+inline int randomSeed() { return QRandomGenerator::global()->bounded(10000); }
 
 } // namespace stromar

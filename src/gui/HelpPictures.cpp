@@ -93,7 +93,7 @@ Picture makePicture(const ParamRef& ref, const Demonstration& shown, const QPale
     const QColor accent = palette.color(QPalette::Active, QPalette::Highlight);
     const QColor leaf(106, 158, 74);
     Picture picture;
-    const bool above = ref.info->shown.fromAbove;
+    const bool above = ref.info->demo.fromAbove;
     const Turn turn = above ? Turn() : widestView(model);
     const auto concerned = ref.info->perLevel() ? std::size_t(std::min(ref.level, 1)) : model.stems.size();
     for (std::size_t level = 0; level < model.stems.size(); ++level)

@@ -40,8 +40,6 @@
 #include <QToolBar>
 #include <QUndoView>
 #include <QVBoxLayout>
-#include <limits>
-#include <unistd.h>
 #include <utility>
 
 /// Resources of a static library are only there when asked for.
@@ -53,23 +51,17 @@ namespace {
 constexpr const char* kAboutSize = "size";
 constexpr const char* kAboutFile = "file";
 
-/// What this machine could hold: a vertex takes about so many bytes, with its triangles, here and on the graphics card.
-double mostVerticesInMemory() {
-    constexpr double kBytesPerVertex = 160;
-    return double(sysconf(_SC_PHYS_PAGES)) * double(sysconf(_SC_PAGESIZE)) / kBytesPerVertex;
-}
-
 QString tr2(const char* text) { return QCoreApplication::translate("Commands", text); }
 QString switchKey(const QString& name) { return QStringLiteral("view/") + name; }
 } // namespace
 
-CMainWindow::CMainWindow(double mostVertices, std::shared_ptr<CDocument> document, QWidget* parent)
+CMainWindow::CMainWindow(const SizeLimits& limits, std::shared_ptr<CDocument> document, QWidget* parent)
     : QMainWindow(parent), m_document(document ? std::move(document) : std::make_shared<CDocument>()),
       m_thumbnails(new CThumbnails(this)), m_viewport(new CViewport), m_panel(new CParamPanel),
       m_presets(new CPresetBrowser(*m_thumbnails)), m_variants(new CVariants(*m_thumbnails)), m_bar(new CMessageBar),
       m_desk(new CViewDesk(*m_viewport, *m_panel, *m_document, this)),
-      m_autosave(std::make_unique<CAutosave>(CAutosave::standardFolder())), m_mostVertices(mostVertices),
-      m_thread(std::make_unique<CTreeCreatorThread>(std::make_unique<CTreeCreator>(true, mostVertices))) {
+      m_autosave(std::make_unique<CAutosave>(CAutosave::standardFolder())), m_limits(limits),
+      m_thread(std::make_unique<CTreeCreatorThread>(std::make_unique<CTreeCreator>(true, limits))) {
     initResources();
     setAcceptDrops(true);
     qApp->installEventFilter(this);
@@ -234,8 +226,8 @@ void CMainWindow::makeStatusBar() {
 
 void CMainWindow::connectParts() {
     connect(m_panel, &CParamPanel::pathWanted, this,
-            [this](const TextInfo* text) { chooseTexture(QByteArray(text->key.data(), qsizetype(text->key.size()))); });
-    connect(m_panel, &CParamPanel::workshopWanted, this, [this](const TextInfo* text) { openWorkshop(*text); });
+            [this](const ParamRef& text) { chooseTexture(QByteArray::fromStdString(text.key())); });
+    connect(m_panel, &CParamPanel::workshopWanted, this, [this](const ParamRef& text) { openWorkshop(text); });
     connect(m_panel, &CParamPanel::released, this, [this] { m_pause.start(); });
     connect(m_desk, &CViewDesk::released, this, [this] { m_pause.start(); });
     const auto relight = [this] { m_desk->setLook([this](ViewLook& look) { m_light->applyTo(look); }); };
@@ -260,14 +252,13 @@ void CMainWindow::connectParts() {
 
 void CMainWindow::connectDocument() {
     CDocument* document = m_document.get();
-    connect(m_panel, &CParamPanel::edited, document, &CDocument::setValue);
+    connect(m_panel, &CParamPanel::edited, document,
+            qOverload<const ParamRef&, const ParamValue&, int>(&CDocument::setValue));
     connect(m_panel, &CParamPanel::assigned, document, &CDocument::setValues);
-    connect(m_panel, &CParamPanel::textEdited, document,
-            [document](const TextInfo* text, const QString& value) { document->setText(*text, value); });
     connect(m_variants, &CVariants::seedChosen, document,
-            [document](int seed) { document->setValue(std::get<ParamRef>(*findParam("Seed")), seed, 0); });
+            [document](int seed) { document->setValue(*findParam("Seed", document->params().block()), double(seed), 0); });
     connect(m_variants, &CVariants::likedChanged, document, [document](const QString& seeds) {
-        document->setText(*std::get<const TextInfo*>(*findParam("LikedSeeds")), seeds);
+        document->setValue(*findParam("LikedSeeds", document->params().block()), seeds.toStdString(), 0);
     });
     connect(m_variants, &CVariants::randomiseWanted, this, [this](std::vector<ParamRef> refs, double amount) {
         std::erase_if(refs, [this](const ParamRef& ref) { return m_panel->locked(ref); });
@@ -358,50 +349,49 @@ void CMainWindow::onChanged() {
 
 bool CMainWindow::mayGrow() {
     const CParams& params = m_document->params();
-    const double vertices = predictSize(params, detailOf(Model::Full)).vertices;
-    if (vertices <= m_mostVertices || params == m_allowed) {
-        if (vertices <= m_mostVertices) m_fitting = params;
+    const Prediction size = predictSize(params, detailOf(Model::Full));
+    if (m_limits.allow(size) || params == m_allowed) {
+        if (m_limits.allow(size)) m_fitting = params;
         m_bar->dismiss(QLatin1String(kAboutSize));
         return true;
     }
     m_pause.stop();
-    offerSmaller(vertices);
+    offerSmaller(size);
     showPresets();
     return false;
 }
 
 /// When one value alone makes the tree too large, the nearest that does not is on offer.
-void CMainWindow::offerSmaller(double vertices) {
+void CMainWindow::offerSmaller(const Prediction& size) {
     const CParams& params = m_document->params();
     std::vector<CMessageBar::Choice> choices;
     std::vector<ParamRef> changed;
-    for (const ParamRef& ref : allParams())
-        if (ref.get(params) != ref.get(m_fitting)) changed.push_back(ref);
-    if (changed.size() == 1) {
+    for (const ParamRef& ref : allParams(params.block()))
+        if (&m_fitting.block() == &params.block() && ref.differs(params, m_fitting)) changed.push_back(ref);
+    if (changed.size() == 1 && changed.front().info->numeric()) {
         const ParamRef ref = changed.front();
-        const double value = nearestThatFits(params, ref, ref.get(m_fitting), detailOf(Model::Full), m_mostVertices);
+        const double value = nearestThatFits(params, ref, ref.get(m_fitting), detailOf(Model::Full), m_limits);
         const QString shown = ref.info->unit == Unit::Metre ? lengthText(value) : QLocale().toString(value, 'g', 6);
         choices.push_back({tr("%1 = %2 fits").arg(trText(ref.info->label), shown),
                            [this, ref, value] { m_document->setValue(ref, value, 0); }});
     }
-    if (vertices < mostVerticesInMemory())
+    if (size.bytes < 2 * SizeLimits::defaultMemory())
         choices.push_back({tr("Grow it anyway"), [this] {
                                m_allowed = m_document->params();
                                onChanged();
                            }});
     choices.push_back({tr("Undo"), [this] { m_document->history().undo(); }});
-    const Prediction size = predictSize(params, detailOf(Model::Full));
     const QLocale numbers;
     m_bar->ask(QLatin1String(kAboutSize),
-               tr("This tree may have up to %1 stems, %2 leaves and %3 million vertices; the limit is %4 million.")
+               tr("This tree may have up to %1 stems, %2 leaves and %3 million vertices and take %4 GB of memory; the limit is "
+                  "%5 million vertices and %6 GB.")
                    .arg(numbers.toString(size.stems, 'f', 0), numbers.toString(size.leaves, 'f', 0),
-                        numbers.toString(vertices / 1e6, 'f', 0), numbers.toString(m_mostVertices / 1e6, 'f', 0)),
+                        numbers.toString(size.vertices / 1e6, 'f', 0), numbers.toString(size.bytes / 1e9, 'f', 1),
+                        numbers.toString(m_limits.vertices / 1e6, 'f', 0), numbers.toString(m_limits.bytes / 1e9, 'f', 1)),
                choices);
 }
 
-double CMainWindow::vertexLimit() const {
-    return m_document->params() == m_allowed ? std::numeric_limits<double>::infinity() : m_mostVertices;
-}
+SizeLimits CMainWindow::limits() const { return m_document->params() == m_allowed ? SizeLimits::none() : m_limits; }
 
 /// The first tree comes before the thumbnails.
 void CMainWindow::showPresets() {
@@ -409,7 +399,7 @@ void CMainWindow::showPresets() {
 }
 
 void CMainWindow::request(Model model, bool anew) {
-    m_thread->request(m_document->params(), detailOf(model), anew, vertexLimit());
+    m_thread->request(m_document->params(), detailOf(model), anew, limits());
     m_progressTimer.start();
 }
 
@@ -514,8 +504,8 @@ void CMainWindow::showPreferences() {
 }
 
 void CMainWindow::throwDice() {
-    const ParamRef seed = std::get<ParamRef>(*findParam("Seed"));
-    m_document->setValue(seed, thrownSeed(), 0);
+    const ParamRef seed = *findParam("Seed");
+    m_document->setValue(seed, double(randomSeed()), 0);
 }
 
 void CMainWindow::generate() { request(m_only.value_or(Model::Full), true); }

@@ -34,7 +34,7 @@ class CMainWindow : public QMainWindow {
     Q_OBJECT
 public:
     /// Without a document it starts a new one. A document that is handed over comes from another window.
-    explicit CMainWindow(double mostVertices = CTreeCreator::kMostVertices,
+    explicit CMainWindow(const SizeLimits& limits = {},
                          std::shared_ptr<CDocument> document = nullptr, QWidget* parent = nullptr);
     ~CMainWindow() override;
 
@@ -127,21 +127,21 @@ private:
     void requestFull();
     /// Whether the tree may grow; else asks what to do about its size.
     bool mayGrow();
-    void offerSmaller(double vertices);
+    void offerSmaller(const Prediction& size);
     void updateTitle();
     void updateTextures();
-    void openWorkshop(const TextInfo& text);
+    void openWorkshop(const ParamRef& text);
     void updateMessages();
     void updateProgress();
     void updateAutosave();
     void updateCounts(const TreeModel& model);
-    void setTexture(const TextInfo& text, const QString& path);
+    void setTexture(const ParamRef& text, const QString& path);
     bool mayLoseChanges();
     void tellError(const QString& title, const QString& text);
     bool saveOrChoose();
     void takeTyped();
     /// For the tree as it is: none where the user let a large one grow.
-    double vertexLimit() const;
+    SizeLimits limits() const;
     void showPresets();
 
     std::shared_ptr<CDocument> m_document;
@@ -170,7 +170,7 @@ private:
     SurfaceTextures m_shownTextures;
     QByteArray m_firstLayout;
     std::optional<Model> m_only;
-    double m_mostVertices;
+    SizeLimits m_limits;
     CParams m_allowed; ///< may grow although they are large
     CParams m_fitting; ///< the last values that were not too large
     bool m_recentreNext = true;

@@ -35,7 +35,7 @@ constexpr const char* kRecentKey = "recentFiles";
 
 QString treeFilter() { return CMainWindow::tr("Trees (*.tree);;All files (*)"); }
 
-const TextInfo& textRow(const char* key) { return *std::get<const TextInfo*>(*findParam(key)); }
+
 
 bool isPicture(const QString& path) {
     return QImageReader::supportedImageFormats().contains(QFileInfo(path).suffix().toLower().toLatin1());
@@ -165,7 +165,7 @@ void CMainWindow::exportTo(const QString& path, const ExportOptions& options) {
     const bool ready = m_shown && m_shown->model->params == m_document->params();
     m_export =
         std::make_unique<CExportJob>(CExportJob::Task{m_document->params(), ready ? m_shown->model : nullptr, options,
-                                                      m_document->folder(), toPath(path), vertexLimit()});
+                                                      m_document->folder(), toPath(path), limits()});
     auto* dialog = new QProgressDialog(tr("Writing %1").arg(QFileInfo(path).fileName()), tr("Cancel"), 0, 1000, this);
     dialog->setWindowModality(Qt::WindowModal);
     dialog->setMinimumDuration(300);
@@ -199,30 +199,30 @@ void CMainWindow::exportTo(const QString& path, const ExportOptions& options) {
 // Pictures on the tree
 
 void CMainWindow::chooseTexture(const char* key) {
-    const TextInfo& text = textRow(key);
+    const ParamRef text = *findParam(key, m_document->params().block());
     const QString start =
         m_document->folder().empty() ? fromPath(dataFolder() / "textures") : fromPath(m_document->folder());
     const QString path = QFileDialog::getOpenFileName(
-        this, trText(text.label), start, tr("Pictures (*.png *.jpg *.jpeg *.tga *.tif *.tiff *.bmp);;All files (*)"));
+        this, trText(text.info->label), start, tr("Pictures (*.png *.jpg *.jpeg *.tga *.tif *.tiff *.bmp);;All files (*)"));
     if (!path.isEmpty()) setTexture(text, path);
 }
 
-void CMainWindow::setTexture(const TextInfo& text, const QString& path) {
+void CMainWindow::setTexture(const ParamRef& text, const QString& path) {
     const bool saved = !m_document->path().isEmpty();
     const std::string own = saved ? rebasedPath(QFileInfo(path).fileName().toStdString(),
                                                 toPath(QFileInfo(path).absolutePath()), m_document->folder())
                                   : path.toStdString();
-    m_document->setText(text, QString::fromStdString(own));
+    m_document->setValue(text, own, 0);
 }
 
 /// With the recipe that the surface has, or with the first of the book.
-void CMainWindow::openWorkshop(const TextInfo& text) {
-    const std::string& own = m_document->params().text.*text.field;
-    std::string start = isRecipe(own) ? own : plainRecipes(text.recipes).front();
+void CMainWindow::openWorkshop(const ParamRef& text) {
+    const std::string& own = text.text(m_document->params());
+    std::string start = isRecipe(own) ? own : plainRecipes(text.info->recipes).front();
     try {
         CTextureWorkshop workshop{CRecipe(start), this};
         if (workshop.exec() == QDialog::Accepted)
-            m_document->setText(text, QString::fromStdString(workshop.recipe().text()));
+            m_document->setValue(text, workshop.recipe().text(), 0);
     } catch (const CError& e) {
         onFailed(QString::fromUtf8(e.what()));
     }
@@ -260,8 +260,8 @@ void CMainWindow::dropEvent(QDropEvent* event) {
         return;
     }
     QMenu menu;
-    menu.addAction(tr("As the &bark"), this, [this, path] { setTexture(textRow("BarkTexture"), path); });
-    menu.addAction(tr("As the &leaf"), this, [this, path] { setTexture(textRow("LeafTexture"), path); });
+    menu.addAction(tr("As the &bark"), this, [this, path] { setTexture(*findParam("BarkTexture", m_document->params().block()), path); });
+    menu.addAction(tr("As the &leaf"), this, [this, path] { setTexture(*findParam("LeafTexture", m_document->params().block()), path); });
     menu.exec(mapToGlobal(event->position().toPoint()));
 }
 

@@ -1,4 +1,5 @@
 #include "ParamEditor.h"
+#include "CurveEditor.h"
 #include "Gesture.h"
 #include "ParamSlider.h"
 #include "QtText.h"
@@ -7,10 +8,12 @@
 #include <QComboBox>
 #include <QDoubleSpinBox>
 #include <QEvent>
+#include <QFontDatabase>
 #include <QGuiApplication>
 #include <QHBoxLayout>
 #include <QKeyEvent>
 #include <QLineEdit>
+#include <QPlainTextEdit>
 #include <QSignalBlocker>
 #include <QSpinBox>
 #include <QToolButton>
@@ -50,16 +53,19 @@ CParamEditor::CParamEditor(const ParamRef& ref, Form form, QWidget* parent) : QW
     auto* row = new QHBoxLayout(this);
     row->setContentsMargins(0, 0, 0, 0);
     row->setSpacing(6);
-    if (ref.info->field == ParamInfo::Field(&GlobalParams::seed))
-        addSeed();
-    else if (ref.info->words.size() == 2)
-        addSwitch();
-    else if (!ref.info->words.empty())
-        addChoice();
-    else {
-        if (form == Form::Whole) addSlider();
-        row->addWidget(makeBox(form));
+    switch (ref.info->kind()) {
+    case ParamKind::Switch: addSwitch(); break;
+    case ParamKind::Choice: addChoice(); break;
+    case ParamKind::Curve: addCurve(); break;
+    case ParamKind::Text: addBlock(); break;
+    case ParamKind::Number: addNumber(form); break;
     }
+}
+
+void CParamEditor::addNumber(Form form) {
+    if (m_ref.info->field == field<&CommonParams::seed>) return addSeed();
+    if (form == Form::Whole) addSlider();
+    layout()->addWidget(makeBox(form));
 }
 
 void CParamEditor::addChoice() {
@@ -69,7 +75,7 @@ void CParamEditor::addChoice() {
     m_choice->setAccessibleName(trText(m_ref.info->label));
     guardWheel(m_choice);
     static_cast<QHBoxLayout*>(layout())->addWidget(m_choice, 1);
-    connect(m_choice, &QComboBox::currentIndexChanged, this, [this](int i) { emit edited(m_ref, i, 0); });
+    connect(m_choice, &QComboBox::currentIndexChanged, this, [this](int i) { emit edited(m_ref, double(i), 0); });
 }
 
 void CParamEditor::addSwitch() {
@@ -77,7 +83,7 @@ void CParamEditor::addSwitch() {
     m_switch->setAccessibleName(trText(m_ref.info->label));
     layout()->addWidget(m_switch);
     static_cast<QHBoxLayout*>(layout())->addStretch(1);
-    connect(m_switch, &QCheckBox::toggled, this, [this](bool on) { emit edited(m_ref, on ? 1 : 0, 0); });
+    connect(m_switch, &QCheckBox::toggled, this, [this](bool on) { emit edited(m_ref, on ? 1.0 : 0.0, 0); });
 }
 
 void CParamEditor::addSeed() {
@@ -89,7 +95,33 @@ void CParamEditor::addSeed() {
     layout()->addWidget(makeBox(Form::Whole));
     layout()->addWidget(dice);
     static_cast<QHBoxLayout*>(layout())->addStretch(1);
-    connect(dice, &QToolButton::clicked, this, [this] { emit edited(m_ref, thrownSeed(), 0); });
+    connect(dice, &QToolButton::clicked, this, [this] { emit edited(m_ref, double(randomSeed()), 0); });
+}
+
+void CParamEditor::addCurve() {
+    m_curve = new CCurveEditor(*m_ref.info);
+    layout()->addWidget(m_curve);
+    connect(m_curve, &CCurveEditor::edited, this,
+            [this](const CCurve& curve, int gesture) { emit edited(m_ref, curve, gesture); });
+    connect(m_curve, &CCurveEditor::released, this, &CParamEditor::released);
+}
+
+/// The text counts when the focus goes elsewhere, or on Ctrl+Enter.
+void CParamEditor::addBlock() {
+    m_block = new QPlainTextEdit;
+    m_block->setAccessibleName(trText(m_ref.info->label));
+    m_block->setFont(QFontDatabase::systemFont(QFontDatabase::FixedFont));
+    m_block->setLineWrapMode(QPlainTextEdit::NoWrap);
+    m_block->setTabChangesFocus(true);
+    m_block->setMinimumHeight(8 * fontMetrics().height());
+    m_block->installEventFilter(this);
+    layout()->addWidget(m_block);
+}
+
+void CParamEditor::takeBlock() {
+    if (!m_block->document()->isModified()) return;
+    m_block->document()->setModified(false);
+    emit edited(m_ref, m_block->toPlainText().toStdString(), 0);
 }
 
 void CParamEditor::addSlider() {
@@ -140,6 +172,12 @@ void CParamEditor::guardWheel(QWidget* editor) {
 }
 
 bool CParamEditor::eventFilter(QObject* watched, QEvent* event) {
+    if (m_block && watched == m_block) {
+        const auto* key = event->type() == QEvent::KeyPress ? static_cast<QKeyEvent*>(event) : nullptr;
+        const bool taken = key && (key->modifiers() & Qt::ControlModifier) && (key->key() == Qt::Key_Return || key->key() == Qt::Key_Enter);
+        if (taken || event->type() == QEvent::FocusOut) takeBlock();
+        return taken;
+    }
     if (event->type() == QEvent::Wheel && !static_cast<QWidget*>(watched)->hasFocus()) {
         event->ignore(); // the panel behind scrolls
         return true;
@@ -180,16 +218,25 @@ int CParamEditor::gestureNow() {
 
 void CParamEditor::onSlider(int position) {
     const double value = sliderValue(position);
-    showValue(value);
+    showNumber(value);
     emit edited(m_ref, value, gestureNow());
 }
 
 void CParamEditor::onBox(double value) {
-    showValue(value);
+    showNumber(value);
     emit edited(m_ref, value, gestureNow());
 }
 
-void CParamEditor::showValue(double value) {
+void CParamEditor::showValue(const ParamValue& value) {
+    if (const auto* curve = std::get_if<CCurve>(&value)) return m_curve->showCurve(*curve);
+    if (const auto* number = std::get_if<double>(&value)) return showNumber(*number);
+    const QString text = toQString(std::get<std::string>(value));
+    if (m_block->toPlainText() == text) return;
+    m_block->setPlainText(text);
+    m_block->document()->setModified(false);
+}
+
+void CParamEditor::showNumber(double value) {
     if (m_choice) {
         const QSignalBlocker quiet(m_choice);
         m_choice->setCurrentIndex(static_cast<int>(value));
@@ -214,6 +261,6 @@ void CParamEditor::showValue(double value) {
     }
 }
 
-bool CParamEditor::held() const { return m_slider && m_slider->isSliderDown(); }
+bool CParamEditor::held() const { return (m_slider && m_slider->isSliderDown()) || (m_curve && m_curve->held()); }
 
 } // namespace stromar

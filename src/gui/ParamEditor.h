@@ -7,13 +7,16 @@ class QAbstractSpinBox;
 class QCheckBox;
 class QComboBox;
 class QDoubleSpinBox;
+class QPlainTextEdit;
 class QSpinBox;
 
 namespace stromar {
 
+class CCurveEditor;
 class CParamSlider;
 
-/// The editor of one value, made from its row of the parameter table: slider and spin box, a choice, or a switch.
+/// The editor of one value, made from its row of the parameter table: slider and spin box, a choice, a switch, a curve
+/// or lines of text.
 /// The wheel changes it only while it has the focus.
 class CParamEditor : public QWidget {
     Q_OBJECT
@@ -27,14 +30,14 @@ public:
 
     const ParamRef& ref() const { return m_ref; }
     /// Shows a value without telling.
-    void showValue(double value);
-    /// Whether the slider is held.
+    void showValue(const ParamValue& value);
+    /// Whether the slider, or a point of the curve, is held.
     bool held() const;
 
 signals:
     /// The user set a value. All changes of one drag, or of one burst of keys or wheel, have the same positive gesture;
     /// 0 stands alone.
-    void edited(const stromar::ParamRef& ref, double value, int gesture);
+    void edited(const stromar::ParamRef& ref, const stromar::ParamValue& value, int gesture);
     void released();
 
 protected:
@@ -42,13 +45,18 @@ protected:
 
 private:
     void addChoice();
+    void addNumber(Form form);
     void addSwitch();
     void addSeed();
+    void addCurve();
+    void addBlock();
+    void takeBlock();
     void addSlider();
     QAbstractSpinBox* makeBox(Form form);
     void guardWheel(QWidget* editor);
     int sliderPosition(double value) const;
     double sliderValue(int position) const;
+    void showNumber(double value);
     void onBox(double value);
     void onSlider(int position);
     int gestureNow();
@@ -57,6 +65,8 @@ private:
     QComboBox* m_choice = nullptr;
     QCheckBox* m_switch = nullptr;
     CParamSlider* m_slider = nullptr;
+    CCurveEditor* m_curve = nullptr;
+    QPlainTextEdit* m_block = nullptr;
     QDoubleSpinBox* m_real = nullptr;
     QSpinBox* m_whole = nullptr;
     double m_perUnit = 1; ///< shown numbers per metre

@@ -108,38 +108,6 @@ CParamPanel::CParamPanel(QWidget* parent) : QWidget(parent), m_filter(new QLineE
     column->addWidget(m_filter);
     column->addWidget(m_tabs, 1);
 
-    const auto refsOf = [](auto&& wanted) {
-        std::vector<ParamRef> refs;
-        std::ranges::copy_if(allParams(), std::back_inserter(refs), wanted);
-        return refs;
-    };
-    const auto globals = [&](Group group) {
-        return refsOf([group](const ParamRef& r) { return !r.info->perLevel() && r.group() == group; });
-    };
-    const auto ofLevel = [&](int level) {
-        return refsOf([level](const ParamRef& r) { return r.info->perLevel() && r.level == level; });
-    };
-    addTab(Group::Tree);
-    addSections(globals(Group::Tree));
-    addTexts(Group::Tree);
-    finishTab();
-    addTab(Group::Trunk);
-    std::vector<ParamRef> trunk = globals(Group::Trunk);
-    std::ranges::copy(ofLevel(0), std::back_inserter(trunk));
-    addSections(trunk);
-    finishTab();
-    for (int level = 1; level < kParamLevels; ++level) {
-        addTab(Group::Branches, level);
-        addSections(ofLevel(level));
-        finishTab();
-    }
-    for (const Group group : kGroups) {
-        if (group <= Group::Branches) continue; // above
-        addTab(group);
-        addTexts(group);
-        addSections(globals(group));
-        finishTab();
-    }
     connect(m_filter, &QLineEdit::textChanged, this, &CParamPanel::updateVisibility);
     connect(qApp, &QApplication::focusChanged, &m_touch, qOverload<>(&QTimer::start));
     connect(&m_touch, &QTimer::timeout, this, &CParamPanel::updateTouched);
@@ -150,7 +118,24 @@ CParamPanel::CParamPanel(QWidget* parent) : QWidget(parent), m_filter(new QLineE
     showParams(defaults, defaults);
 }
 
-void CParamPanel::addTab(Group group, int level) {
+void CParamPanel::showBlock(const ParamBlock& block) {
+    if (m_block == &block) return;
+    m_block = &block;
+    m_hovered = nullptr;
+    m_rows.clear();
+    m_lines.clear();
+    m_sections.clear();
+    m_groups.clear();
+    while (m_tabs->count() > 0) {
+        QWidget* tab = m_tabs->widget(0);
+        m_tabs->removeTab(0);
+        tab->deleteLater();
+    }
+    for (const ParamPage& page : pagesOf(block)) addTab(page);
+    updateVisibility();
+}
+
+void CParamPanel::addTab(const ParamPage& shown) {
     auto* page = new QWidget;
     m_page = new QVBoxLayout(page);
     m_page->setContentsMargins(6, 4, 8, 8);
@@ -160,8 +145,22 @@ void CParamPanel::addTab(Group group, int level) {
     scroll->setWidgetResizable(true);
     scroll->setFrameShape(QFrame::NoFrame);
     scroll->setHorizontalScrollBarPolicy(Qt::ScrollBarAlwaysOff);
-    m_tabs->addTab(scroll, groupTitle(group, level));
-    m_groups.emplace_back(group, level);
+    m_tabs->addTab(scroll, groupTitle(shown.group, shown.level));
+    m_groups.emplace_back(shown.group, shown.level);
+    const auto isVariation = [&](const ParamRef& ref) {
+        return std::ranges::any_of(shown.rows, [&](const ParamRef& r) { return variationOf(*r.info) == ref.info; });
+    };
+    std::string_view section;
+    for (const ParamRef& ref : shown.rows) {
+        if (ref.info->unused() || !ref.info->shown || isVariation(ref)) continue;
+        if (ref.info->section != section) addSection(ref.info->section);
+        section = ref.info->section;
+        if (ref.info->kind() == ParamKind::Text && !ref.info->block)
+            addText(ref);
+        else
+            addRow(ref);
+    }
+    finishTab();
 }
 
 /// One column for all labels of a tab.
@@ -173,22 +172,6 @@ void CParamPanel::finishTab() {
     for (CParamRow* row : ofPage) row->setLabelWidth(widest);
     auto* scroll = qobject_cast<QScrollArea*>(m_tabs->widget(m_tabs->count() - 1));
     scroll->setMinimumWidth(m_page->parentWidget()->minimumSizeHint().width() + 20);
-}
-
-void CParamPanel::addSections(const std::vector<ParamRef>& refs) {
-    // Rows of one section stay together, whatever order the table has.
-    std::vector<std::string_view> sections;
-    for (const ParamRef& ref : refs)
-        if (!ref.info->unused() && std::ranges::find(sections, ref.info->section) == sections.end())
-            sections.push_back(ref.info->section);
-    const auto isVariation = [](const ParamRef& ref) {
-        return std::ranges::any_of(paramTable(), [&](const ParamInfo& p) { return variationOf(p) == ref.info; });
-    };
-    for (const std::string_view section : sections) {
-        addSection(section);
-        for (const ParamRef& ref : refs)
-            if (ref.info->section == section && !ref.info->unused() && !isVariation(ref)) addRow(ref);
-    }
 }
 
 void CParamPanel::addSection(std::string_view title) {
@@ -218,34 +201,29 @@ void CParamPanel::addRow(const ParamRef& ref) {
     connect(row, &CParamRow::lockToggled, this, [this, ref](bool locked) { setLocked(ref, locked); });
 }
 
-void CParamPanel::addTexts(Group group) {
-    for (const TextInfo& text : textTable()) {
-        if (text.group != group || !text.shown) continue;
-        if (m_sections.empty() || m_sections.back().tab != m_tabs->count() - 1 ||
-            m_sections.back().heading->text() != trText(text.section))
-            addSection(text.section);
-        auto* line = new QLineEdit;
-        line->setObjectName(toQString(text.key));
-        line->setAccessibleName(trText(text.label));
-        auto* row = new QWidget;
-        row->setToolTip(trText(text.help));
-        auto* layout = new QHBoxLayout(row);
-        layout->setContentsMargins(20, 0, 0, 0);
-        auto* label = new QLabel(trText(text.label));
-        label->setMinimumWidth(100);
-        layout->addWidget(label);
-        layout->addWidget(text.path() ? makePathEditor(text, line) : line, 1);
-        m_page->addWidget(row);
-        m_sections.back().rows.push_back(row);
-        m_lines.emplace_back(&text, line);
-        connect(line, &QLineEdit::editingFinished, this, [this, &text, line] {
-            if (line->isModified()) emit textEdited(&text, line->text());
-            line->setModified(false);
-        });
-    }
+/// A line of text.
+void CParamPanel::addText(const ParamRef& ref) {
+    auto* line = new QLineEdit;
+    line->setObjectName(toQString(ref.key()));
+    line->setAccessibleName(trText(ref.info->label));
+    auto* row = new QWidget;
+    row->setToolTip(trText(ref.info->help));
+    auto* layout = new QHBoxLayout(row);
+    layout->setContentsMargins(20, 0, 0, 0);
+    auto* label = new QLabel(trText(ref.info->label));
+    label->setMinimumWidth(100);
+    layout->addWidget(label);
+    layout->addWidget(ref.info->picture() ? makePathEditor(ref, line) : line, 1);
+    m_page->addWidget(row);
+    m_sections.back().rows.push_back(row);
+    m_lines.emplace_back(ref, line);
+    connect(line, &QLineEdit::editingFinished, this, [this, ref, line] {
+        if (line->isModified()) emit edited(ref, line->text().toStdString(), 0);
+        line->setModified(false);
+    });
 }
 
-QWidget* CParamPanel::makePathEditor(const TextInfo& text, QLineEdit* line) {
+QWidget* CParamPanel::makePathEditor(const ParamRef& ref, QLineEdit* line) {
     line->setPlaceholderText(tr("built in"));
     line->setClearButtonEnabled(true);
     auto* row = new QWidget;
@@ -256,27 +234,28 @@ QWidget* CParamPanel::makePathEditor(const TextInfo& text, QLineEdit* line) {
     choose->setToolTip(tr("Choose a picture"));
     layout->addWidget(line, 1);
     layout->addWidget(choose);
-    connect(choose, &QToolButton::clicked, this, [this, &text] { emit pathWanted(&text); });
+    connect(choose, &QToolButton::clicked, this, [this, ref] { emit pathWanted(ref); });
     auto* drawn = new QToolButton;
     drawn->setText(tr("Draw"));
     drawn->setToolTip(tr("A picture that Stromar draws; the words behind its name can be changed"));
     drawn->setPopupMode(QToolButton::InstantPopup);
     auto* menu = new QMenu(drawn);
-    const std::string start = std::string(text.recipes) + ":";
-    for (const std::string& recipe : plainRecipes(text.recipes))
+    const std::string start = std::string(ref.info->recipes) + ":";
+    for (const std::string& recipe : plainRecipes(ref.info->recipes))
         menu->addAction(trText(std::string_view(recipe).substr(start.size())), this,
-                        [this, &text, recipe] { emit textEdited(&text, toQString(recipe)); });
+                        [this, ref, recipe] { emit edited(ref, recipe, 0); });
     menu->addSeparator();
-    menu->addAction(tr("Texture Workshop…"), this, [this, &text] { emit workshopWanted(&text); });
+    menu->addAction(tr("Texture Workshop…"), this, [this, ref] { emit workshopWanted(ref); });
     drawn->setMenu(menu);
     layout->addWidget(drawn);
     return row;
 }
 
 void CParamPanel::showParams(const CParams& params, const CParams& saved) {
+    showBlock(params.block());
     for (CParamRow* row : m_rows) row->show(params, saved);
     for (const auto& [text, line] : m_lines)
-        if (const QString value = toQString(params.text.*text->field); line->text() != value) {
+        if (const QString value = toQString(text.text(params)); line->text() != value) {
             line->setText(value);
             line->setCursorPosition(0);
         }
@@ -332,7 +311,7 @@ void CParamPanel::updateVisibility() {
 }
 
 int CParamPanel::tabOf(Group group, int level) const {
-    const auto found = std::ranges::find(m_groups, std::pair(group, group == Group::Branches ? level : 1));
+    const auto found = std::ranges::find(m_groups, std::pair(group, group == Group::Branches ? level : 0));
     return static_cast<int>(found - m_groups.begin());
 }
 

@@ -15,13 +15,13 @@ namespace stromar {
 class CParamEditor;
 class CParamRow;
 
-/// All values of a tree in tabs, made from the parameter table. Knows nothing of trees or files.
+/// All values of a tree in tabs, made from the tables of its method. Knows nothing of trees or files.
 class CParamPanel : public QWidget {
     Q_OBJECT
 public:
     explicit CParamPanel(QWidget* parent = nullptr);
 
-    /// Shows the values without telling; marks those that differ from `saved`.
+    /// Shows the values without telling; marks those that differ from `saved`. Values of another method get other tabs.
     void showParams(const CParams& params, const CParams& saved);
     CParamEditor* editor(const ParamRef& ref) const;
     CParamRow* row(const ParamRef& ref) const;
@@ -40,14 +40,13 @@ public:
     void showParam(const ParamRef& ref);
 
 signals:
-    void edited(const stromar::ParamRef& ref, double value, int gesture);
-    void assigned(const QString& text, const std::vector<std::pair<stromar::ParamRef, double>>& values);
+    void edited(const stromar::ParamRef& ref, const stromar::ParamValue& value, int gesture);
+    void assigned(const QString& text, const stromar::ParamValues& values);
     void released();
-    void textEdited(const stromar::TextInfo* text, const QString& value);
     /// The user wants to choose a file for this path.
-    void pathWanted(const stromar::TextInfo* text);
+    void pathWanted(const stromar::ParamRef& text);
     /// The user wants to change its recipe.
-    void workshopWanted(const stromar::TextInfo* text);
+    void workshopWanted(const stromar::ParamRef& text);
     /// The value under the mouse, else the one with the focus.
     void touched(const std::optional<stromar::ParamRef>& ref);
 
@@ -62,24 +61,25 @@ private:
         std::vector<QWidget*> rows;
     };
 
-    void addTab(Group group, int level = 1);
-    void addSections(const std::vector<ParamRef>& refs);
+    void showBlock(const ParamBlock& block);
+    void addTab(const ParamPage& page);
     void addSection(std::string_view title);
     void addRow(const ParamRef& ref);
-    void addTexts(Group group);
+    void addText(const ParamRef& ref);
     void finishTab();
-    QWidget* makePathEditor(const TextInfo& text, QLineEdit* line);
+    QWidget* makePathEditor(const ParamRef& ref, QLineEdit* line);
     void updateVisibility();
     void setLocked(const ParamRef& ref, bool locked);
     void updateTouched();
 
+    const ParamBlock* m_block = nullptr;
     QLineEdit* m_filter;
     QTabWidget* m_tabs;
     QVBoxLayout* m_page = nullptr;               ///< of the tab that is being filled
     std::vector<std::pair<Group, int>> m_groups; ///< by tab, with the level
     std::vector<Section> m_sections;
     std::vector<CParamRow*> m_rows;
-    std::vector<std::pair<const TextInfo*, QLineEdit*>> m_lines;
+    std::vector<std::pair<ParamRef, QLineEdit*>> m_lines;
     CParamRow* m_hovered = nullptr;
     QTimer m_touch; ///< the mouse crosses the gaps between rows
 };

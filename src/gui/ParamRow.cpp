@@ -2,7 +2,7 @@
 #include "HelpPictures.h"
 #include "ParamEditor.h"
 #include "QtText.h"
-#include "stromar/params/ParamText.h"
+#include "stromar/params/TreeFile.h"
 #include <QClipboard>
 #include <QContextMenuEvent>
 #include <QGuiApplication>
@@ -48,7 +48,15 @@ private:
     bool m_changed = false, m_locked = false;
 };
 
-double defaultOf(const ParamRef& ref) { return ref.info->defaultOf(ref.level); }
+
+/// The values of lines of a .tree file; none when they cannot be read.
+ParamValues pasted(const std::string& text, const ParamBlock& block) {
+    try {
+        return CTreeFile::parse("Method = " + std::string(block.method) + "\n" + text, "clipboard").givenValues();
+    } catch (const CInputError&) {
+        return {};
+    }
+}
 } // namespace
 
 CParamRow::CParamRow(const ParamRef& ref, QWidget* parent)
@@ -62,6 +70,7 @@ CParamRow::CParamRow(const ParamRef& ref, QWidget* parent)
     row->addWidget(m_mark);
     row->addWidget(m_label);
     addEditor(new CParamEditor(ref));
+    if (!ref.info->numeric()) row->setAlignment(m_label, Qt::AlignTop);
     if (const ParamInfo* variation = variationOf(*ref.info))
         addEditor(new CParamEditor({variation, ref.level}, CParamEditor::Form::Variation));
     setToolTip(helpText());
@@ -82,13 +91,13 @@ void CParamRow::show(const CParams& params, const CParams& saved) {
     m_marked = false;
     for (CParamEditor* editor : m_editors) {
         const ParamRef& ref = editor->ref();
-        editor->showValue(ref.get(params));
-        m_marked = m_marked || ref.get(params) != ref.get(saved);
-        const std::string_view why = whyIdle(ref, params);
+        editor->showValue(ref.value(params));
+        m_marked = m_marked || ref.differs(params, saved);
+        const std::string_view why = inactiveReason(ref, params);
         if (editor->isEnabled() != why.empty()) editor->setEnabled(why.empty());
-        if (editor == m_editors.front()) m_idle = why.empty() ? QString() : trText(why);
+        if (editor == m_editors.front()) m_inactive = why.empty() ? QString() : trText(why);
     }
-    m_label->setEnabled(m_idle.isEmpty());
+    m_label->setEnabled(m_inactive.isEmpty());
     static_cast<CMark*>(m_mark)->show(m_marked, m_locked);
 }
 
@@ -121,8 +130,8 @@ QString CParamRow::helpText() const {
 
 void CParamRow::showToolTip(const QPoint& at) {
     QString text = helpText();
-    if (!m_idle.isEmpty())
-        text.prepend(QStringLiteral("<p><i>%1</i></p>").arg(tr("Without effect: %1").arg(m_idle).toHtmlEscaped()));
+    if (!m_inactive.isEmpty())
+        text.prepend(QStringLiteral("<p><i>%1</i></p>").arg(tr("Without effect: %1").arg(m_inactive).toHtmlEscaped()));
     QToolTip::showText(at,
                        QStringLiteral("<table width=340><tr><td>%1</td></tr></table>")
                            .arg(text + helpPictureHtml(ref(), palette(), devicePixelRatioF())),
@@ -142,34 +151,23 @@ bool CParamRow::eventFilter(QObject* watched, QEvent* event) {
 
 /// Takes the row's values from other parameters, as one step.
 void CParamRow::assign(const QString& text, const CParams& from) {
-    std::vector<std::pair<ParamRef, double>> values;
-    for (const CParamEditor* editor : m_editors) values.emplace_back(editor->ref(), editor->ref().get(from));
+    ParamValues values;
+    for (const CParamEditor* editor : m_editors) values.emplace_back(editor->ref(), editor->ref().value(from));
     emit assigned(text, values);
 }
 
-void CParamRow::reset() { assign(tr("Reset %1").arg(toQString(ref().key())), CParams()); }
+void CParamRow::reset() { assign(tr("Reset %1").arg(toQString(ref().key())), CParams(m_params.block())); }
 
 /// As lines of a .tree file, which paste reads.
 void CParamRow::copy() const {
-    QString text;
-    for (const CParamEditor* editor : m_editors)
-        text += QStringLiteral("%1 = %2\n")
-                    .arg(toQString(editor->ref().key()), toQString(valueText(m_params, ParamTarget(editor->ref()))));
-    QGuiApplication::clipboard()->setText(text);
+    std::vector<ParamRef> refs;
+    for (const CParamEditor* editor : m_editors) refs.push_back(editor->ref());
+    QGuiApplication::clipboard()->setText(toQString(CTreeFile::lines(m_params, refs)));
 }
 
 /// The copied values, given to the rows of the same kind at this or another level.
 void CParamRow::addPasteMenu(QMenu& menu) {
-    std::vector<std::pair<ParamRef, double>> copied;
-    for (const QString& line : QGuiApplication::clipboard()->text().split(QLatin1Char('\n'))) {
-        const auto target = findParam(line.section(QLatin1Char('='), 0, 0).trimmed().toStdString());
-        CParams read;
-        std::string problem;
-        if (!target || !std::holds_alternative<ParamRef>(*target)) continue;
-        const std::string value = line.section(QLatin1Char('='), 1).trimmed().toStdString();
-        if (setFromText(read, *target, value, problem) == SetResult::BadValue) continue;
-        copied.emplace_back(std::get<ParamRef>(*target), std::get<ParamRef>(*target).get(read));
-    }
+    const ParamValues copied = pasted(QGuiApplication::clipboard()->text().toStdString(), m_params.block());
     const bool fits = !copied.empty() && copied.front().first.info == ref().info;
     const auto pasteTo = [this, copied](int level) {
         auto values = copied;
@@ -179,13 +177,13 @@ void CParamRow::addPasteMenu(QMenu& menu) {
     QAction* paste = menu.addAction(tr("&Paste"), this, [this, pasteTo] { pasteTo(ref().level); });
     paste->setEnabled(fits);
     if (!ref().info->perLevel()) return;
-    QMenu* levels = menu.addMenu(tr("Give to &Level"));
+    QMenu* levels = menu.addMenu(tr("Copy to &Level"));
     for (int level = ref().info->firstLevel; level < kParamLevels; ++level) {
         if (level == ref().level) continue;
         levels->addAction(levelTitle(level), this, [this, level] {
-            std::vector<std::pair<ParamRef, double>> values;
+            ParamValues values;
             for (const CParamEditor* editor : m_editors)
-                values.emplace_back(ParamRef{editor->ref().info, level}, editor->ref().get(m_params));
+                values.emplace_back(ParamRef{editor->ref().info, level}, editor->ref().value(m_params));
             emit assigned(tr("Paste %1").arg(toQString(values.front().first.key())), values);
         });
     }
@@ -194,7 +192,7 @@ void CParamRow::addPasteMenu(QMenu& menu) {
 void CParamRow::contextMenuEvent(QContextMenuEvent* event) {
     QMenu menu;
     const bool isDefault = std::ranges::all_of(
-        m_editors, [&](const CParamEditor* e) { return e->ref().get(m_params) == defaultOf(e->ref()); });
+        m_editors, [&](const CParamEditor* e) { return e->ref().value(m_params) == defaultOf(e->ref(), m_params.block()); });
     menu.addAction(tr("&Reset to Default"), this, &CParamRow::reset)->setEnabled(!isDefault);
     menu.addAction(tr("Back to the &Saved Value"), this,
                    [this] { assign(tr("Saved %1").arg(toQString(ref().key())), m_saved); })

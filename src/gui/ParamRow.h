@@ -33,9 +33,9 @@ public:
     void setLabelWidth(int width);
 
 signals:
-    void edited(const stromar::ParamRef& ref, double value, int gesture);
+    void edited(const stromar::ParamRef& ref, const stromar::ParamValue& value, int gesture);
     /// Several values at once: one step. The text names it in the history.
-    void assigned(const QString& text, const std::vector<std::pair<stromar::ParamRef, double>>& values);
+    void assigned(const QString& text, const stromar::ParamValues& values);
     void released();
     void lockToggled(bool locked);
 
@@ -57,7 +57,7 @@ private:
     QWidget* m_mark;
     QLabel* m_label;
     CParams m_params, m_saved;
-    QString m_idle;
+    QString m_inactive;
     bool m_locked = false, m_marked = false;
 };
 

@@ -16,7 +16,7 @@ inline QString trText(std::string_view marked) {
 }
 /// "Trunk", "Branches 2", "Leaves": tabs, menus and messages name a level alike.
 inline QString groupTitle(Group group, int level) {
-    const QString name = trText(groupName(group));
+    const QString name = trText(group.name);
     return group == Group::Branches ? QStringLiteral("%1 %2").arg(name).arg(level) : name;
 }
 inline QString levelTitle(int level) { return groupTitle(level == 0 ? Group::Trunk : Group::Branches, level); }

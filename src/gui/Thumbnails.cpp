@@ -15,7 +15,6 @@ namespace stromar {
 namespace {
 constexpr int kLookVersion = 2;       // rises when the same tree is drawn differently
 constexpr double kFewVertices = 4e5;  // up to here the level of detail may be fine
-constexpr double kMostVertices = 2e7; // no picture beyond
 
 /// Where the picture of such a tree is kept.
 QString keptFile(const CParams& params, const SurfaceTextures& textures, const QSize& pixels) {
@@ -39,7 +38,7 @@ QString keptFile(const CParams& params, const SurfaceTextures& textures, const Q
 
 std::shared_ptr<const ViewModel> grow(const CParams& params, const CProgress& progress) {
     const bool small = predictSize(params, detailOf(Model::Full, 1)).vertices < kFewVertices;
-    CTreeCreator creator(true, kMostVertices);
+    CTreeCreator creator;
     makePictures(params, progress);
     auto view = std::make_shared<ViewModel>();
     view->model = creator.create(params, detailOf(Model::Full, small ? 1 : 3), progress);

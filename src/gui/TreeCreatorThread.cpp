@@ -27,10 +27,10 @@ CTreeCreatorThread::~CTreeCreatorThread() {
     wait();
 }
 
-void CTreeCreatorThread::request(const CParams& params, const Detail& detail, bool anew, double mostVertices) {
+void CTreeCreatorThread::request(const CParams& params, const Detail& detail, bool anew, const SizeLimits& limits) {
     {
         const std::lock_guard lock(m_mutex);
-        m_wanted = Request{params, &detail, mostVertices, anew || (m_wanted && m_wanted->anew)};
+        m_wanted = Request{params, &detail, limits, anew || (m_wanted && m_wanted->anew)};
         if (m_running && !mayFinish()) m_running->cancel();
     }
     m_wake.notify_one();
@@ -95,7 +95,7 @@ void CTreeCreatorThread::run() {
 
 std::shared_ptr<const ViewModel> CTreeCreatorThread::create(const Request& request, const CProgress& progress) {
     if (request.anew) m_creator->forget();
-    m_creator->setMostVertices(request.mostVertices);
+    m_creator->setLimits(request.limits);
     auto view = std::make_shared<ViewModel>();
     view->model = m_creator->create(request.params, *request.detail, progress);
     std::vector<std::pair<std::shared_ptr<const CMesh>, ViewPart>> parts;

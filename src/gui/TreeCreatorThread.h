@@ -24,9 +24,8 @@ public:
     /// Cancels what runs and waits for it to stop.
     ~CTreeCreatorThread() override;
 
-    /// Any thread; returns at once. `anew` forgets what was made before. Fails when the tree may have more vertices.
-    void request(const CParams& params, const Detail& detail, bool anew = false,
-                 double mostVertices = CTreeCreator::kMostVertices);
+    /// Any thread; returns at once. `anew` forgets what was made before. Fails when the tree may become larger.
+    void request(const CParams& params, const Detail& detail, bool anew = false, const SizeLimits& limits = {});
     /// Gives up what runs and what waits.
     void cancel();
     /// Processors for the next trees; 0 takes all.
@@ -47,7 +46,7 @@ private:
     struct Request {
         CParams params;
         const Detail* detail;
-        double mostVertices;
+        SizeLimits limits;
         bool anew;
     };
     using Clock = std::chrono::steady_clock;

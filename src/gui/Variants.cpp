@@ -102,8 +102,8 @@ QWidget* CVariants::makeLiked() {
     column->addWidget(m_liked);
     connect(m_like, &QToolButton::clicked, this, [this](bool liked) {
         std::vector<int> seeds = seedsFrom(m_params.text.likedSeeds);
-        std::erase(seeds, m_params.global.seed);
-        if (liked) seeds.push_back(m_params.global.seed);
+        std::erase(seeds, m_params.common.seed);
+        if (liked) seeds.push_back(m_params.common.seed);
         setLiked(seeds);
     });
     connect(m_liked, &QListWidget::itemActivated, this,
@@ -120,10 +120,6 @@ QWidget* CVariants::makeRandomiser() {
     form->setRowWrapPolicy(QFormLayout::WrapLongRows);
     m_level = new QComboBox;
     m_level->setObjectName(QStringLiteral("randomiseLevel"));
-    m_level->addItem(tr("Everything"));
-    for (const ParamRef& ref : allParams())
-        if (const QString title = titleOf(ref); ref.group() != Group::Textures && m_level->findText(title) < 0)
-            m_level->addItem(title);
     m_level->setSizeAdjustPolicy(QComboBox::AdjustToMinimumContentsLengthWithIcon);
     m_level->setMinimumContentsLength(5);
     m_amount = new QSpinBox;
@@ -142,19 +138,30 @@ QWidget* CVariants::makeRandomiser() {
     return box;
 }
 
+/// "Everything", then the groups of the tree's method.
+void CVariants::fillGroups() {
+    const ParamBlock& block = m_params.block();
+    if (m_block == &block) return;
+    m_block = &block;
+    m_level->clear();
+    m_level->addItem(tr("Everything"));
+    for (const ParamPage& page : pagesOf(block))
+        if (page.group != Group::Textures) m_level->addItem(groupTitle(page.group, page.level));
+}
+
 void CVariants::randomise() {
     const bool all = m_level->currentIndex() == 0;
     const auto belongs = [&](const ParamRef& ref) {
         return all ? ref.group() != Group::Textures : titleOf(ref) == m_level->currentText();
     };
     std::vector<ParamRef> refs;
-    std::ranges::copy_if(allParams(), std::back_inserter(refs), belongs);
+    std::ranges::copy_if(allParams(m_params.block()), std::back_inserter(refs), belongs);
     emit randomiseWanted(refs, m_amount->value() / 100.0);
 }
 
 void CVariants::throwSheet() {
     for (std::size_t i = 0; i < m_seeds.size(); ++i) {
-        m_seeds[i] = thrownSeed();
+        m_seeds[i] = randomSeed();
         m_cells[i]->setText(QString::number(m_seeds[i]));
         m_cells[i]->setAccessibleName(tr("Seed %1").arg(m_seeds[i]));
         m_cells[i]->setIcon({});
@@ -164,14 +171,15 @@ void CVariants::throwSheet() {
 
 void CVariants::showParams(const CParams& params, const std::filesystem::path& folder) {
     CParams kind = params, shown = m_params;
-    kind.global.seed = shown.global.seed = 0;
+    kind.common.seed = shown.common.seed = 0;
     kind.text.likedSeeds = shown.text.likedSeeds = {};
     m_stale = m_stale || kind != shown;
     const bool otherLiked = params.text.likedSeeds != m_params.text.likedSeeds;
     m_params = params;
     m_folder = folder;
+    fillGroups();
     const std::vector<int> liked = seedsFrom(params.text.likedSeeds);
-    m_like->setChecked(std::ranges::find(liked, params.global.seed) != liked.end());
+    m_like->setChecked(std::ranges::find(liked, params.common.seed) != liked.end());
     if (m_stale && isVisible()) m_pause.start();
     if (otherLiked) requestLiked();
 }
@@ -196,7 +204,7 @@ void CVariants::requestSheet() {
     m_thumbnails.drop(QLatin1String(kSheetId));
     for (std::size_t i = 0; i < m_seeds.size(); ++i) {
         CParams params = m_params;
-        params.global.seed = m_seeds[i];
+        params.common.seed = m_seeds[i];
         m_thumbnails.request(QStringLiteral("%1%2").arg(QLatin1String(kSheetId)).arg(i), params, m_folder,
                              pictureSize(), CThumbnails::Keep::No);
     }
@@ -209,7 +217,7 @@ void CVariants::requestLiked() {
         auto* item = new QListWidgetItem(QString::number(seed), m_liked);
         item->setData(Qt::UserRole, seed);
         CParams params = m_params;
-        params.global.seed = seed;
+        params.common.seed = seed;
         if (isVisible())
             m_thumbnails.request(QStringLiteral("%1%2").arg(QLatin1String(kLikedId)).arg(seed), params, m_folder,
                                  pictureSize(), CThumbnails::Keep::No);

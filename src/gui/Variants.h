@@ -42,6 +42,7 @@ private:
     void requestLiked();
     void showThumbnail(const QString& id, const QImage& image);
     void setLiked(const std::vector<int>& seeds);
+    void fillGroups();
     void randomise();
     QSize pictureSize() const;
     QWidget* makeSheet();
@@ -56,6 +57,7 @@ private:
     QComboBox* m_level = nullptr;
     QSpinBox* m_amount = nullptr;
     QTimer m_pause;
+    const ParamBlock* m_block = nullptr;
     CParams m_params;
     std::filesystem::path m_folder;
     bool m_stale = true;

@@ -38,7 +38,9 @@ CViewDesk::CViewDesk(CViewport& viewport, CParamPanel& panel, CDocument& documen
     : QObject(parent), m_viewport(viewport), m_panel(panel), m_document(document) {
     connect(&m_panel, &CParamPanel::touched, this, &CViewDesk::onTouched);
     connect(&m_panel.tabs(), &QTabWidget::currentChanged, this, [this](int tab) {
-        m_guide = tab == m_panel.tabOf(Group::Pruning) ? Guide::Envelope : Guide::None;
+        m_guide = nullptr;
+        for (const Guide& guide : methodOf(m_document.params()).guides)
+            if (!guide.group.name.empty() && tab == m_panel.tabOf(guide.group)) m_guide = &guide;
         updateOverlay();
     });
     connect(&m_viewport, &CViewport::picked, this, &CViewDesk::onPicked);
@@ -56,11 +58,14 @@ void CViewDesk::show(const std::shared_ptr<const ViewModel>& view) {
 }
 
 int CViewDesk::generationOf(const ParamRef& ref) const {
-    if (ref.group() == Group::Leaves) return ViewPart::kLeaves;
-    if (ref.group() == Group::Trunk) return 0;
-    if (ref.group() != Group::Branches) return ViewPart::kNone;
-    const int levels = m_document.params().global.levels;
-    return ref.level < levels ? ref.level : ref.info->placesLeaves ? ViewPart::kLeaves : ViewPart::kNone;
+    const TreeMethod& method = methodOf(m_document.params());
+    return method.generationOf ? method.generationOf(ref, m_document.params()) : ViewPart::kNone;
+}
+
+const Guide* CViewDesk::guideOf(const ParamRef& ref) const {
+    for (const Guide& guide : methodOf(m_document.params()).guides)
+        if (guide.belongsTo(ref)) return &guide;
+    return nullptr;
 }
 
 void CViewDesk::onTouched(const std::optional<ParamRef>& ref) {
@@ -71,9 +76,10 @@ void CViewDesk::onTouched(const std::optional<ParamRef>& ref) {
     updateOverlay();
 }
 
-void CViewDesk::onDragged(std::size_t handle, const osg::Vec2d& to, int gesture) {
+void CViewDesk::onDragged(std::size_t handle, const glm::dvec2& to, int gesture) {
+    if (!m_guide) return;
     m_dragging = true;
-    const GuideHandle& dragged = guideHandles()[handle];
+    const GuideHandle& dragged = m_guide->handles[handle];
     const double scale = m_viewport.overlay().model().scaleTree;
     const QString text = trText(dragged.text);
     m_document.edit(

@@ -41,19 +41,20 @@ private:
 
     void onTouched(const std::optional<ParamRef>& ref);
     void onPicked(const std::optional<ViewHit>& hit);
-    void onDragged(std::size_t handle, const osg::Vec2d& to, int gesture);
+    void onDragged(std::size_t handle, const glm::dvec2& to, int gesture);
     void describeStem(std::size_t generation, const CStem& stem, std::size_t number);
     void describeLeaf(std::size_t number);
     void updateSelection();
     QStringList statistics() const;
     int generationOf(const ParamRef& ref) const;
+    const Guide* guideOf(const ParamRef& ref) const;
 
     CViewport& m_viewport;
     CParamPanel& m_panel;
     CDocument& m_document;
     std::shared_ptr<const ViewModel> m_view;
     std::optional<Selected> m_selected;
-    Guide m_guide = Guide::None;
+    const Guide* m_guide = nullptr;
     bool m_statistics = false, m_dragging = false;
 };
 

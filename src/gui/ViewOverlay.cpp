@@ -58,9 +58,9 @@ std::optional<QPointF> CViewOverlay::toWidget(const osg::Vec3d& point) const {
     return QPointF((place.x() + 1) / 2 * width(), (1 - place.y()) / 2 * height());
 }
 
-osg::Vec2d CViewOverlay::guidePoint(std::size_t handle, const QPointF& at) const {
+glm::dvec2 CViewOverlay::guidePoint(std::size_t handle, const QPointF& at) const {
     const auto [from, direction] = m_camera.rayAt(toView(at), aspect());
-    const double height = guideHandles()[handle].place(m_model.params, m_model.scaleTree).y();
+    const double height = m_model.guide->handles[handle].place(m_model.params, m_model.scaleTree).y;
     if (std::abs(m_camera.forward().z()) > kSteep) { // the level plane at its height
         const osg::Vec3d point = from - direction * ((from.z() - height) / direction.z());
         return {std::hypot(point.x(), point.y()), height};
@@ -74,16 +74,16 @@ osg::Vec2d CViewOverlay::guidePoint(std::size_t handle, const QPointF& at) const
 }
 
 QPointF CViewOverlay::handlePlace(std::size_t handle) const {
-    const osg::Vec2d place = guideHandles()[handle].place(m_model.params, m_model.scaleTree);
+    const glm::dvec2 at = m_model.guide->handles[handle].place(m_model.params, m_model.scaleTree);
     osg::Vec3d aside = m_camera.right();
     aside.z() = 0;
     aside.normalize();
-    return toWidget(aside * place.x() + osg::Vec3d(0, 0, place.y())).value_or(QPointF(-1000, -1000));
+    return toWidget(aside * at.x + osg::Vec3d(0, 0, at.y)).value_or(QPointF(-1000, -1000));
 }
 
 std::optional<std::size_t> CViewOverlay::handleAt(const QPointF& at) const {
-    for (std::size_t i = 0; i < guideHandles().size(); ++i)
-        if (guideHandles()[i].guide == m_model.guide && QLineF(handlePlace(i), at).length() < kGrip) return i;
+    for (std::size_t i = 0; m_model.guide && i < m_model.guide->handles.size(); ++i)
+        if (QLineF(handlePlace(i), at).length() < kGrip) return i;
     return {};
 }
 
@@ -129,16 +129,17 @@ void CViewOverlay::drawLine(QPainter& painter, const std::vector<osg::Vec3d>& po
 
 /// Two meridians square to the view, and rings.
 void CViewOverlay::paintGuide(QPainter& painter) const {
-    const std::vector<osg::Vec2d> profile = guideProfile(m_model.guide, m_model.params, m_model.scaleTree);
+    if (!m_model.guide) return;
+    const std::vector<glm::dvec2> profile = m_model.guide->profile(m_model.params, m_model.scaleTree);
     if (profile.empty()) return;
     const double yaw = std::atan2(m_camera.right().y(), m_camera.right().x());
-    const auto at = [](const osg::Vec2d& p, double angle) {
-        return osg::Vec3d(p.x() * std::cos(angle), p.x() * std::sin(angle), p.y());
+    const auto at = [](const glm::dvec2& p, double angle) {
+        return osg::Vec3d(p.x * std::cos(angle), p.x * std::sin(angle), p.y);
     };
     painter.setPen(QPen(kGuide, 1.8));
     for (const double angle : {yaw, yaw + osg::PI}) {
         std::vector<osg::Vec3d> meridian;
-        for (const osg::Vec2d& p : profile) meridian.push_back(at(p, angle));
+        for (const glm::dvec2& p : profile) meridian.push_back(at(p, angle));
         drawLine(painter, meridian);
     }
     painter.setPen(QPen(QColor(kGuide.red(), kGuide.green(), kGuide.blue(), 110), 1.2));
@@ -150,14 +151,13 @@ void CViewOverlay::paintGuide(QPainter& painter) const {
 }
 
 void CViewOverlay::paintHandles(QPainter& painter) const {
-    for (std::size_t i = 0; i < guideHandles().size(); ++i) {
-        if (guideHandles()[i].guide != m_model.guide) continue;
+    for (std::size_t i = 0; m_model.guide && i < m_model.guide->handles.size(); ++i) {
         const QPointF at = handlePlace(i);
         const bool hot = m_hot == i;
         painter.setPen(QPen(QColor(40, 30, 10), 1.4));
         painter.setBrush(hot ? QColor(Qt::white) : kGuide);
         painter.drawEllipse(at, kHandleRadius + (hot ? 1.5 : 0), kHandleRadius + (hot ? 1.5 : 0));
-        if (hot) drawPlate(painter, at + QPointF(14, -10), Qt::TopLeftCorner, {trText(guideHandles()[i].text)});
+        if (hot) drawPlate(painter, at + QPointF(14, -10), Qt::TopLeftCorner, {trText(m_model.guide->handles[i].text)});
     }
 }
 

@@ -1,5 +1,5 @@
 #pragma once
-#include "Guides.h"
+#include "stromar/app/Methods.h"
 #include "stromar/scene/Camera.h"
 #include <QStringList>
 #include <QWidget>
@@ -16,7 +16,7 @@ public:
     struct Model {
         CParams params;
         double scaleTree = 10; ///< metres
-        Guide guide = Guide::None;
+        const Guide* guide = nullptr; ///< null: none
         std::vector<std::vector<osg::Vec3d>> selection; ///< lines to emphasise
         QString selectionText;
         QStringList statistics;
@@ -33,7 +33,7 @@ public:
     QPointF handlePlace(std::size_t handle) const;
     /// Where a handle is dragged to: distance from the trunk's axis and height, metres. From above or below the height
     /// stays.
-    osg::Vec2d guidePoint(std::size_t handle, const QPointF& at) const;
+    glm::dvec2 guidePoint(std::size_t handle, const QPointF& at) const;
     void setHotHandle(std::optional<std::size_t> handle);
     /// Yaw and pitch of the axis under a place of the widget.
     std::optional<std::pair<double, double>> axisAt(const QPointF& at) const;

@@ -49,7 +49,7 @@ signals:
     void contextLost();
     void picked(const std::optional<stromar::ViewHit>& hit);
     /// A handle was dragged; all changes of one drag have the same gesture.
-    void guideDragged(std::size_t handle, const osg::Vec2d& to, int gesture);
+    void guideDragged(std::size_t handle, const glm::dvec2& to, int gesture);
     void guideReleased();
 
 protected:

@@ -5,13 +5,13 @@
 
 namespace stromar {
 
-CWindowKeeper::CWindowKeeper(double mostVertices, QObject* parent) : QObject(parent), m_mostVertices(mostVertices) {
+CWindowKeeper::CWindowKeeper(const SizeLimits& limits, QObject* parent) : QObject(parent), m_limits(limits) {
     make(nullptr);
 }
 
 void CWindowKeeper::make(std::shared_ptr<CDocument> document) {
     speak(chosenLanguage(CSettings::instance().text("language")));
-    m_window = std::make_unique<CMainWindow>(m_mostVertices, std::move(document));
+    m_window = std::make_unique<CMainWindow>(m_limits, std::move(document));
     connect(m_window.get(), &CMainWindow::rebuildWanted, this, &CWindowKeeper::rebuild, Qt::QueuedConnection);
 }
 

@@ -10,7 +10,7 @@ namespace stromar {
 class CWindowKeeper : public QObject {
     Q_OBJECT
 public:
-    explicit CWindowKeeper(double mostVertices = CTreeCreator::kMostVertices, QObject* parent = nullptr);
+    explicit CWindowKeeper(const SizeLimits& limits = {}, QObject* parent = nullptr);
 
     CMainWindow& window() { return *m_window; }
 
@@ -18,7 +18,7 @@ private:
     void make(std::shared_ptr<CDocument> document);
     void rebuild();
 
-    double m_mostVertices;
+    SizeLimits m_limits;
     std::unique_ptr<CMainWindow> m_window;
 };
 

@@ -26,7 +26,7 @@ struct Options {
     QSize size;
     Model model = Model::Full;
     bool wired = false;
-    double mostVertices = CTreeCreator::kMostVertices;
+    SizeLimits limits;
 };
 
 int wrongUsage(const QString& why) {
@@ -72,10 +72,8 @@ QString read(const QApplication& app, Options& options) {
         if (std::ranges::none_of(commandTable(), [&](const Command& c) { return name == QLatin1String(c.name); }))
             return QStringLiteral("--do: there is no command %1").arg(name);
     if (parser.isSet(shown)) {
-        const auto target = findParam(parser.value(shown).toStdString());
-        if (!target || !std::holds_alternative<ParamRef>(*target))
-            return QStringLiteral("--show: there is no parameter %1").arg(parser.value(shown));
-        options.shown = std::get<ParamRef>(*target);
+        options.shown = findParam(parser.value(shown).toStdString());
+        if (!options.shown) return QStringLiteral("--show: there is no parameter %1").arg(parser.value(shown));
     }
     if (parser.isSet(size)) {
         const QStringList sides = parser.value(size).split(QLatin1Char('x'));
@@ -88,8 +86,8 @@ QString read(const QApplication& app, Options& options) {
         return QStringLiteral("--model is full or simple");
     if (parser.value(model) == QLatin1String("simple")) options.model = Model::Simple;
     if (parser.isSet(most)) {
-        options.mostVertices = parser.value(most).toDouble();
-        if (!(options.mostVertices > 0)) return QStringLiteral("--max-vertices wants a number");
+        options.limits.vertices = parser.value(most).toDouble();
+        if (!(options.limits.vertices > 0)) return QStringLiteral("--max-vertices wants a number");
     }
     return {};
 }
@@ -137,7 +135,7 @@ int main(int argc, char** argv) {
     try {
         if (!options.helpPictures.isEmpty()) return writeHelpPictures(options.helpPictures) ? 0 : 1;
         applyTheme(CSettings::instance().text("theme"));
-        CWindowKeeper keeper(options.mostVertices);
+        CWindowKeeper keeper(options.limits);
         CMainWindow& window = keeper.window();
         if (options.size.isValid()) window.resize(options.size);
         if (!options.screenshot.isEmpty() && !options.file.isEmpty() && !QFileInfo::exists(options.file)) {

@@ -1,17 +1,16 @@
 #include "stromar/model/MeshValues.h"
 #include "stromar/params/Season.h"
-#include "stromar/params/TreeParams.h"
 
 namespace stromar {
 
 MeshParams meshParamsOf(const CParams& params) {
-    const GlobalParams& g = params.global;
+    const CommonParams& g = params.common;
     const Phenology now = phenologyOf(g);
     MeshParams mesh;
     mesh.minRadius = g.minRadius;
     mesh.barkAround = g.textureWrapX;
     mesh.barkAlong = g.textureWrapY;
-    mesh.leaf = {g.leafShape,  g.leafForm != 0, g.leafPlanes,  g.leafFold * kRadiansPerDegree,
+    mesh.leaf = {g.leafShape,  g.leafForm != 0, g.leafPlanes,  g.leafFold.radians(),
                  g.leafStalk, g.leafScaleX,    g.leafRounding};
     mesh.blossomPlanes = g.blossomPlanes;
     mesh.fruitStalk = g.fruitStalk;

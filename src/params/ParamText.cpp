@@ -3,34 +3,34 @@
 #include <algorithm>
 #include <cmath>
 #include <map>
+#include <memory>
+#include <mutex>
 #include <vector>
 
 namespace stromar {
 
 namespace {
 struct KeyIndex {
-    std::map<std::string, ParamTarget, std::less<>> targets;
+    std::map<std::string, ParamRef, std::less<>> refs;
     std::vector<std::string> keys; ///< without aliases
+
+    explicit KeyIndex(const ParamBlock& block) {
+        for (const ParamRef& ref : allParams(block)) {
+            keys.push_back(ref.key());
+            refs.emplace(ref.key(), ref);
+            const std::string digit = ref.info->perLevel() ? std::to_string(ref.level) : std::string();
+            for (const std::string_view alias : ref.info->aliases) refs.emplace(digit + std::string(alias), ref);
+        }
+    }
 };
 
-KeyIndex makeIndex() {
-    KeyIndex index;
-    for (const ParamRef& ref : allParams()) {
-        index.keys.push_back(ref.key());
-        index.targets.emplace(ref.key(), ref);
-        const std::string digit = ref.info->perLevel() ? std::to_string(ref.level) : std::string();
-        for (const std::string_view alias : ref.info->aliases) index.targets.emplace(digit + std::string(alias), ref);
-    }
-    for (const TextInfo& text : textTable()) {
-        index.keys.emplace_back(text.key);
-        index.targets.emplace(std::string(text.key), &text);
-    }
-    return index;
-}
-
-const KeyIndex& keyIndex() {
-    static const KeyIndex index = makeIndex();
-    return index;
+const KeyIndex& keyIndex(const ParamBlock& block) {
+    static std::mutex mutex;
+    static std::map<const ParamBlock*, std::unique_ptr<const KeyIndex>> indices;
+    const std::lock_guard lock(mutex);
+    std::unique_ptr<const KeyIndex>& index = indices[&block];
+    if (!index) index = std::make_unique<const KeyIndex>(block);
+    return *index;
 }
 
 std::optional<double> wordValue(const ParamInfo& info, std::string_view value) {
@@ -38,6 +38,8 @@ std::optional<double> wordValue(const ParamInfo& info, std::string_view value) {
     if (word == info.words.end()) return {};
     return static_cast<double>(word - info.words.begin());
 }
+
+constexpr std::string_view kBlockMark = "\"\"\"";
 
 std::string quoted(std::string_view value) { return "'" + std::string(value) + "'"; }
 
@@ -48,31 +50,75 @@ std::string notANumber(const ParamInfo& info, std::string_view value) {
     return "has no choice " + quoted(value) + suggestion(value, words);
 }
 
-SetResult setNumber(CParams& params, const ParamRef& ref, std::string_view value, std::string& problem) {
+std::string rangeProblem(const ParamRef& ref, std::string_view what, const Range& range, const std::string& value) {
+    return ref.key() + std::string(what) + " must be from " + numberText(range.min) + " to " + numberText(range.max) +
+           ", not " + value;
+}
+
+SetResult setNumber(CParams& params, const ParamRef& ref, std::string_view value, SetProblem& problem) {
     const ParamInfo& info = *ref.info;
     std::optional<double> number = wordValue(info, value);
     if (!number) number = parseNumber(value);
     if (!number) {
-        problem = ref.key() + " " + notANumber(info, value);
+        problem.text = ref.key() + " " + notANumber(info, value);
         return SetResult::BadValue;
     }
     if (info.integer() && *number != std::floor(*number)) {
-        problem = ref.key() + " must be a whole number, not " + std::string(value);
+        problem.text = ref.key() + " must be a whole number, not " + std::string(value);
         return SetResult::BadValue;
     }
     if (ref.set(params, *number)) return SetResult::Done;
-    problem = ref.key() + " must be from " + numberText(info.range.min) + " to " + numberText(info.range.max) +
-              ", not " + std::string(value) + "; taken as " + numberText(ref.get(params));
+    problem.text = rangeProblem(ref, "", info.range, std::string(value)) + "; taken as " + numberText(ref.get(params));
     return SetResult::Clamped;
 }
 
-SetResult setText(CParams& params, const TextInfo& text, std::string_view value, std::string& problem) {
-    if (text.field == &TextParams::method && std::ranges::find(treeMethods(), value) == treeMethods().end()) {
-        const std::vector<std::string> known(treeMethods().begin(), treeMethods().end());
-        problem = "this version cannot grow trees by the method " + quoted(value) + suggestion(value, known);
+SetResult setCurve(CParams& params, const ParamRef& ref, std::string_view value, SetProblem& problem) {
+    CCurve::Fault fault;
+    const auto curve = CCurve::parse(value, fault);
+    if (!curve) {
+        problem = {ref.key() + ": " + fault.text, fault.at};
         return SetResult::BadValue;
     }
-    params.text.*text.field = plainLine(value);
+    if (ref.setValue(params, *curve)) return SetResult::Done;
+    std::size_t begin = 0;
+    for (std::size_t i = 0; i < curve->points().size(); ++i, begin = value.find(',', begin) + 1) {
+        const auto& [x, y] = curve->points()[i];
+        const bool xFits = ref.info->over.contains(x);
+        if (xFits && ref.info->range.contains(y)) continue;
+        const std::string what = ": the " + std::string(xFits ? "y" : "x") + " of point " + std::to_string(i + 1);
+        problem.text = rangeProblem(ref, what, xFits ? ref.info->range : ref.info->over, numberText(xFits ? y : x)) +
+                       "; taken as the nearest";
+        problem.at = value.find_first_not_of(" \t", begin);
+        break;
+    }
+    return SetResult::Clamped;
+}
+
+/// Lines of valid UTF-8.
+std::string plainBlock(std::string_view text) {
+    std::string all;
+    for (std::size_t begin = 0; begin < text.size();) {
+        const std::size_t end = text.find('\n', begin);
+        const bool ends = end != std::string_view::npos;
+        std::string_view line = text.substr(begin, ends ? end - begin : end);
+        if (line.ends_with('\r')) line.remove_suffix(1);
+        all += plainLine(line) + (ends ? "\n" : "");
+        begin = ends ? end + 1 : text.size();
+    }
+    return all;
+}
+
+SetResult setText(CParams& params, const ParamRef& ref, std::string_view value, SetProblem& problem) {
+    std::string text = ref.info->block ? plainBlock(value) : plainLine(value);
+    for (std::size_t begin = 0; ref.info->block && begin < text.size();) {
+        const std::size_t end = std::min(text.find('\n', begin), text.size());
+        if (trimmed(std::string_view(text).substr(begin, end - begin)) == kBlockMark) {
+            problem = {ref.key() + " must not hold a line of three quotes: it would end the text in a file", begin};
+            return SetResult::BadValue;
+        }
+        begin = end + 1;
+    }
+    ref.setValue(params, std::move(text));
     return SetResult::Done;
 }
 
@@ -88,17 +134,13 @@ std::string textValue(std::string_view value) {
     return quotedText + "\"";
 }
 
-/// "0.5", or "0.5, 0.5, 0.3, 0.3" for rows with a value per level, "–" where the trunk has none.
-std::string defaultsText(const ParamInfo& p) {
-    std::string text;
-    for (int level = 0; level <= p.lastLevel(); ++level)
-        text += (level ? ", " : "") + (level < p.firstLevel ? std::string("–") : numberText(p.defaultOf(level)));
-    return text;
-}
-
 std::string keyText(const ParamInfo& p) { return (p.perLevel() ? "n" : "") + std::string(p.key); }
 
 std::string rangeText(const ParamInfo& p) {
+    if (p.kind() == ParamKind::Text) return p.block ? "lines of text" : "text";
+    if (p.kind() == ParamKind::Curve)
+        return "curve: " + std::string(p.overLabel) + " " + numberText(p.over.min) + " … " + numberText(p.over.max) + ", value " +
+               numberText(p.range.min) + " … " + numberText(p.range.max);
     if (p.words.empty()) return numberText(p.range.min) + " … " + numberText(p.range.max);
     std::string text;
     for (std::size_t i = 0; i < p.words.size(); ++i)
@@ -106,41 +148,84 @@ std::string rangeText(const ParamInfo& p) {
     return text;
 }
 
-template <typename Row>
-void forEachGroup(Row&& row) {
-    for (const Group group : kGroups) row(group);
+/// The rows of a group as a page lists them: section by section.
+std::vector<const ParamInfo*> rowsIn(const ParamBlock& block, const Group& group) {
+    std::vector<const ParamInfo*> rows;
+    for (const ParamPage& page : pagesOf(block))
+        for (const ParamRef& ref : page.rows)
+            if (ref.info->group == group && std::ranges::find(rows, ref.info) == rows.end()) rows.push_back(ref.info);
+    return rows;
 }
 
-std::string groupTitle(Group group) {
-    return group == Group::Branches ? "Every level: 0 the trunk, 1–3 the branches" : std::string(groupName(group));
+std::string titleOf(const Group& group) {
+    return group == Group::Branches ? "Every level: 0 the trunk, 1–3 the branches" : std::string(group.name);
 }
 } // namespace
 
-std::optional<ParamTarget> findParam(std::string_view key) {
-    const auto found = keyIndex().targets.find(key);
-    return found == keyIndex().targets.end() ? std::nullopt : std::optional(found->second);
+std::optional<ParamRef> findParam(std::string_view key, const ParamBlock& block) {
+    const KeyIndex& index = keyIndex(block);
+    const auto found = index.refs.find(key);
+    return found == index.refs.end() ? std::nullopt : std::optional(found->second);
 }
 
-std::string keySuggestion(std::string_view key) { return suggestion(key, keyIndex().keys); }
-
-SetResult setFromText(CParams& params, const ParamTarget& target, std::string_view value, std::string& problem) {
-    if (const auto* ref = std::get_if<ParamRef>(&target)) return setNumber(params, *ref, value, problem);
-    return setText(params, *std::get<const TextInfo*>(target), value, problem);
+std::string keySuggestion(std::string_view key, const ParamBlock& block) {
+    return suggestion(key, keyIndex(block).keys);
 }
 
-std::string valueText(const CParams& params, const ParamTarget& target) {
-    if (const auto* ref = std::get_if<ParamRef>(&target)) return numberText(ref->get(params));
-    return textValue(params.text.*std::get<const TextInfo*>(target)->field);
+SetResult setFromText(CParams& params, const ParamRef& ref, std::string_view value, SetProblem& problem) {
+    problem = {};
+    switch (ref.info->kind()) {
+    case ParamKind::Curve: return setCurve(params, ref, value, problem);
+    case ParamKind::Text: return setText(params, ref, value, problem);
+    default: return setNumber(params, ref, value, problem);
+    }
+}
+
+std::string valueText(const CParams& params, const ParamRef& ref) {
+    switch (ref.info->kind()) {
+    case ParamKind::Curve: return ref.curve(params).text();
+    case ParamKind::Text: return textValue(ref.text(params));
+    default: return numberText(ref.get(params));
+    }
+}
+
+std::string methodSuggestion(std::string_view method) {
+    std::vector<std::string> known;
+    std::string all;
+    for (const ParamBlock* block : paramBlocks()) {
+        known.emplace_back(block->method);
+        all += (all.empty() ? "" : ", ") + known.back();
+    }
+    return suggestion(method, known) + " (known: " + all + ")";
+}
+
+std::string_view kindName(const ParamInfo& info) {
+    switch (info.kind()) {
+    case ParamKind::Choice: return "choice";
+    case ParamKind::Switch: return "switch";
+    case ParamKind::Curve: return "curve";
+    case ParamKind::Text: return "text";
+    default: return info.integer() ? "integer" : "number";
+    }
+}
+
+std::string defaultsText(const ParamInfo& p, const ParamBlock& block) {
+    if (!p.numeric()) return p.block ? std::string() : std::string(p.defaultText);
+    std::string text;
+    for (int level = 0; level <= (p.perLevel() ? p.lastLevel() : 0); ++level)
+        text += (level ? ", " : "") + (level < p.firstLevel ? std::string("–")
+                                                            : numberText(std::get<double>(defaultOf({&p, level}, block))));
+    return text;
 }
 
 namespace {
 /// The pictures that `stromar --help-pictures` draws, two in a row below their names.
-std::string pictureTable(Group group) {
+std::string pictureTable(const std::vector<const ParamInfo*>& rows) {
     std::vector<const ParamInfo*> shown;
-    for (const ParamInfo& p : paramTable())
-        if (p.group == group && !p.unused() && group != Group::Textures) shown.push_back(&p);
+    for (const ParamInfo* p : rows)
+        if (p->numeric() && !p->unused() && p->group != Group::Textures) shown.push_back(p);
     if (shown.empty()) return {};
-    std::string rows = "\n| | |\n|---|---|\n";
+    std::string table = "\n| | |\n|---|---|\n";
     for (std::size_t i = 0; i < shown.size(); i += 2) {
         std::string names = "|", pictures = "|";
         for (std::size_t k = i; k < i + 2; ++k) {
@@ -149,48 +234,44 @@ std::string pictureTable(Group group) {
                                                shown[k]->keyOf(1) + ".png) |"
                                          : " |";
         }
-        rows += names + "\n" + pictures + "\n";
+        table += names + "\n" + pictures + "\n";
     }
-    return rows;
+    return table;
 }
 } // namespace
 
-std::string paramsAsMarkdown() {
+std::string paramsAsMarkdown(const ParamBlock& block) {
     std::string page =
         "# Parameters\n\n"
         "Written by `stromar-cli params --markdown`. Lengths are in metres, angles in degrees. `n` in a key "
         "stands for the level, 0 to 3;\nlevel 3 also serves all deeper ones, and the level after the last "
         "stems' one places the leaves.\n";
-    forEachGroup([&](Group group) {
-        page += "\n## " + groupTitle(group) +
+    for (const Group& group : block.groups) {
+        const std::vector<const ParamInfo*> rows = rowsIn(block, group);
+        if (rows.empty()) continue;
+        page += "\n## " + titleOf(group) +
                 "\n\n| Key | Name | Unit | Range | Default | Meaning |\n|---|---|---|---|---|---|\n";
-        for (const ParamInfo& p : paramTable())
-            if (p.group == group)
-                page += "| `" + keyText(p) + "` | " + std::string(p.label) + " | " + std::string(unitName(p.unit)) +
-                        " | " + rangeText(p) + " | " + defaultsText(p) + " | " + std::string(p.help) + " |\n";
-        for (const TextInfo& t : textTable())
-            if (t.group == group)
-                page += "| `" + std::string(t.key) + "` | " + std::string(t.label) + " | | text | | " +
-                        std::string(t.help) + " |\n";
-        page += pictureTable(group);
-    });
+        for (const ParamInfo* p : rows)
+            page += "| `" + keyText(*p) + "` | " + std::string(p->label) + " | " + std::string(unitName(p->unit)) +
+                    " | " + rangeText(*p) + " | " + defaultsText(*p, block) + " | " + std::string(p->help) + " |\n";
+        page += pictureTable(rows);
+    }
     return page;
 }
 
-std::string paramsAsText() {
+std::string paramsAsText(const ParamBlock& block) {
     std::string page;
     const auto padded = [](std::string text, std::size_t width) {
         text.resize(std::max(width, text.size()), ' ');
         return text;
     };
-    forEachGroup([&](Group group) {
-        page += (page.empty() ? "" : "\n") + groupTitle(group) + "\n";
-        for (const ParamInfo& p : paramTable())
-            if (p.group == group)
-                page += "  " + padded(keyText(p), 18) + padded(defaultsText(p), 26) + std::string(p.help) + "\n";
-        for (const TextInfo& t : textTable())
-            if (t.group == group) page += "  " + padded(std::string(t.key), 44) + std::string(t.help) + "\n";
-    });
+    for (const Group& group : block.groups) {
+        const std::vector<const ParamInfo*> rows = rowsIn(block, group);
+        if (rows.empty()) continue;
+        page += (page.empty() ? "" : "\n") + titleOf(group) + "\n";
+        for (const ParamInfo* p : rows)
+            page += "  " + padded(keyText(*p), 18) + padded(defaultsText(*p, block), 26) + std::string(p->help) + "\n";
+    }
     return page;
 }
 

@@ -1,3 +1,4 @@
+#include "stromar/params/methods/weberpenn/WeberPennParams.h"
 #include "app/SameModel.h"
 #include "mesh/SampleTrees.h"
 #include <chrono>
@@ -40,7 +41,7 @@ TEST(Cancel, KeepsWhatWasMadeBefore) {
     CParams params = preset("quaking_aspen");
     const auto before = creator.create(params, detailOf(Model::Full), CProgress(2));
     CParams other = params;
-    other.global.seed += 1;
+    other.common.seed += 1;
     const CProgress cancelled(2);
     cancelled.cancel();
     EXPECT_THROW(creator.create(other, detailOf(Model::Full), cancelled), CCancelled);
@@ -66,9 +67,9 @@ TEST(Cancel, AMeshChangeAfterACancelledStructureChangeIsRight) {
     creator.create(params, detailOf(Model::Full), CProgress(2));
     const CProgress cancelled(2);
     cancelled.cancel();
-    params.level[1].downAngle += 10;
+    weberPenn(params).level[1].downAngle.value += 10;
     EXPECT_THROW(creator.create(params, detailOf(Model::Full), cancelled), CCancelled);
-    params.global.minRadius = 0.004;
+    params.common.minRadius = 0.004;
     const auto model = creator.create(params, detailOf(Model::Full), CProgress(2));
     EXPECT_EQ(modelDifference(*model, *createAnew(params, detailOf(Model::Full))), "");
 }

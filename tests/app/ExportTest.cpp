@@ -1,4 +1,5 @@
 // What every format has in common: all files or none, pictures beside the model, nothing of this machine in the files.
+#include "stromar/params/methods/weberpenn/WeberPennParams.h"
 #include "stromar/app/Export.h"
 #include "app/SameModel.h"
 #include "mesh/SampleTrees.h"
@@ -15,8 +16,8 @@ namespace fs = std::filesystem;
 std::shared_ptr<const TreeModel> smallModel() {
     static const auto model = [] {
         CParams params = preset("quaking_aspen");
-        params.level[1].branches = 6;
-        params.level[2].branches = 4;
+        weberPenn(params).level[1].branches = 6;
+        weberPenn(params).level[2].branches = 4;
         return createAnew(params, detailOf(Model::Simple));
     }();
     return model;

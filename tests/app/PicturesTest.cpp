@@ -1,3 +1,4 @@
+#include "stromar/params/methods/weberpenn/WeberPennParams.h"
 #include "stromar/app/Pictures.h"
 #include "stromar/app/Export.h"
 #include "stromar/params/TreeFile.h"
@@ -15,7 +16,7 @@ class RecipeTest : public ::testing::Test {
 protected:
     RecipeTest() {
         setenv("XDG_CACHE_HOME", m_folder.path().c_str(), 1);
-        m_params.global.levels = 2;
+        weberPenn(m_params).levels = 2;
         m_params.text.barkTexture = "bark:birch seed=3";
     }
     ~RecipeTest() override { unsetenv("XDG_CACHE_HOME"); }
@@ -57,16 +58,16 @@ TEST_F(RecipeTest, OfLeavesHasAPreviewUntilTheWholeIsThere) {
 TEST_F(RecipeTest, OfLeavesFollowsTheMonth) {
     m_params.text.leafTexture = "leaf:maple";
     const auto at = [&](double month) {
-        m_params.global.season = month;
+        m_params.common.season = month;
         return pictureOf(m_params, Surface::Leaf);
     };
     EXPECT_EQ(at(7), "leaf:maple");
     EXPECT_EQ(at(8), "leaf:maple") << "summer is one picture";
     EXPECT_EQ(at(9.8), "leaf:maple season=9.8");
     EXPECT_EQ(at(9.83), at(9.8)) << "in steps";
-    m_params.global.evergreen = 1;
+    m_params.common.evergreen = 1;
     EXPECT_EQ(at(9.8), "leaf:maple");
-    m_params.global.evergreen = 0;
+    m_params.common.evergreen = 0;
     m_params.text.leafTexture = "leaf:maple season=7";
     EXPECT_EQ(at(9.8), "leaf:maple season=7") << "the recipe's own month";
     m_params.text.leafTexture = "mine.png";
@@ -78,7 +79,7 @@ TEST_F(RecipeTest, OfBlossomsAndFruitsIsDrawnOnlyForTreesThatHaveSome) {
     EXPECT_TRUE(texturesOf(m_params, {})[std::size_t(Surface::Blossom)].empty());
     makePictures(m_params, CProgress());
     EXPECT_FALSE(fs::exists(blossom));
-    m_params.global.blossoms = 3;
+    m_params.common.blossoms = 3;
     makePictures(m_params, CProgress());
     EXPECT_TRUE(fs::exists(blossom));
     EXPECT_EQ(texturesOf(m_params, {})[std::size_t(Surface::Blossom)], blossom);
@@ -92,9 +93,9 @@ TEST_F(RecipeTest, GoesWithTheExportedModel) {
 
 TEST_F(RecipeTest, ExportedBlossomsAndFruitsHaveTheirMaterials) {
     CParams params = CTreeFile::read(STROMAR_SOURCE "/presets/apple.tree").params();
-    params.level[1].branches = 8;
-    params.level[2].branches = 8;
-    params.global.season = 9;
+    weberPenn(params).level[1].branches = 8;
+    weberPenn(params).level[2].branches = 8;
+    params.common.season = 9;
     const auto model = CTreeCreator().create(params, detailOf(Model::Full), CProgress());
     exportModel(*model, {}, m_folder.path() / "tree.obj", CProgress());
     const std::string library = readFile(m_folder.path() / "tree.mtl");

@@ -1,3 +1,4 @@
+#include "stromar/params/methods/weberpenn/WeberPennParams.h"
 #include "stromar/app/Prediction.h"
 #include "app/SameModel.h"
 #include "mesh/SampleTrees.h"
@@ -37,7 +38,7 @@ std::vector<double> millionsIn(const std::string& text) {
 
 std::string refusal(const CParams& params, double limit) {
     try {
-        CTreeCreator(true, limit).create(params, detailOf(Model::Full), CProgress(2));
+        CTreeCreator(true, {.vertices = limit}).create(params, detailOf(Model::Full), CProgress(2));
     } catch (const CError& e) {
         return e.what();
     }
@@ -50,7 +51,7 @@ TEST(Prediction, BoundsThePresets) {
         for (const int seed : {13, 1, 77, 4711})
             for (const Detail& detail : detailTable()) {
                 CParams params = sample.params;
-                params.global.seed = seed;
+                params.common.seed = seed;
                 if (seed == 77 && detail.model == Model::Full && detail.lod < 3) continue; // the largest: time
                 expectWithin(params, detail, true,
                              sample.name + ", seed " + std::to_string(seed) + ", " + std::string(detail.name));
@@ -61,7 +62,7 @@ TEST(Prediction, IsNearForThePresets) {
     for (const Sample& sample : presets())
         for (const Detail& detail : detailTable()) {
             const Prediction predicted = predictSize(sample.params, detail);
-            const bool full = phenologyOf(sample.params.global).leaves == 1; // what has fallen is known less well
+            const bool full = phenologyOf(sample.params.common).leaves == 1; // what has fallen is known less well
             const auto model = createAnew(sample.params, detail);
             EXPECT_LE(predicted.stems, 8 * double(model->tree->stemCount())) << sample.name;
             EXPECT_LE(predicted.leaves, 8 * double(model->tree->leaves().size())) << sample.name;
@@ -89,7 +90,7 @@ TEST(Prediction, BoundsDeepTrees) {
     for (int levels = 5; levels <= 9; ++levels)
         for (std::uint64_t number = 2000; number < 2006; ++number) {
             CParams params = randomParams(number, {{0, 2, 2, 2}, 0.1, 3, 5, 4});
-            params.global.levels = levels;
+            weberPenn(params).levels = levels;
             const std::string label = "levels " + std::to_string(levels) + ", sample " + std::to_string(number);
             if (predictSize(params, detailOf(Model::Full)).vertices > 2e6) continue; // time
             expectWithin(params, detailOf(Model::Full), true, label);
@@ -105,13 +106,13 @@ TEST(Prediction, BoundsTrunksOfManySpheresSplitsAndTurns) {
                 for (const int splits : {0, 3})
                     for (const double ratio : {0.0001, 0.002, 0.05, 1.0}) {
                         CParams params;
-                        params.global.levels = 1;
-                        params.global.ratio = ratio;
-                        params.global.baseSplits = splits;
-                        params.global.flare = 20;
-                        params.level[0].curveRes = resolution;
-                        params.level[0].taper = taper;
-                        params.level[0].curveV = helix;
+                        weberPenn(params).levels = 1;
+                        weberPenn(params).ratio = ratio;
+                        weberPenn(params).baseSplits = splits;
+                        params.common.flare = 20;
+                        weberPenn(params).level[0].curveRes = resolution;
+                        weberPenn(params).level[0].taper = taper;
+                        weberPenn(params).level[0].curveV = helix;
                         for (const Detail& detail : detailTable())
                             expectWithin(params, detail, true,
                                          "segments " + std::to_string(resolution) + ", taper " + std::to_string(taper) +
@@ -122,9 +123,9 @@ TEST(Prediction, BoundsTrunksOfManySpheresSplitsAndTurns) {
 
 TEST(Prediction, ARefusalNamesBothNumbers) {
     CParams params = preset("quaking_aspen");
-    params.level[1].branches = 5000;
-    params.level[2].branches = 5000;
-    const std::string text = refusal(params, CTreeCreator::kMostVertices);
+    weberPenn(params).level[1].branches = 5000;
+    weberPenn(params).level[2].branches = 5000;
+    const std::string text = refusal(params, SizeLimits::kMostVertices);
     const double predicted = predictSize(params, detailOf(Model::Full)).vertices / 1e6;
     const auto numbers = millionsIn(text);
     ASSERT_EQ(numbers.size(), 2u) << text;
@@ -143,7 +144,7 @@ TEST(Prediction, ARefusalNamesSmallLimitsToo) {
 
 TEST(Prediction, TheLargestTreeIsRefusedAtOnce) {
     CParams params;
-    for (const ParamRef& ref : allParams()) ref.set(params, ref.info->range.max);
+    for (const ParamRef& ref : numberParams()) ref.set(params, ref.info->range.max);
     for (const Detail& detail : detailTable()) {
         const Prediction size = predictSize(params, detail);
         EXPECT_TRUE(std::isfinite(size.vertices) && std::isfinite(size.stems) && std::isfinite(size.leaves));
@@ -156,7 +157,7 @@ TEST(Prediction, ARefusedTreeLeavesTheCreatorAsItWas) {
     const CParams params = preset("quaking_aspen");
     const auto before = creator.create(params, detailOf(Model::Simple), CProgress(2));
     CParams large = params;
-    large.level[1].branches = large.level[2].branches = 5000;
+    weberPenn(large).level[1].branches = weberPenn(large).level[2].branches = 5000;
     EXPECT_THROW(creator.create(large, detailOf(Model::Simple), CProgress(2)), CError);
     EXPECT_EQ(creator.create(params, detailOf(Model::Simple), CProgress(2))->stems, before->stems);
 }

@@ -1,3 +1,4 @@
+#include "stromar/params/methods/weberpenn/WeberPennParams.h"
 #include "stromar/app/Randomise.h"
 #include "stromar/app/Demonstration.h"
 #include "stromar/app/Prediction.h"
@@ -11,14 +12,15 @@ namespace stromar {
 namespace {
 
 CParams aspen() { return CTreeFile::read(STROMAR_SOURCE "/presets/quaking_aspen.tree").params(); }
-ParamRef param(const char* key) { return std::get<ParamRef>(*findParam(key)); }
+ParamRef param(const char* key) { return *findParam(key); }
 
 TEST(Randomise, MovesNumbersWithinTheAmountAndTheUsefulRange) {
     const CParams params = aspen();
     for (const double amount : {0.1, 1.0}) {
-        const auto values = randomised(params, allParams(), amount, 7);
+        const auto values = randomised(params, numberParams(), amount, 7);
         EXPECT_GT(values.size(), 30u);
-        for (const auto& [ref, value] : values) {
+        for (const auto& [ref, moved] : values) {
+            const double value = std::get<double>(moved);
             const Range& useful = ref.info->useful;
             const double half = (useful.max - useful.min) / 2, digits = 0.5 * std::pow(10, -ref.info->decimals);
             EXPECT_LE(std::abs(value - ref.get(params)), amount * half + digits + 1e-9) << ref.key();
@@ -32,22 +34,22 @@ TEST(Randomise, MovesNumbersWithinTheAmountAndTheUsefulRange) {
 }
 
 TEST(Randomise, LeavesChoicesTheSeedAndWhatDoesNothingAlone) {
-    const auto values = randomised(aspen(), allParams(), 1, 7);
+    const auto values = randomised(aspen(), numberParams(), 1, 7);
     for (const auto& [ref, value] : values) {
         EXPECT_TRUE(ref.info->words.empty()) << ref.key();
         EXPECT_NE(ref.key(), "Seed");
-        EXPECT_EQ(whyIdle(ref, aspen()), "") << ref.key();
+        EXPECT_EQ(inactiveReason(ref, aspen()), "") << ref.key();
     }
 }
 
 TEST(Randomise, OneValueLessMovesNoOther) {
-    const auto all = randomised(aspen(), allParams(), 0.5, 7);
-    std::vector<ParamRef> fewer(allParams().begin(), allParams().end());
+    const auto all = randomised(aspen(), numberParams(), 0.5, 7);
+    std::vector<ParamRef> fewer(numberParams().begin(), numberParams().end());
     std::erase(fewer, param("Scale"));
     auto expected = all;
     std::erase_if(expected, [](const auto& v) { return v.first.key() == "Scale"; });
     EXPECT_EQ(randomised(aspen(), fewer, 0.5, 7), expected);
-    EXPECT_NE(randomised(aspen(), allParams(), 0.5, 8), all);
+    EXPECT_NE(randomised(aspen(), numberParams(), 0.5, 8), all);
 }
 
 TEST(NearestThatFits, IsTheLastThatIsNotTooLarge) {
@@ -58,7 +60,7 @@ TEST(NearestThatFits, IsTheLastThatIsNotTooLarge) {
         const double fits = ref.get(params);
         ref.set(params, ref.info->range.max);
         if (predictSize(params, full).vertices <= 2e6) continue;
-        const double found = nearestThatFits(params, ref, fits, full, 2e6);
+        const double found = nearestThatFits(params, ref, fits, full, {2e6, 1e12});
         EXPECT_GE(found, fits) << key;
         ref.set(params, found);
         EXPECT_LE(predictSize(params, full).vertices, 2e6) << key;
@@ -68,7 +70,7 @@ TEST(NearestThatFits, IsTheLastThatIsNotTooLarge) {
 }
 
 TEST(Demonstration, DiffersInItsOwnValueAlone) {
-    for (const ParamRef& ref : allParams()) {
+    for (const ParamRef& ref : numberParams()) {
         const auto shown = demonstrationsOf(ref);
         EXPECT_EQ(shown.empty(), ref.info->unused() || ref.info->group == Group::Textures) << ref.key();
         const ParamRef own{ref.info, std::min(ref.level, 1)};
@@ -77,13 +79,13 @@ TEST(Demonstration, DiffersInItsOwnValueAlone) {
             own.set(same, own.get(shown.front().params));
             EXPECT_TRUE(same == shown.front().params) << ref.key();
             EXPECT_EQ(own.get(one.params), one.value) << ref.key();
-            EXPECT_EQ(whyIdle(own, one.params), "") << ref.key() << ": what is shown must act";
+            EXPECT_EQ(inactiveReason(own, one.params), "") << ref.key() << ": what is shown must act";
         }
     }
 }
 
 TEST(Demonstration, ItsTreesDifferAndAreSmall) {
-    for (const ParamRef& ref : allParams()) {
+    for (const ParamRef& ref : numberParams()) {
         if (ref.level > 1) continue;
         for (const Demonstration& one : demonstrationsOf(ref))
             EXPECT_LT(predictSize(one.params, detailOf(Model::Full)).vertices, 3e5) << ref.key();
@@ -101,27 +103,27 @@ bool sameMeshes(const TreeModel& a, const TreeModel& b) {
 
 TEST(WhyIdle, WhatIsGreyedChangesNothing) {
     std::vector<CParams> trees(6);
-    trees[0].global.levels = 1;
-    trees[1].global.levels = 2;
-    trees[1].global.leaves = 5;
-    trees[2].level[1].curveV = -30;
-    trees[2].level[1].curveRes = 4;
-    trees[3].level[2].branches = 0;
-    trees[4].global.shape = 8;
-    trees[4].global.leaves = 3;
-    trees[5].global.levels = 4;
-    trees[5].level[3].branches = 2;
-    for (CParams& tree : trees) tree.level[1].branches = 4;
+    weberPenn(trees[0]).levels = 1;
+    weberPenn(trees[1]).levels = 2;
+    weberPenn(trees[1]).leaves = 5;
+    weberPenn(trees[2]).level[1].curveV = -30;
+    weberPenn(trees[2]).level[1].curveRes = 4;
+    weberPenn(trees[3]).level[2].branches = 0;
+    weberPenn(trees[4]).shape = 8;
+    weberPenn(trees[4]).leaves = 3;
+    weberPenn(trees[5]).levels = 4;
+    weberPenn(trees[5]).level[3].branches = 2;
+    for (CParams& tree : trees) weberPenn(tree).level[1].branches = 4;
     int greyed = 0;
     for (const CParams& tree : trees) {
         const auto before = CTreeCreator().create(tree, detailOf(Model::Full), CProgress(1));
-        for (const ParamRef& ref : allParams()) {
-            if (ref.info->unused() || whyIdle(ref, tree).empty()) continue;
+        for (const ParamRef& ref : numberParams()) {
+            if (ref.info->unused() || inactiveReason(ref, tree).empty()) continue;
             CParams other = tree;
             const Range& useful = ref.info->useful;
             ref.set(other, ref.get(tree) == useful.max ? useful.min : useful.max);
             EXPECT_TRUE(sameMeshes(*before, *CTreeCreator().create(other, detailOf(Model::Full), CProgress(1))))
-                << ref.key() << ": " << whyIdle(ref, tree);
+                << ref.key() << ": " << inactiveReason(ref, tree);
             ++greyed;
         }
     }

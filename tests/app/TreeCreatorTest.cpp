@@ -1,5 +1,6 @@
 #include "app/SameModel.h"
 #include "mesh/SampleTrees.h"
+#include "stromar/params/methods/weberpenn/WeberPennParams.h"
 #include "stromar/params/ParamTable.h"
 #include <gtest/gtest.h>
 #include <random>
@@ -10,15 +11,15 @@ namespace {
 /// Of four levels, with leaves, quickly made; every kind of parameter changes something.
 CParams smallTree() {
     CParams params = preset("ca_black_oak");
-    GlobalParams& g = params.global;
+    WeberPennParams& g = weberPenn(params);
     g.levels = 4;
     g.leaves = 6;
-    g.lobes = 3;
-    g.lobeDepth = 0.2;
+    params.common.lobes = 3;
+    params.common.lobeDepth = 0.2;
     g.pruneRatio = 0.4;
-    params.level[1].branches = 8;
-    params.level[2].branches = 6;
-    params.level[3].branches = 3;
+    weberPenn(params).level[1].branches = 8;
+    weberPenn(params).level[2].branches = 6;
+    weberPenn(params).level[3].branches = 3;
     return params;
 }
 
@@ -55,7 +56,7 @@ TEST(TreeCreator, SharesTheGenerationsBeforeAnEditedLevel) {
         CTreeCreator creator;
         CParams params = smallTree();
         const auto before = creator.create(params, detailOf(Model::Full), CProgress(2));
-        params.level[static_cast<std::size_t>(level)].curve += 5;
+        weberPenn(params).level[static_cast<std::size_t>(level)].curve.value += 5;
         const auto after = creator.create(params, detailOf(Model::Full), CProgress(2));
         EXPECT_EQ(sharedStems(*before, *after), level);
         for (int g = 0; g < 4; ++g) {
@@ -71,7 +72,7 @@ TEST(TreeCreator, KeepsStemsWhenOnlyLeavesChange) {
     CTreeCreator creator;
     CParams params = smallTree();
     const auto before = creator.create(params, detailOf(Model::Full), CProgress(2));
-    params.global.leafScale *= 2;
+    params.common.leafScale *= 2;
     const auto after = creator.create(params, detailOf(Model::Full), CProgress(2));
     EXPECT_EQ(before->stems, after->stems);
     EXPECT_NE(before->leaves(), after->leaves());
@@ -79,17 +80,17 @@ TEST(TreeCreator, KeepsStemsWhenOnlyLeavesChange) {
 }
 
 TEST(TreeCreator, KeepsEverythingWhenOnlyTextsChange) {
-    for (const TextInfo& text : textTable()) {
-        if (text.stage == Stage::Structure) continue; // another way to grow trees
+    for (const ParamRef& text : allParams()) {
+        if (text.info->kind() != ParamKind::Text) continue;
         CTreeCreator creator;
         CParams params = smallTree();
         const auto before = creator.create(params, detailOf(Model::Simple), CProgress(2));
-        params.text.*text.field = "other.png";
+        text.setValue(params, std::string("other.png"));
         const auto after = creator.create(params, detailOf(Model::Simple), CProgress(2));
-        EXPECT_EQ(before->tree, after->tree) << text.key;
-        EXPECT_EQ(before->stems, after->stems) << text.key;
-        EXPECT_EQ(before->leaves(), after->leaves()) << text.key;
-        EXPECT_EQ(after->params, params) << text.key;
+        EXPECT_EQ(before->tree, after->tree) << text.key();
+        EXPECT_EQ(before->stems, after->stems) << text.key();
+        EXPECT_EQ(before->leaves(), after->leaves()) << text.key();
+        EXPECT_EQ(after->params, params) << text.key();
     }
 }
 
@@ -97,14 +98,14 @@ TEST(TreeCreator, KeepsTheTreeWhenOnlyTheMeshChanges) {
     CTreeCreator creator;
     CParams params = smallTree();
     const auto before = creator.create(params, detailOf(Model::Full), CProgress(2));
-    params.global.textureWrapX += 1;
+    params.common.textureWrapX += 1;
     const auto after = creator.create(params, detailOf(Model::Full), CProgress(2));
     EXPECT_EQ(before->tree, after->tree);
     EXPECT_EQ(sharedStems(*before, *after), 0);
 }
 
 TEST(TreeCreator, AnEditOfAnyParameterGivesWhatANewCreatorGives) {
-    for (const ParamRef& ref : allParams())
+    for (const ParamRef& ref : numberParams())
         for (const Detail* detail : {&detailOf(Model::Simple), &detailOf(Model::Full, 1)}) {
             CTreeCreator creator;
             CParams params = smallTree();
@@ -127,7 +128,7 @@ TEST(TreeCreator, ManyEditsGiveWhatANewCreatorGives) {
     CTreeCreator creator;
     CParams params = smallTree();
     for (int edit = 0; edit < 150; ++edit) {
-        const auto refs = allParams();
+        const auto refs = numberParams();
         const ParamRef& ref = refs[random() % refs.size()];
         ref.set(params, otherValue(ref, params));
         if (edit % 10 == 9) params = smallTree();
@@ -144,7 +145,7 @@ TEST(TreeCreator, OlderModelsStayAsTheyWere) {
     CParams params = smallTree();
     const auto first = creator.create(params, detailOf(Model::Full), CProgress(2));
     const auto copy = createAnew(params, detailOf(Model::Full));
-    params.global.seed += 1;
+    params.common.seed += 1;
     EXPECT_NE(modelDifference(*creator.create(params, detailOf(Model::Full), CProgress(2)), *first), "");
     EXPECT_EQ(modelDifference(*first, *copy), "");
 }
@@ -164,7 +165,7 @@ TEST(TreeCreator, TheNeutralSourceIgnoresTheSeed) {
     CParams params = smallTree();
     CTreeCreator creator(false);
     const auto before = creator.create(params, detailOf(Model::Full), CProgress(2));
-    params.global.seed += 1;
+    params.common.seed += 1;
     EXPECT_EQ(modelDifference(*before, *creator.create(params, detailOf(Model::Full), CProgress(2))), "");
     EXPECT_NE(modelDifference(*before, *createAnew(params, detailOf(Model::Full))), "");
 }

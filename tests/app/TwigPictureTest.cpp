@@ -1,4 +1,5 @@
 #include "mesh/SampleTrees.h"
+#include "stromar/params/methods/weberpenn/WeberPennParams.h"
 #include "stromar/app/Export.h"
 #include "stromar/app/Pictures.h"
 #include "stromar/texture/TextureMaps.h"
@@ -67,7 +68,7 @@ TEST_F(TwigPicture, IsOneForAllLevelsOfDetailAndOnlyWhereCardsAre) {
     makePictures(*two, m_folder.path(), CProgress());
     EXPECT_EQ(file(*two), file(*three));
     EXPECT_TRUE(fs::exists(file(*three)));
-    m_params.global.seed = 99;
+    m_params.common.seed = 99;
     EXPECT_NE(file(*create(2)), file(*two));
 }
 
@@ -99,7 +100,7 @@ TEST_F(TwigPicture, StandsForTheLastStemsAndTheirLeaves) {
     EXPECT_GT(model->stems[1]->vertexCount(), 0u);
     CTreeCreator creator; // one that keeps what it made
     creator.create(m_params, detailOf(Model::Full, 2), CProgress(2));
-    m_params.global.leaves = 2;
+    weberPenn(m_params).leaves = 2;
     const auto few = creator.create(m_params, detailOf(Model::Full, 2), CProgress(2));
     EXPECT_FALSE(few->cards);
     EXPECT_GT(few->leaves()->vertexCount(), 0u);

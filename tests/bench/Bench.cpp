@@ -1,4 +1,6 @@
 // How fast trees grow, are meshed, change under an edit and are written. Real time: the work runs on several threads.
+#include "stromar/tree/weberpenn/WeberPennBuilder.h"
+#include "stromar/params/methods/weberpenn/WeberPennParams.h"
 #include "stromar/app/Export.h"
 #include "stromar/app/Formats.h"
 #include "stromar/model/MeshValues.h"
@@ -56,12 +58,12 @@ void editLevel(State& state, const CParams& params, std::size_t level) {
     CTreeCreator creator;
     CParams edited = params;
     // The trunk has no down angle; its curve stands for an edit of everything.
-    double& angle = level == 0 ? edited.level[0].curve : edited.level[level].downAngle;
-    const double before = angle;
+    Degrees& angle = level == 0 ? weberPenn(edited).level[0].curve : weberPenn(edited).level[level].downAngle;
+    const Degrees before = angle;
     creator.create(edited, detailOf(Model::Simple), CProgress());
     std::size_t vertices = 0;
     for (auto _ : state) {
-        angle = angle == before ? before + 1 : before;
+        angle = angle == before ? Degrees(before.value + 1) : before;
         vertices = creator.create(edited, detailOf(Model::Simple), CProgress())->vertexCount();
     }
     state.counters["vertices/s"] = perSecond(double(vertices));
@@ -107,7 +109,7 @@ void addPreset(const Preset& preset) {
             add("MemCopy" + kind + "/" + preset.name,
                 [=, &detail](State& state) { copyMeshes(state, *CTreeCreator().create(params, detail, CProgress())); });
     }
-    for (std::size_t level = 0; level < std::min<std::size_t>(4, static_cast<std::size_t>(params.global.levels) + 1);
+    for (std::size_t level = 0; level < std::min<std::size_t>(4, static_cast<std::size_t>(weberPenn(params).levels) + 1);
          ++level)
         add("Edit/" + preset.name + "/level" + std::to_string(level),
             [=](State& state) { editLevel(state, params, level); });

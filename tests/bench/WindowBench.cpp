@@ -40,7 +40,7 @@ void BM_SliderStep(benchmark::State& state, const char* name) {
     window.open(preset(name));
     window.showOnly(Model::Simple);
     waitForPicture(window);
-    const ParamRef down = std::get<ParamRef>(*findParam("1DownAngle"));
+    const ParamRef down = *findParam("1DownAngle");
     double angle = 30;
     while (window.busy()) QCoreApplication::processEvents();
     for (auto _ : state) {

@@ -68,7 +68,7 @@ TEST(Info, SaysWhatTheLibraryMakes) {
         EXPECT_EQ(object.at("leaves"), model->tree->leaves().size());
         EXPECT_EQ(object.at("model"), simple ? "simple" : "full");
         EXPECT_EQ(object.at("lod"), detail.lod);
-        EXPECT_EQ(object.at("seed"), params.global.seed);
+        EXPECT_EQ(object.at("seed"), params.common.seed);
         EXPECT_EQ(object.at("species"), params.text.species);
         EXPECT_NEAR(object.at("scale_tree"), model->tree->height(), 1e-9);
         EXPECT_EQ(object.at("generations").size(), 3u);

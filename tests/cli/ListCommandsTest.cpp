@@ -1,6 +1,7 @@
 // The lists of parameters and formats.
 #include "cli/Cli.h"
 #include "stromar/app/Formats.h"
+#include "stromar/params/ParamText.h"
 #include "stromar/params/ParamTable.h"
 #include "stromar/util/FileSet.h"
 #include <algorithm>
@@ -40,31 +41,31 @@ TEST(ParamsCommand, MarkdownTablesAreWhole) {
         EXPECT_EQ(std::ranges::count(line, '|'), isPictureRow ? 3 : 7) << line;
         ++rows;
     }
-    EXPECT_GT(rows, paramTable().size() + textTable().size());
+    EXPECT_GT(rows, rowsOf(weberPennBlock()).size());
 }
 
 TEST(ParamsCommand, JsonListsEveryParameter) {
     const Json rows = Json::parse(cli({"params", "--json"}).out);
     std::map<std::string, Json> byKey;
     for (const Json& row : rows) EXPECT_TRUE(byKey.emplace(row.at("key"), row).second) << row.at("key");
-    EXPECT_EQ(byKey.size(), allParams().size() + textTable().size());
-    for (const ParamRef& ref : allParams()) {
+    EXPECT_EQ(byKey.size(), allParams().size());
+    for (const ParamRef& ref : numberParams()) {
         ASSERT_TRUE(byKey.contains(ref.key())) << ref.key();
         const Json& row = byKey[ref.key()];
         EXPECT_EQ(row.at("min"), ref.info->range.min) << ref.key();
         EXPECT_EQ(row.at("max"), ref.info->range.max) << ref.key();
-        EXPECT_EQ(row.at("default"), ref.info->defaultOf(ref.level)) << ref.key();
-        EXPECT_EQ(row.at("type"), ref.info->integer() ? "integer" : "number") << ref.key();
+        EXPECT_EQ(row.at("default"), std::get<double>(defaultOf(ref, weberPennBlock()))) << ref.key();
+        EXPECT_EQ(row.at("type"), std::string(kindName(*ref.info))) << ref.key();
         EXPECT_EQ(row.contains("words"), !ref.info->words.empty()) << ref.key();
     }
-    for (const TextInfo& text : textTable()) EXPECT_TRUE(byKey.contains(std::string(text.key))) << text.key;
+    for (const ParamRef& ref : allParams()) EXPECT_TRUE(byKey.contains(ref.key())) << ref.key();
 }
 
 TEST(ParamsCommand, TextNamesEveryRow) {
     const ProcessResult run = cli({"params"});
     EXPECT_EQ(run.status, 0);
-    for (const ParamInfo& info : paramTable()) EXPECT_NE(run.out.find(info.key), std::string::npos) << info.key;
-    for (const TextInfo& text : textTable()) EXPECT_NE(run.out.find(text.key), std::string::npos) << text.key;
+    for (const ParamInfo* info : rowsOf(weberPennBlock()))
+        EXPECT_NE(run.out.find(info->key), std::string::npos) << info->key;
 }
 
 TEST(FormatsCommand, ListsEveryFormat) {

@@ -8,6 +8,7 @@
 #include "Variants.h"
 #include "WindowFixture.h"
 #include "WindowKeeper.h"
+#include "stromar/params/methods/weberpenn/WeberPennParams.h"
 #include "stromar/params/TreeFile.h"
 #include "stromar/util/FileSet.h"
 #include <QAccessible>
@@ -274,27 +275,28 @@ TEST_F(DeskTest, RandomiseMovesWhatIsNotLocked) {
     const CParams before = window.document().params();
     window.variants().findChild<QPushButton*>(QStringLiteral("randomise"))->click();
     const CParams after = window.document().params();
-    EXPECT_NE(before.level[1], after.level[1]);
-    EXPECT_EQ(before.level[2], after.level[2]);
-    EXPECT_EQ(before.global, after.global);
+    EXPECT_NE(weberPenn(before).level[1], weberPenn(after).level[1]);
+    EXPECT_EQ(weberPenn(before).level[2], weberPenn(after).level[2]);
+    EXPECT_EQ(before.common, after.common);
+    EXPECT_EQ(weberPenn(before), weberPenn(after));
     EXPECT_EQ(window.document().history().count(), 1) << "one step";
 }
 
 // Barks
 
 TEST_F(DeskTest, ABarkIsDrawnFromItsRecipe) {
-    const TextInfo& bark = *std::get<const TextInfo*>(*findParam("BarkTexture"));
+    const ParamRef bark = *findParam("BarkTexture");
     action("bare")->trigger();
     const auto rests = [&] { return showsNow(Model::Full) && waitFor([&] { return !window.busy(); }); };
-    window.document().setText(bark, QStringLiteral("bark:birch"));
+    window.document().setValue(bark, std::string("bark:birch"), 0);
     ASSERT_TRUE(rests());
     QTest::qWait(50);
     const QImage birch = picture();
-    window.document().setText(bark, QStringLiteral("bark:cherry"));
+    window.document().setValue(bark, std::string("bark:cherry"), 0);
     ASSERT_TRUE(rests());
     QTest::qWait(50);
     EXPECT_NE(picture(), birch);
-    window.document().setText(bark, QStringLiteral("bark:chery"));
+    window.document().setValue(bark, std::string("bark:chery"), 0);
     EXPECT_TRUE(waitFor([&] { return notice().contains(QLatin1String("did you mean 'cherry'")); }));
     action("undo")->trigger();
     EXPECT_TRUE(showsNow(Model::Full));
@@ -347,7 +349,7 @@ TEST_F(DeskTest, WhatIsTypedButNotEnteredIsSaved) {
     QTest::keyClicks(box, QStringLiteral("19"));
     EXPECT_EQ(value("Scale"), 13) << "not yet entered";
     action("save")->trigger();
-    EXPECT_EQ(CTreeFile::read(toPath(path)).params().global.scale, 19);
+    EXPECT_EQ(weberPenn(CTreeFile::read(toPath(path)).params()).scale, 19);
 }
 
 TEST_F(DeskTest, KeysGoToTheWidgetThatUsesThem) {
@@ -442,7 +444,7 @@ TEST_F(DeskTest, UnitsAndLanguageAskForANewWindowWithTheSameDocument) {
     CSettings::instance().set("units", QStringLiteral("ft"));
     EXPECT_EQ(wanted.count(), 1);
     {
-        CMainWindow other(CTreeCreator::kMostVertices, window.sharedDocument());
+        CMainWindow other(SizeLimits(), window.sharedDocument());
         auto* box = other.panel().editor(paramRef("Scale"))->findChild<QDoubleSpinBox*>();
         EXPECT_NEAR(box->value(), 17 / 0.3048, 0.01);
         EXPECT_TRUE(box->suffix().contains(QLatin1String("ft")));

@@ -1,5 +1,6 @@
 #include "Document.h"
 #include "Support.h"
+#include "stromar/params/methods/weberpenn/WeberPennParams.h"
 #include "stromar/util/FileSet.h"
 #include <QDir>
 #include <QFile>
@@ -19,7 +20,7 @@ TEST(Document, ADragIsOneStepAndGesturesAreApart) {
     document.setValue(paramRef("Ratio"), 0.5, 2);
     EXPECT_EQ(document.history().count(), 3);
     document.history().undo();
-    EXPECT_EQ(valueOf(document, "Ratio"), CDocument().params().global.ratio);
+    EXPECT_EQ(valueOf(document, "Ratio"), weberPenn(CDocument().params()).ratio);
     document.history().undo();
     EXPECT_EQ(valueOf(document, "Scale"), 13);
     document.history().undo();
@@ -37,7 +38,7 @@ TEST(Document, ADragBackToItsStartLeavesNoStep) {
 }
 
 TEST(Document, EditsOfEveryValueAreTakenBack) {
-    for (const ParamRef& ref : allParams()) {
+    for (const ParamRef& ref : numberParams()) {
         CDocument document;
         const double other =
             ref.get(document.params()) == ref.info->range.max ? ref.info->range.min : ref.info->range.max;
@@ -83,7 +84,7 @@ TEST(Document, TexturePathsFollowTheFile) {
     QDir(folder.path()).mkpath(QStringLiteral("trees/deep"));
     CDocument document;
     document.save(folder.filePath(QStringLiteral("trees/a.tree")));
-    document.setText(*std::get<const TextInfo*>(*findParam("BarkTexture")), QStringLiteral("oak.png"));
+    document.setValue(*findParam("BarkTexture"), std::string("oak.png"), 0);
     document.save(folder.filePath(QStringLiteral("trees/deep/b.tree")));
     EXPECT_EQ(document.params().text.barkTexture, "../oak.png");
     EXPECT_EQ(document.params().text.leafTexture, "");
@@ -123,8 +124,8 @@ TEST(Document, UndoAfterSavingElsewhereKeepsThePictures) {
     const QString first = folder.filePath(QStringLiteral("a.tree"));
     CDocument document;
     document.save(first);
-    const TextInfo& bark = *std::get<const TextInfo*>(*findParam("BarkTexture"));
-    document.setText(bark, QStringLiteral("bark.png"));
+    const ParamRef bark = *findParam("BarkTexture");
+    document.setValue(bark, std::string("bark.png"), 0);
     document.setValue(paramRef("Scale"), 12, 0);
     document.save(folder.filePath(QStringLiteral("sub/b.tree")));
     EXPECT_EQ(document.params().text.barkTexture, "../bark.png");
@@ -136,14 +137,14 @@ TEST(Document, UndoAfterSavingElsewhereKeepsThePictures) {
 TEST(Document, AnUnnamedTreeWithARelativePictureCanBeSaved) {
     QTemporaryDir folder;
     CDocument document;
-    document.setText(*std::get<const TextInfo*>(*findParam("BarkTexture")), QStringLiteral("bark.png"));
+    document.setValue(*findParam("BarkTexture"), std::string("bark.png"), 0);
     document.save(folder.filePath(QStringLiteral("a.tree")));
     EXPECT_EQ(document.params().text.barkTexture, "bark.png");
 }
 
 TEST(Document, WhatACrashLeftIsRestoredEvenWhenItsFileIsGone) {
     CParams kept;
-    kept.global.scale = 17;
+    weberPenn(kept).scale = 17;
     kept.text.barkTexture = "bark.png";
     CDocument document;
     document.restore(QStringLiteral("/no/such/folder/lost.tree"), kept);

@@ -1,6 +1,8 @@
-#include "Guides.h"
 #include "Support.h"
+#include "stromar/app/Methods.h"
+#include "stromar/params/methods/weberpenn/WeberPennParams.h"
 #include "stromar/params/TreeFile.h"
+#include <glm/geometric.hpp>
 #include <gtest/gtest.h>
 
 namespace stromar {
@@ -8,42 +10,47 @@ namespace {
 
 CParams pruned() {
     CParams params = CTreeFile::read(presetPath("weeping_willow").toStdString()).params();
-    params.global.pruneRatio = 1;
-    params.global.shape = 1;
+    weberPenn(params).pruneRatio = 1;
+    weberPenn(params).shape = 1;
     return params;
+}
+
+std::vector<GuideHandle> handles() {
+    std::vector<GuideHandle> all;
+    for (const Guide& guide : methodOf(pruned()).guides) all.insert(all.end(), guide.handles.begin(), guide.handles.end());
+    return all;
 }
 
 TEST(Guides, AHandleStaysWhereItIsDragged) {
     const double scale = 15;
-    for (const GuideHandle& handle : guideHandles()) {
+    for (const GuideHandle& handle : handles()) {
         CParams params = pruned();
-        const osg::Vec2d before = handle.place(params, scale);
-        const osg::Vec2d to(before.x() == 0 ? 0 : before.x() * 0.8, before.y() + 1);
+        const glm::dvec2 before = handle.place(params, scale);
+        const glm::dvec2 to(before.x == 0 ? 0 : before.x * 0.8, before.y + 1);
         handle.drag(params, scale, to);
         EXPECT_FALSE(params == pruned()) << handle.text;
-        const osg::Vec2d after = handle.place(params, scale);
-        EXPECT_LT((after - to).length(), (before - to).length()) << handle.text;
+        const glm::dvec2 after = handle.place(params, scale);
+        EXPECT_LT(glm::length(after - to), glm::length(before - to)) << handle.text;
     }
 }
 
 TEST(Guides, DraggingToItsPlaceChangesNothingToSpeakOf) {
-    for (const GuideHandle& handle : guideHandles()) {
+    for (const GuideHandle& handle : handles()) {
         CParams params = pruned();
-        const osg::Vec2d before = handle.place(params, 15);
+        const glm::dvec2 before = handle.place(params, 15);
         handle.drag(params, 15, before);
-        EXPECT_LT((handle.place(params, 15) - before).length(), 0.05) << handle.text;
+        EXPECT_LT(glm::length(handle.place(params, 15) - before), 0.05) << handle.text;
     }
 }
 
 TEST(Guides, TheEnvelopeIsWidestWhereItSaysSo) {
     const CParams params = pruned();
-    const auto profile = guideProfile(Guide::Envelope, params, 10);
+    const auto profile = methodOf(params).guides[0].profile(params, 10);
     double widest = 0;
-    for (const osg::Vec2d& p : profile) widest = std::max(widest, p.x());
-    EXPECT_NEAR(widest, params.global.pruneWidth * 10, 0.02);
-    EXPECT_DOUBLE_EQ(profile.front().y(), params.global.baseSize * 10);
-    EXPECT_DOUBLE_EQ(profile.back().y(), 10);
-    EXPECT_TRUE(guideProfile(Guide::None, params, 10).empty());
+    for (const glm::dvec2& p : profile) widest = std::max(widest, p.x);
+    EXPECT_NEAR(widest, weberPenn(params).pruneWidth * 10, 0.02);
+    EXPECT_DOUBLE_EQ(profile.front().y, weberPenn(params).baseSize * 10);
+    EXPECT_DOUBLE_EQ(profile.back().y, 10);
 }
 
 } // namespace

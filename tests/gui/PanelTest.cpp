@@ -1,3 +1,4 @@
+#include "stromar/params/methods/weberpenn/WeberPennParams.h"
 #include "HelpPictures.h"
 #include "ParamEditor.h"
 #include "ParamPanel.h"
@@ -49,7 +50,7 @@ TEST(Panel, EveryRowHasAnEditorThatShowsAndSets) {
     CParams params;
     QObject::connect(&panel, &CParamPanel::edited,
                      [&](const ParamRef& ref, double value, int) { ref.set(params, value); });
-    for (const ParamRef& ref : allParams()) {
+    for (const ParamRef& ref : numberParams()) {
         const CParamEditor* editor = panel.editor(ref);
         ASSERT_EQ(editor != nullptr, !ref.info->unused()) << ref.key();
         if (!editor) continue;
@@ -61,7 +62,7 @@ TEST(Panel, EveryRowHasAnEditorThatShowsAndSets) {
     }
     const CParams defaults;
     panel.showParams(defaults, defaults);
-    for (const ParamRef& ref : allParams()) {
+    for (const ParamRef& ref : numberParams()) {
         const CParamEditor* editor = panel.editor(ref);
         if (!editor) continue;
         EXPECT_NEAR(shownValue(*editor), ref.get(defaults), std::pow(10, -ref.info->decimals) / 2 + 1e-12) << ref.key();
@@ -80,7 +81,7 @@ TEST(Panel, ShowingValuesTellsNothing) {
     CParamPanel panel;
     QSignalSpy edited(&panel, &CParamPanel::edited);
     CParams params;
-    for (const ParamRef& ref : allParams()) ref.set(params, ref.info->range.max);
+    for (const ParamRef& ref : numberParams()) ref.set(params, ref.info->range.max);
     panel.showParams(params, params);
     EXPECT_EQ(edited.count(), 0);
 }
@@ -88,7 +89,7 @@ TEST(Panel, ShowingValuesTellsNothing) {
 TEST(Panel, ValuesBeyondTheSliderStay) {
     CParamPanel panel;
     CParams params;
-    params.global.scale = 400; // the slider ends at 40
+    weberPenn(params).scale = 400; // the slider ends at 40
     QSignalSpy edited(&panel, &CParamPanel::edited);
     panel.showParams(params, params);
     const CParamEditor* editor = panel.editor(paramRef("Scale"));
@@ -130,7 +131,7 @@ TEST(Panel, TheWheelChangesOnlyAnEditorWithTheFocus) {
 TEST(Panel, AVariationStandsBesideItsValue) {
     CParamPanel panel;
     int pairs = 0;
-    for (const ParamRef& ref : allParams()) {
+    for (const ParamRef& ref : numberParams()) {
         const ParamInfo* variation = variationOf(*ref.info);
         if (!variation || ref.info->unused()) continue;
         EXPECT_EQ(panel.row(ref), panel.row({variation, ref.level})) << ref.key();
@@ -182,18 +183,18 @@ TEST(Panel, FoldedSectionsStayFolded) {
 TEST(Panel, ADoubleClickOnALabelResetsTheRow) {
     CParamPanel panel;
     CParams params;
-    params.level[1].downAngle = 77;
-    params.level[1].downAngleV = 11;
+    weberPenn(params).level[1].downAngle = 77;
+    weberPenn(params).level[1].downAngleV = 11;
     panel.showParams(params, CParams());
     CParamRow* row = panel.row(paramRef("1DownAngle"));
     EXPECT_TRUE(row->marked()) << "differs from the saved values";
     EXPECT_FALSE(panel.row(paramRef("1Rotate"))->marked());
-    std::vector<std::pair<ParamRef, double>> assigned;
+    ParamValues assigned;
     QObject::connect(&panel, &CParamPanel::assigned, [&](const QString&, const auto& values) { assigned = values; });
     QTest::mouseDClick(row->findChild<QLabel*>(), Qt::LeftButton);
     ASSERT_EQ(assigned.size(), 2u) << "value and variation in one step";
-    EXPECT_EQ(assigned[0].second, 30);
-    EXPECT_EQ(assigned[1].second, 0);
+    EXPECT_EQ(assigned[0].second, ParamValue(30.0));
+    EXPECT_EQ(assigned[1].second, ParamValue(0.0));
 }
 
 TEST(Panel, WhatDoesNothingIsGreyedWithTheReason) {
@@ -202,14 +203,14 @@ TEST(Panel, WhatDoesNothingIsGreyedWithTheReason) {
     panel.showParams(params, params);
     for (const char* idle : {"LobeDepth", "0SplitAngle", "PruneWidth", "LeafScale", "1SplitAngle"})
         EXPECT_FALSE(panel.editor(paramRef(idle))->isEnabled()) << idle;
-    params.global.lobes = 5;
-    params.global.pruneRatio = 1;
-    params.global.leaves = 10;
-    params.level[1].segSplits = 0.5;
+    params.common.lobes = 5;
+    weberPenn(params).pruneRatio = 1;
+    weberPenn(params).leaves = 10;
+    weberPenn(params).level[1].segSplits = 0.5;
     panel.showParams(params, params);
     for (const char* acts : {"LobeDepth", "PruneWidth", "LeafScale", "1SplitAngle"})
         EXPECT_TRUE(panel.editor(paramRef(acts))->isEnabled()) << acts;
-    params.global.levels = 2;
+    weberPenn(params).levels = 2;
     panel.showParams(params, params);
     EXPECT_FALSE(panel.editor(paramRef("2Curve"))->isEnabled()) << "there are no stems of level 2";
     EXPECT_TRUE(panel.editor(paramRef("2DownAngle"))->isEnabled()) << "it places the leaves";
@@ -302,28 +303,28 @@ TEST(Panel, CopiesAndPastesBetweenLevels) {
     panel.show();
     ASSERT_TRUE(QTest::qWaitForWindowExposed(&panel));
     CParams params;
-    params.level[1].curve = 33;
-    params.level[1].curveV = 44;
+    weberPenn(params).level[1].curve = 33;
+    weberPenn(params).level[1].curveV = 44;
     panel.showParams(params, params);
     QObject::connect(&panel, &CParamPanel::assigned, [&](const QString&, const auto& values) {
-        for (const auto& [ref, value] : values) ref.set(params, value);
+        for (const auto& [ref, value] : values) ref.setValue(params, value);
     });
     chooseFromMenu(*panel.row(paramRef("1Curve")), QStringLiteral("Copy"));
     EXPECT_EQ(QApplication::clipboard()->text().toStdString(), "1Curve = 33\n1CurveV = 44\n");
     chooseFromMenu(*panel.row(paramRef("2Curve")), QStringLiteral("Paste"));
-    EXPECT_EQ(params.level[2].curve, 33);
-    EXPECT_EQ(params.level[2].curveV, 44);
+    EXPECT_EQ(weberPenn(params).level[2].curve, 33);
+    EXPECT_EQ(weberPenn(params).level[2].curveV, 44);
 }
 
 TEST(HelpPictures, EveryValueThatActsHasOneAndItsTreesDiffer) {
-    for (const ParamRef& ref : allParams()) {
+    for (const ParamRef& ref : numberParams()) {
         if (ref.level > 1) continue; // shown at level 1
         const QImage image = helpPicture(ref, QApplication::palette(), 1);
         EXPECT_EQ(image.isNull(), ref.info->unused() || ref.group() == Group::Textures) << ref.key();
         if (image.isNull()) continue;
         const QImage left = image.copy(0, 0, image.width() / 3, 120);
         const QImage right = image.copy(image.width() - image.width() / 3, 0, image.width() / 3, 120);
-        const bool onlyShading = ref.info->field == ParamInfo::Field(&GlobalParams::leafRounding);
+        const bool onlyShading = ref.info->field == field<&CommonParams::leafRounding>;
         if (ref.info->words.empty() && !onlyShading) {
             EXPECT_TRUE(left != right) << ref.key();
         }

@@ -21,4 +21,4 @@ inline QString presetPath(const char* name) {
     return QStringLiteral(STROMAR_SOURCE "/presets/%1.tree").arg(QLatin1String(name));
 }
 
-inline stromar::ParamRef paramRef(const char* key) { return std::get<stromar::ParamRef>(*stromar::findParam(key)); }
+inline stromar::ParamRef paramRef(const char* key) { return *stromar::findParam(key); }

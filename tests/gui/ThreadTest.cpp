@@ -1,5 +1,6 @@
 #include "Support.h"
 #include "TreeCreatorThread.h"
+#include "stromar/params/methods/weberpenn/WeberPennParams.h"
 #include "stromar/params/TreeFile.h"
 #include <QSignalSpy>
 #include <atomic>
@@ -15,7 +16,7 @@ CParams aspen() { return CTreeFile::read(STROMAR_SOURCE "/presets/quaking_aspen.
 
 /// A thread with its results.
 struct Fixture {
-    explicit Fixture(double mostVertices = CTreeCreator::kMostVertices)
+    explicit Fixture(double mostVertices = SizeLimits::kMostVertices)
         : thread(std::make_unique<CTreeCreator>(true, mostVertices)) {
         QObject::connect(&thread, &CTreeCreatorThread::created, &receiver, [this](const auto& view) {
             last = view;
@@ -35,16 +36,16 @@ TEST(Thread, AHundredRequestsEndInTheLast) {
     Fixture f;
     CParams params = aspen();
     for (int i = 0; i < 100; ++i) {
-        params.global.seed = i;
+        params.common.seed = i;
         f.thread.request(params, detailOf(i % 3 ? Model::Simple : Model::Full));
         if (i % 10 == 0) QTest::qWait(1);
     }
-    params.global.seed = 100;
+    params.common.seed = 100;
     f.thread.request(params, detailOf(Model::Simple));
-    ASSERT_TRUE(waitFor([&] { return f.last && f.last->model->params.global.seed == 100; }));
+    ASSERT_TRUE(waitFor([&] { return f.last && f.last->model->params.common.seed == 100; }));
     EXPECT_LT(f.results, 100);
     QTest::qWait(100);
-    EXPECT_EQ(f.last->model->params.global.seed, 100);
+    EXPECT_EQ(f.last->model->params.common.seed, 100);
     EXPECT_EQ(f.last->model->detail->model, Model::Simple);
 }
 
@@ -65,7 +66,7 @@ TEST(Thread, StepsThatComeFasterThanTreesStillShowSome) {
     QElapsedTimer clock;
     clock.start();
     for (int i = 0; f.results < 2 && clock.elapsed() < 60000; ++i) {
-        params.level[1].downAngle = 20 + i % 40;
+        weberPenn(params).level[1].downAngle = 20 + i % 40;
         f.thread.request(params, detailOf(Model::Simple));
         QTest::qWait(10);
     }
@@ -74,7 +75,7 @@ TEST(Thread, StepsThatComeFasterThanTreesStillShowSome) {
 
 TEST(Thread, AnErrorReachesTheUserAndTheNextTreeGrows) {
     Fixture f;
-    f.thread.request(willow(), detailOf(Model::Full), false, 500000);
+    f.thread.request(willow(), detailOf(Model::Full), false, {.vertices = 500000});
     ASSERT_TRUE(waitFor([&] { return !f.failure.isEmpty(); }));
     EXPECT_TRUE(f.failure.contains(QLatin1String("500000 vertices"))) << f.failure.toStdString();
     f.thread.request(aspen(), detailOf(Model::Simple));
@@ -98,7 +99,7 @@ TEST(Thread, UnchangedGenerationsKeepTheirGeometry) {
     f.thread.request(params, detailOf(Model::Simple));
     ASSERT_TRUE(waitFor([&] { return f.results == 1; }));
     const auto before = f.last;
-    params.level[2].curve += 5;
+    weberPenn(params).level[2].curve.value += 5;
     f.thread.request(params, detailOf(Model::Simple));
     ASSERT_TRUE(waitFor([&] { return f.results == 2; }));
     ASSERT_EQ(before->parts.size(), 4u);

@@ -7,6 +7,7 @@
 #include "Support.h"
 #include "Viewport.h"
 #include "WindowFixture.h"
+#include "stromar/params/methods/weberpenn/WeberPennParams.h"
 #include "stromar/app/Formats.h"
 #include "stromar/app/Prediction.h"
 #include <QAbstractButton>
@@ -265,7 +266,7 @@ TEST_F(WindowTest, ATreeThatWouldBeTooLargeAsksFirstAndOffersWhatFits) {
     EXPECT_GT(fits, 100);
     EXPECT_LE(predictSize(window.document().params(), detailOf(Model::Full)).vertices, 20e6);
     CParams more = window.document().params();
-    ++more.level[2].branches;
+    ++weberPenn(more).level[2].branches;
     EXPECT_GT(predictSize(more, detailOf(Model::Full)).vertices, 20e6) << "the nearest that fits";
     action("undo")->trigger();
     EXPECT_TRUE(bar.isVisible()) << "back at the large one";

@@ -1,6 +1,7 @@
 #include "io/ExportedModels.h"
 #include "mesh/MeshMeasures.h"
 #include "mesh/SampleTrees.h"
+#include "stromar/params/methods/weberpenn/WeberPennParams.h"
 #include "stromar/app/Export.h"
 #include <algorithm>
 #include <glm/common.hpp>
@@ -21,10 +22,10 @@ std::shared_ptr<const TreeModel> create(const CParams& params, const Detail& det
 
 CParams fewBranches() {
     CParams params = preset("quaking_aspen");
-    params.level[1].branches = 8;
-    params.level[2].branches = 4;
-    params.global.textureWrapX = 2;
-    params.global.textureWrapY = 3;
+    weberPenn(params).level[1].branches = 8;
+    weberPenn(params).level[2].branches = 4;
+    params.common.textureWrapX = 2;
+    params.common.textureWrapY = 3;
     return params;
 }
 } // namespace

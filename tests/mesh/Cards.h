@@ -1,5 +1,5 @@
 #pragma once
-#include "stromar/app/Prediction.h"
+#include "stromar/app/Methods.h"
 #include "stromar/mesh/Twig.h"
 #include "stromar/model/MeshValues.h"
 
@@ -8,7 +8,7 @@ namespace stromar::test {
 /// What cards show of a tree; null where they gain nothing.
 inline std::shared_ptr<const Twig> twigOf(const CTree& tree, const CParams& params) {
     const MeshParams mesh = meshParamsOf(params);
-    if (!suitsCards(bearerBound(params), mesh.seasonOf(Organ::Leaf))) return nullptr;
+    if (!suitsCards(methodOf(params).bound(params).bearers, mesh.seasonOf(Organ::Leaf))) return nullptr;
     return typicalTwig(tree, mesh, CProgress());
 }
 

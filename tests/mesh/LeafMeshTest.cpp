@@ -1,6 +1,7 @@
 #include "mesh/MeshMeasures.h"
 #include "mesh/Cards.h"
 #include "mesh/SampleTrees.h"
+#include "stromar/params/methods/weberpenn/WeberPennParams.h"
 #include "stromar/mesh/Twig.h"
 #include <algorithm>
 #include <cmath>
@@ -59,12 +60,12 @@ TEST(LeafMesh, ThePictureIsNotMirrored) {
 
 TEST(LeafMesh, ThinningKeepsTheAreaAndTheCrown) {
     for (Sample sample : presets()) {
-        sample.params.global.season = 7;
-        sample.params.global.leafPlanes = 1;
-        sample.params.global.leafStalk = 0;
+        sample.params.common.season = 7;
+        sample.params.common.leafPlanes = 1;
+        sample.params.common.leafStalk = 0;
         const auto tree = grow(sample.params);
         const Bounds all = leavesOf(*tree, sample.params, detailOf(Model::Full))->bounds();
-        const float least = sample.params.global.trunks > 1 ? 0.75f : 0.85f; // of many trunks one is the tallest
+        const float least = weberPenn(sample.params).trunks > 1 ? 0.75f : 0.85f; // of many trunks one is the tallest
         const bool onCards = twigOf(*tree, sample.params) != nullptr;
         for (const Detail& detail : detailTable()) {
             if (onCards && detail.twigPlanes > 0) continue;
@@ -86,16 +87,16 @@ TEST(LeafMesh, ThinningKeepsTheAreaAndTheCrown) {
 
 TEST(LeafMesh, ATreeWithoutLeavesHasAnEmptyMesh) {
     CParams params = preset("quaking_aspen");
-    params.global.leaves = 0;
+    weberPenn(params).leaves = 0;
     for (const Detail& detail : detailTable()) EXPECT_EQ(leavesOf(*grow(params), params, detail)->vertexCount(), 0u);
 }
 
 TEST(LeafMesh, FewLeavesAreNeverThinnedToNone) {
     CParams params;
-    params.global.levels = 2;
-    params.global.leaves = 1;
-    params.level[1].branches = 1;
-    params.level[1].branchDistV = 0;
+    weberPenn(params).levels = 2;
+    weberPenn(params).leaves = 1;
+    weberPenn(params).level[1].branches = 1;
+    weberPenn(params).level[1].branchDistV = 0;
     const auto tree = grow(params);
     ASSERT_GT(tree->leaves().size(), 0u);
     for (const Detail& detail : detailTable())
@@ -104,16 +105,16 @@ TEST(LeafMesh, FewLeavesAreNeverThinnedToNone) {
 
 TEST(LeafMesh, EveryShapeIsSoundAndAboutAsLargeAsItsCard) {
     CParams params = preset("quaking_aspen");
-    params.level[1].branches = 10;
+    weberPenn(params).level[1].branches = 10;
     const auto tree = grow(params);
     const double cards = leavesOf(*tree, params, detailOf(Model::Full))->area();
-    params.global.leafForm = 1;
+    params.common.leafForm = 1;
     for (int shape = 0; shape <= 7; ++shape)
         for (const double fold : {0.0, 25.0, -40.0})
             for (const double rounding : {0.0, 0.7, 1.0}) {
-                params.global.leafShape = shape;
-                params.global.leafFold = fold;
-                params.global.leafRounding = rounding;
+                params.common.leafShape = shape;
+                params.common.leafFold = fold;
+                params.common.leafRounding = rounding;
                 const auto mesh = leavesOf(*tree, params, detailOf(Model::Full));
                 SCOPED_TRACE("shape " + std::to_string(shape) + ", fold " + std::to_string(fold));
                 EXPECT_EQ(inWords(checkLeaves(*mesh)), "");
@@ -131,7 +132,7 @@ TEST(LeafMesh, EveryShapeIsSoundAndAboutAsLargeAsItsCard) {
 TEST(LeafMesh, AStalkHoldsTheBladeAway) {
     CParams params = preset("quaking_aspen");
     const auto tree = grow(params);
-    params.global.leafStalk = 0.5;
+    params.common.leafStalk = 0.5;
     const auto mesh = leavesOf(*tree, params, detailOf(Model::Full));
     const LeafArray& leaves = tree->leaves();
     ASSERT_EQ(mesh->vertexCount(), 8 * leaves.size());
@@ -154,7 +155,7 @@ TEST(LeafMesh, RoundingTurnsNormalsOutwards) {
         return sum / double(mesh->vertexCount());
     };
     const double flat = outwards();
-    params.global.leafRounding = 1;
+    params.common.leafRounding = 1;
     EXPECT_GT(outwards(), flat + 0.2);
 }
 

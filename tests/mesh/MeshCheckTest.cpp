@@ -1,4 +1,5 @@
 // The checker itself: each fault, planted into a sound tree, is found and named.
+#include "stromar/params/methods/weberpenn/WeberPennParams.h"
 #include "mesh/MeshMeasures.h"
 #include "mesh/SampleTrees.h"
 #include <gtest/gtest.h>
@@ -11,8 +12,8 @@ namespace {
 class MeshCheckTest : public testing::Test {
 protected:
     MeshCheckTest() : m_params(preset("quaking_aspen")) {
-        m_params.global.levels = 2;
-        m_params.level[1].branches = 12;
+        weberPenn(m_params).levels = 2;
+        weberPenn(m_params).level[1].branches = 12;
         m_tree = grow(m_params);
         m_all = meshAllStems(*m_tree, meshParamsOf(m_params), detailOf(Model::Full), CProgress(2));
     }

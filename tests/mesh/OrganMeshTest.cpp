@@ -10,13 +10,13 @@ namespace {
 
 CParams orchard() {
     CParams params = preset("apple");
-    params.global.fruits = 4;
-    params.global.blossoms = 3;
+    params.common.fruits = 4;
+    params.common.blossoms = 3;
     return params;
 }
 
 std::shared_ptr<const CMesh> organs(CParams params, Organ organ, double month, const Detail& detail) {
-    params.global.season = month;
+    params.common.season = month;
     const auto tree = grow(params);
     const auto all = meshAllStems(*tree, meshParamsOf(params), detail, CProgress(2));
     return meshOfOrgans(*tree, organ, plansOf(all), meshParamsOf(params), detail, CProgress(2));
@@ -58,7 +58,7 @@ TEST(OrganMesh, LeavesThatFallEarlyAreGoneLater) {
 TEST(OrganMesh, PlanesCrossInTheLengthOfTheirLeaf) {
     CParams params = preset("quaking_aspen");
     const auto one = organs(params, Organ::Leaf, 7, full());
-    params.global.leafPlanes = 3;
+    params.common.leafPlanes = 3;
     const auto three = organs(params, Organ::Leaf, 7, full());
     EXPECT_EQ(three->vertexCount(), 3 * one->vertexCount());
     EXPECT_TRUE(checkLeaves(*three).sound());
@@ -75,8 +75,8 @@ TEST(OrganMesh, PlanesCrossInTheLengthOfTheirLeaf) {
 TEST(OrganMesh, EveryLeafShapeIsSound) {
     for (int shape = 0; shape <= 12; ++shape) {
         CParams params = preset("quaking_aspen");
-        params.global.leafForm = 1;
-        params.global.leafShape = shape;
+        params.common.leafForm = 1;
+        params.common.leafShape = shape;
         EXPECT_TRUE(checkLeaves(*organs(params, Organ::Leaf, 7, full())).sound()) << shape;
     }
 }

@@ -1,3 +1,4 @@
+#include "stromar/params/methods/weberpenn/WeberPennParams.h"
 #include "mesh/MeshMeasures.h"
 #include "mesh/SampleTrees.h"
 #include <algorithm>
@@ -25,7 +26,7 @@ protected:
     const CParams& params() const { return presets()[GetParam()].params; }
     CParams params(int seed) const {
         CParams changed = params();
-        changed.global.seed = seed;
+        changed.common.seed = seed;
         return changed;
     }
 };
@@ -93,8 +94,8 @@ TEST_P(PresetMesh, RingsHaveFewerPointsWhereTheyAreThin) {
         }
     });
     bool tapers = false; // the fans' stalks do not
-    for (int level = 0; level < params().global.levels; ++level)
-        tapers = tapers || params().level[static_cast<std::size_t>(std::min(level, kParamLevels - 1))].taper >= 0.8;
+    for (int level = 0; level < weberPenn(params()).levels; ++level)
+        tapers = tapers || weberPenn(params()).level[static_cast<std::size_t>(std::min(level, kParamLevels - 1))].taper >= 0.8;
     EXPECT_EQ(halved > 0, tapers);
 }
 
@@ -110,7 +111,7 @@ TEST_P(PresetMesh, EveryTubeFacesOutwards) {
 }
 
 TEST_P(PresetMesh, BarkGoesWholeTimesAroundAndKeepsItsScale) {
-    const double wrapX = params().global.textureWrapX, wrapY = params().global.textureWrapY;
+    const double wrapX = params().common.textureWrapX, wrapY = params().common.textureWrapY;
     const auto tree = grow(params());
     const CStem& trunk = tree->generation(0).stems[0];
     forEachStemMesh(
@@ -119,7 +120,7 @@ TEST_P(PresetMesh, BarkGoesWholeTimesAroundAndKeepsItsScale) {
                 const std::size_t seam = tube.firstVertex + tube.points;
                 const double around = mesh.texCoords[seam].x - mesh.texCoords[tube.firstVertex].x;
                 const CStem& own = grown.generation(std::size_t(g)).stems[tube.stem];
-                const double radius = std::max(own.radius, params().global.minRadius);
+                const double radius = std::max(own.radius, params().common.minRadius);
                 if (g == 0)
                     ASSERT_NEAR(around, wrapX, 1e-5 * wrapX);
                 else

@@ -1,6 +1,6 @@
 #include "mesh/MeshMeasures.h"
 #include "mesh/SampleTrees.h"
-#include "stromar/params/TreeParams.h"
+#include "stromar/params/methods/weberpenn/TreeParams.h"
 #include <gtest/gtest.h>
 #include <utility>
 
@@ -68,9 +68,12 @@ TEST(RandomMesh, StraightTubesFaceOutwards) {
     std::size_t looked = 0;
     for (std::uint64_t number = 0; number < kSamples; ++number) {
         CParams params = randomParams(number);
-        for (LevelParams& level : params.level) level.curve = level.curveBack = level.curveV = level.segSplits = 0;
-        params.global.baseSplits = 0;
-        params.global.attractionUp = 0;
+        for (LevelParams& level : weberPenn(params).level) {
+            level.curve = level.curveBack = level.curveV = 0;
+            level.segSplits = 0;
+        }
+        weberPenn(params).baseSplits = 0;
+        weberPenn(params).attractionUp = 0;
         const auto tree = grow(params);
         for (const Detail& detail : detailTable())
             for (const auto& [plan, mesh] : meshAllStems(*tree, meshParamsOf(params), detail, CProgress(2))) {
@@ -87,10 +90,10 @@ TEST(RandomMesh, StraightTubesFaceOutwards) {
 
 /// Stems wound up more narrowly than they are thick have no inside.
 bool windsUp(const CTree& tree, const CParams& params, int generation) {
-    const LevelParams& level = params.level[static_cast<std::size_t>(std::min(generation, kParamLevels - 1))];
-    const double degrees = std::max(std::abs(level.curve), 2 * std::abs(level.curveBack)) + std::abs(level.curveV);
+    const LevelParams& level = weberPenn(params).level[static_cast<std::size_t>(std::min(generation, kParamLevels - 1))];
+    const double degrees = std::max(std::abs(level.curve.value), 2 * std::abs(level.curveBack.value)) + std::abs(level.curveV.value);
     const auto tight = [&](const CStem& stem) {
-        const double radius = std::max(stem.radius * (1 + params.global.flare), params.global.minRadius);
+        const double radius = std::max(stem.radius * (1 + params.common.flare), params.common.minRadius);
         return radius * degrees * kRadiansPerDegree > 0.8 * stem.length;
     };
     return std::ranges::any_of(tree.generation(static_cast<std::size_t>(generation)).stems, tight);
@@ -101,8 +104,8 @@ TEST(RandomMesh, WholeMeshesEncloseWood) {
     forEachStemMesh([&](const CTree& tree, const CParams& params, int generation, const MeshPlan&, const CMesh& mesh,
                         const std::string& label) {
         if (mesh.vertexCount() == 0) return;
-        const LevelParams& level = params.level[static_cast<std::size_t>(std::min(generation, kParamLevels - 1))];
-        if (params.global.scale < 0.1 || params.global.minRadius * level.curveRes > 0.5 * params.global.scale) return;
+        const LevelParams& level = weberPenn(params).level[static_cast<std::size_t>(std::min(generation, kParamLevels - 1))];
+        if (weberPenn(params).scale < 0.1 || params.common.minRadius * level.curveRes > 0.5 * weberPenn(params).scale) return;
         if (windsUp(tree, params, generation)) return;
         ++looked;
         EXPECT_GT(signedVolume(mesh), -1e-9) << label; // the smallest trees are all rounding

@@ -1,4 +1,5 @@
 #include "mesh/SampleTrees.h"
+#include "stromar/params/methods/weberpenn/WeberPennParams.h"
 #include "stromar/params/TreeFile.h"
 #include <algorithm>
 #include <filesystem>
@@ -26,36 +27,36 @@ double drawn(const ParamRef& ref, std::mt19937_64& random) {
     const double kind = uniform(random), place = uniform(random);
     if (kind < 0.1) return range.min;
     if (kind < 0.2) return range.max;
-    if (kind < 0.45) return ref.info->defaultOf(ref.level);
+    if (kind < 0.45) return ref.info->defaults[static_cast<std::size_t>(ref.info->perLevel() ? ref.level : 0)];
     return range.min + place * (range.max - range.min);
 }
 
 void cap(CParams& params, const Caps& caps) {
-    for (std::size_t i = 0; i < params.level.size(); ++i) {
-        LevelParams& level = params.level[i];
+    for (std::size_t i = 0; i < weberPenn(params).level.size(); ++i) {
+        LevelParams& level = weberPenn(params).level[i];
         level.branches = std::min(level.branches, caps.branches[i]);
         level.segSplits = std::min(level.segSplits, caps.segSplits);
         level.curveRes = std::min(level.curveRes, caps.curveRes);
     }
-    params.global.leaves = std::clamp(params.global.leaves, -caps.leaves, caps.leaves);
-    params.global.levels = std::min(params.global.levels, caps.levels);
-    params.global.blossoms = std::min(params.global.blossoms, caps.leaves);
-    params.global.fruits = std::min(params.global.fruits, caps.leaves);
-    params.global.trunks = std::min(params.global.trunks, 3);
+    weberPenn(params).leaves = std::clamp(weberPenn(params).leaves, -caps.leaves, caps.leaves);
+    weberPenn(params).levels = std::min(weberPenn(params).levels, caps.levels);
+    params.common.blossoms = std::min(params.common.blossoms, caps.leaves);
+    params.common.fruits = std::min(params.common.fruits, caps.leaves);
+    weberPenn(params).trunks = std::min(weberPenn(params).trunks, 3);
 }
 
 /// What the useful ranges leave out or seldom hit.
 void makeExtreme(CParams& params, std::uint64_t number) {
-    GlobalParams& g = params.global;
+    WeberPennParams& g = weberPenn(params);
     if (number % 6 == 1) g.scale = 0.01;
     if (number % 6 == 2) g.scale = 1000;
-    if (number % 5 == 1) g.minRadius = 0;
-    if (number % 7 == 1) g.minRadius = 1;
-    if (number % 4 == 1) g.lobeDepth = 1;
-    if (number % 4 == 1) g.lobes = std::max(g.lobes, 1);
-    if (number % 8 == 3) g.flare = -1;
-    params.level[number % 4].taper = 0.25 * static_cast<double>(number % 13);
-    if (number % 3 == 0) params.level[number / 3 % 4].curveV = -40;
+    if (number % 5 == 1) params.common.minRadius = 0;
+    if (number % 7 == 1) params.common.minRadius = 1;
+    if (number % 4 == 1) params.common.lobeDepth = 1;
+    if (number % 4 == 1) params.common.lobes = std::max(params.common.lobes, 1);
+    if (number % 8 == 3) params.common.flare = -1;
+    weberPenn(params).level[number % 4].taper = 0.25 * static_cast<double>(number % 13);
+    if (number % 3 == 0) weberPenn(params).level[number / 3 % 4].curveV = -40;
 }
 } // namespace
 
@@ -73,7 +74,7 @@ CParams preset(const std::string& name) {
 CParams randomParams(std::uint64_t number, const Caps& caps) {
     std::mt19937_64 random(number);
     CParams params;
-    for (const ParamRef& ref : allParams()) ref.set(params, drawn(ref, random));
+    for (const ParamRef& ref : numberParams()) ref.set(params, drawn(ref, random));
     makeExtreme(params, number);
     cap(params, caps);
     return params;
@@ -82,21 +83,21 @@ CParams randomParams(std::uint64_t number, const Caps& caps) {
 CParams gentleParams(std::uint64_t number, const Caps& caps) {
     std::mt19937_64 random(1000 + number);
     CParams params;
-    for (const ParamRef& ref : allParams()) ref.set(params, drawn(ref, random));
+    for (const ParamRef& ref : numberParams()) ref.set(params, drawn(ref, random));
     cap(params, caps);
-    GlobalParams& g = params.global;
+    WeberPennParams& g = weberPenn(params);
     g.scale = std::max(g.scale, 2.0);
     g.ratio = std::min(g.ratio, 0.04);
-    g.minRadius = std::min(g.minRadius, 0.001);
+    params.common.minRadius = std::min(params.common.minRadius, 0.001);
     g.ratioPower = std::max(g.ratioPower, 0.8);
     g.attractionUp = std::clamp(g.attractionUp, -2.0, 2.0);
     g.trunkScale = std::min(g.trunkScale, 1.2);
-    for (LevelParams& level : params.level) {
-        level.curve = std::clamp(level.curve, -90.0, 90.0);
-        level.curveBack = std::clamp(level.curveBack, -60.0, 60.0);
-        level.curveV = std::min(level.curveV, 60.0);
-        level.splitAngle = std::min(level.splitAngle, 35.0);
-        level.splitAngleV = std::min(level.splitAngleV, 10.0);
+    for (LevelParams& level : weberPenn(params).level) {
+        level.curve = std::clamp(level.curve.value, -90.0, 90.0);
+        level.curveBack = std::clamp(level.curveBack.value, -60.0, 60.0);
+        level.curveV = std::min(level.curveV.value, 60.0);
+        level.splitAngle = std::min(level.splitAngle.value, 35.0);
+        level.splitAngleV = std::min(level.splitAngleV.value, 10.0);
         level.taper = std::min(level.taper, 2.0);
         level.curveRes = std::max(level.curveRes, 3);
         level.length = std::max(level.length, 0.2);
@@ -106,11 +107,11 @@ CParams gentleParams(std::uint64_t number, const Caps& caps) {
 
 CParams plainTrunk() {
     CParams params;
-    params.global.levels = 1;
-    params.global.flare = 0;
-    params.global.lobes = 0;
-    params.global.minRadius = 0;
-    params.level[0].taper = 0;
+    weberPenn(params).levels = 1;
+    params.common.flare = 0;
+    params.common.lobes = 0;
+    params.common.minRadius = 0;
+    weberPenn(params).level[0].taper = 0;
     return params;
 }
 

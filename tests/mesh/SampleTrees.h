@@ -2,7 +2,7 @@
 #include "stromar/mesh/MeshBuilder.h"
 #include "stromar/model/MeshValues.h"
 #include "stromar/params/ParamTable.h"
-#include "stromar/tree/TreeBuilder.h"
+#include "stromar/tree/weberpenn/WeberPennBuilder.h"
 #include <cstdint>
 #include <string>
 #include <vector>

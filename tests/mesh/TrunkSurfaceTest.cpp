@@ -57,8 +57,8 @@ TEST(TrunkSurface, FollowsTheTaper) {
     for (const double ratio : {0.015, 0.05})
         for (const double taper : {0.0, 0.5, 1.0, 1.3, 1.7, 2.0, 2.4, 3.0}) {
             CParams params = plainTrunk();
-            params.global.ratio = ratio;
-            params.level[0].taper = taper;
+            weberPenn(params).ratio = ratio;
+            weberPenn(params).level[0].taper = taper;
             const Trunk trunk = trunkOf(params);
             const auto profile = profileOf(*trunk.mesh);
             const CStem& measures = trunk.stem();
@@ -75,7 +75,7 @@ TEST(TrunkSurface, FollowsTheTaper) {
 TEST(TrunkSurface, FlaresAtTheGround) {
     for (const double flare : {-0.5, 0.5, 3.0}) {
         CParams params = plainTrunk();
-        params.global.flare = flare;
+        params.common.flare = flare;
         const Trunk trunk = trunkOf(params);
         const auto profile = profileOf(*trunk.mesh);
         const CStem& m = trunk.stem();
@@ -90,9 +90,9 @@ TEST(TrunkSurface, FlaresAtTheGround) {
 
 TEST(TrunkSurface, HasLobesAroundTheGround) {
     CParams params = plainTrunk();
-    params.global.lobes = 5;
-    params.global.lobeDepth = 0.3;
-    params.global.lobeFade = 0;
+    params.common.lobes = 5;
+    params.common.lobeDepth = 0.3;
+    params.common.lobeFade = 0;
     const Trunk trunk = trunkOf(params);
     const double radius = trunk.stem().radius;
     std::size_t looked = 0;
@@ -106,9 +106,9 @@ TEST(TrunkSurface, HasLobesAroundTheGround) {
 
 TEST(TrunkSurface, HasRootsThatReachOutAndEnd) {
     CParams params = plainTrunk();
-    params.global.roots = 5;
-    params.global.rootReach = 2;
-    params.global.rootHeight = 0.2;
+    params.common.roots = 5;
+    params.common.rootReach = 2;
+    params.common.rootHeight = 0.2;
     const Trunk trunk = trunkOf(params);
     const CStem& m = trunk.stem();
     std::vector<bool> reached(24);
@@ -138,14 +138,14 @@ TEST(TrunkSurface, RootsAreSoundHoweverTheyReach) {
             for (const double height : {0.01, 0.2, 1.0})
                 for (const int lobes : {0, 7}) {
                     CParams params = plainTrunk();
-                    params.level[0].curve = 40;
-                    params.level[0].taper = 1;
-                    params.global.flare = 0.6;
-                    params.global.roots = roots;
-                    params.global.rootReach = reach;
-                    params.global.rootHeight = height;
-                    params.global.lobes = lobes;
-                    params.global.lobeDepth = 0.1;
+                    weberPenn(params).level[0].curve = 40;
+                    weberPenn(params).level[0].taper = 1;
+                    params.common.flare = 0.6;
+                    params.common.roots = roots;
+                    params.common.rootReach = reach;
+                    params.common.rootHeight = height;
+                    params.common.lobes = lobes;
+                    params.common.lobeDepth = 0.1;
                     const Trunk trunk = trunkOf(params);
                     EXPECT_EQ(inWords(trunk.faults()), "")
                         << roots << " roots, reach " << reach << ", height " << height << ", " << lobes << " lobes";
@@ -154,8 +154,8 @@ TEST(TrunkSurface, RootsAreSoundHoweverTheyReach) {
 
 TEST(TrunkSurface, TheTextureGoesAroundAndAlong) {
     CParams params = plainTrunk();
-    params.global.textureWrapX = 3;
-    params.global.textureWrapY = 7;
+    params.common.textureWrapX = 3;
+    params.common.textureWrapY = 7;
     for (const Detail& detail : detailTable()) {
         const Trunk trunk = trunkOf(params, detail);
         const double length = trunk.stem().length;
@@ -176,7 +176,7 @@ TEST(TrunkSurface, TheTextureGoesAroundAndAlong) {
 
 TEST(TrunkSurface, NormalsAreThoseOfACone) {
     CParams params = plainTrunk();
-    params.level[0].taper = 0.6;
+    weberPenn(params).level[0].taper = 0.6;
     const Trunk trunk = trunkOf(params);
     const CStem& m = trunk.stem();
     const double rise = 0.6 * m.radius / m.length;
@@ -197,11 +197,11 @@ TEST(TrunkSurface, NormalsPointToTheFront) {
             for (const int lobes : {0, 3, 7})
                 for (const double fade : {0.0, 1.0}) {
                     CParams params = plainTrunk();
-                    params.level[0].taper = taper;
-                    params.global.flare = flare;
-                    params.global.lobes = lobes;
-                    params.global.lobeDepth = 0.3;
-                    params.global.lobeFade = fade;
+                    weberPenn(params).level[0].taper = taper;
+                    params.common.flare = flare;
+                    params.common.lobes = lobes;
+                    params.common.lobeDepth = 0.3;
+                    params.common.lobeFade = fade;
                     const Trunk trunk = trunkOf(params);
                     EXPECT_EQ(inWords(trunk.faults()), "")
                         << "of " << trunk.mesh->triangleCount() << ", taper " << taper << ", flare " << flare << ", "
@@ -222,8 +222,8 @@ TEST(TrunkSurface, EnclosesTheVolumeOfItsPrism) {
 
 TEST(TrunkSurface, IsNeverThinnerThanTheLeastRadius) {
     CParams params = plainTrunk();
-    params.level[0].taper = 1;
-    params.global.minRadius = 0.2;
+    weberPenn(params).level[0].taper = 1;
+    params.common.minRadius = 0.2;
     const Trunk trunk = trunkOf(params);
     for (const auto& [z, radius] : profileOf(*trunk.mesh)) {
         if (z > 0.99 * trunk.stem().length) continue; // the tip may be a point
@@ -233,12 +233,12 @@ TEST(TrunkSurface, IsNeverThinnerThanTheLeastRadius) {
 
 TEST(TrunkSurface, AHelixKeepsItsWidth) {
     CParams params = plainTrunk();
-    params.level[0].curveV = -30;
+    weberPenn(params).level[0].curveV = -30;
     const Trunk trunk = trunkOf(params);
     EXPECT_EQ(inWords(trunk.faults()), "");
     EXPECT_GT(signedVolume(*trunk.mesh), 0);
     const CStem& m = trunk.stem();
-    const double around = m.length / params.level[0].curveRes * std::tan(std::numbers::pi / 6) / (2 * std::numbers::pi);
+    const double around = m.length / weberPenn(params).level[0].curveRes * std::tan(std::numbers::pi / 6) / (2 * std::numbers::pi);
     const Bounds box = trunk.mesh->bounds();
     EXPECT_NEAR(box.max.y - box.min.y, 2 * (around + m.radius), 0.15 * (around + m.radius));
     EXPECT_NEAR(box.max.z, m.length, m.radius);

@@ -1,3 +1,4 @@
+#include "stromar/params/methods/weberpenn/WeberPennParams.h"
 #include "stromar/mesh/Twig.h"
 #include "mesh/MeshMeasures.h"
 #include "mesh/Cards.h"
@@ -28,7 +29,7 @@ std::size_t quads(const CMesh& mesh) { return mesh.triangleCount() / 2; }
 class PresetTwig : public testing::TestWithParam<int> {
 protected:
     PresetTwig() : m_sample(presets()[static_cast<std::size_t>(GetParam())]) {
-        m_sample.params.global.season = 7;
+        m_sample.params.common.season = 7;
         m_made = cardsOf(m_sample.params);
     }
 
@@ -102,33 +103,33 @@ TEST(Twig, CardsStandAboutTheirStems) {
 
 TEST(Twig, OfAnotherSeasonBearsWhatIsThere) {
     CParams params = preset("english_oak");
-    params.global.season = 7;
+    params.common.season = 7;
     const auto summer = cardsOf(params).twig;
-    params.global.season = 10.4;
+    params.common.season = 10.4;
     const auto autumn = cardsOf(params).twig;
     ASSERT_TRUE(autumn);
     EXPECT_LT(autumn->allLeafArea, 0.9 * summer->allLeafArea);
-    params.global.season = 1;
+    params.common.season = 1;
     EXPECT_FALSE(cardsOf(params).twig);
 }
 
 TEST(Twig, IsOfNoUseForFewLeavesAndLongStems) {
     CParams params = preset("quaking_aspen");
-    params.global.leaves = 3;
+    weberPenn(params).leaves = 3;
     EXPECT_FALSE(cardsOf(params).twig);
-    params.global.leaves = 25;
-    params.global.leafScale = 0.03;
+    weberPenn(params).leaves = 25;
+    params.common.leafScale = 0.03;
     EXPECT_FALSE(cardsOf(params).twig);
-    params.global.leaves = 0;
+    weberPenn(params).leaves = 0;
     EXPECT_FALSE(cardsOf(params).twig);
-    params.global.leaves = 25;
-    params.global.levels = 1;
+    weberPenn(params).leaves = 25;
+    weberPenn(params).levels = 1;
     EXPECT_FALSE(cardsOf(params).twig);
 }
 
 TEST(Twig, OfRandomTreesIsSoundAndTheSameForEveryNumberOfThreads) {
     int looked = 0;
-    for (std::uint64_t number = 1; number <= 300; ++number) {
+    for (std::uint64_t number = 1; number <= 400; ++number) {
         const CParams params = randomParams(number);
         const auto [tree, twig] = cardsOf(params);
         if (!twig) continue;

@@ -1,5 +1,5 @@
-#include "stromar/params/Calculations.h"
-#include "stromar/params/TreeParams.h"
+#include "stromar/params/methods/weberpenn/Calculations.h"
+#include "stromar/params/methods/weberpenn/TreeParams.h"
 #include <cmath>
 #include <gtest/gtest.h>
 
@@ -33,11 +33,11 @@ TEST(ShapeRatio, PointsByHand) {
                                  {7, 0.7, 1},      {7, 0.85, 0.75},
                                  {7, 1, 0.5}};
     for (const auto& [shape, ratio, value] : points)
-        EXPECT_NEAR(shapeRatio(shape, ratio, CParams().global), value, kTolerance) << shape << " at " << ratio;
+        EXPECT_NEAR(shapeRatio(shape, ratio, weberPenn(CParams())), value, kTolerance) << shape << " at " << ratio;
 }
 
 TEST(ShapeRatio, ClampsTheRatioExceptForTheEnvelope) {
-    const GlobalParams g = CParams().global;
+    const WeberPennParams g = weberPenn(CParams());
     for (int shape = 0; shape < 8; ++shape)
         for (const double beyond : {0.001, 0.5, 100.0}) {
             EXPECT_EQ(shapeRatio(shape, -beyond, g), shapeRatio(shape, 0, g)) << shape;
@@ -69,7 +69,7 @@ TEST(ShapeRatio, EnvelopeByHand) {
                                     {0.6, 0.001, 0.5, 0.1, 0.5},
                                     {0.6, 0.001, 0.5, 0.7, std::pow(0.5, 0.001)}};
     for (const auto& [peak, low, high, ratio, value] : points) {
-        GlobalParams g = CParams().global;
+        WeberPennParams g = weberPenn(CParams());
         g.pruneWidthPeak = peak;
         g.prunePowerLow = low;
         g.prunePowerHigh = high;
@@ -78,8 +78,8 @@ TEST(ShapeRatio, EnvelopeByHand) {
 }
 
 /// The aspen's crown: bare up to 5.2 m of 13.
-GlobalParams aspen() {
-    GlobalParams g = CParams().global;
+WeberPennParams aspen() {
+    WeberPennParams g = weberPenn(CParams());
     g.baseSize = 0.4;
     g.shape = 7;
     g.ratioPower = 1.5;
@@ -138,7 +138,7 @@ struct EnvelopeCase {
 };
 
 TEST(Envelope, PointsByHand) {
-    GlobalParams g = CParams().global;
+    WeberPennParams g = weberPenn(CParams());
     g.baseSize = 0.2; // from 2 m to 10 m, widest at 6 m: 5 m
     const EnvelopeCase cases[] = {{4.9, 0, 6, true},    {5.1, 0, 6, false}, {0, -4.9, 6, true},  {3.5, 3.5, 6, true},
                                   {3.6, 3.6, 6, false}, {3.53, 0, 8, true}, {3.54, 0, 8, false}, {0, 3.53, 4, true},
@@ -151,39 +151,38 @@ TEST(Envelope, PointsByHand) {
 TEST(TreeParams, DeepGenerationsUseTheLastLevel) {
     CParams params;
     for (int level = 0; level < kParamLevels; ++level)
-        params.level[static_cast<std::size_t>(level)].taper = 0.1 * level;
+        weberPenn(params).level[static_cast<std::size_t>(level)].taper = 0.1 * level;
     for (int generation = 0; generation < 10; ++generation)
         EXPECT_EQ(CTreeParams(params, generation, 10).level().taper, 0.1 * std::min(generation, 3)) << generation;
 }
 
-TEST(TreeParams, AnglesAreInRadiansAndNothingElse) {
+TEST(TreeParams, AnglesAreDegreesUntilTheyAreAskedForRadians) {
     CParams params;
-    LevelParams& level = params.level[1];
-    level = {.length = 0.3,
-             .lengthV = 0.1,
-             .taper = 1.1,
-             .curve = 180,
-             .curveBack = -90,
-             .curveV = 45,
-             .segSplits = 0.4,
-             .splitAngle = 30,
-             .splitAngleV = 60,
-             .branchDist = 0.7,
-             .branchDistV = 0.2,
-             .downAngle = 120,
-             .downAngleV = -36,
-             .rotate = 140,
-             .rotateV = 18,
-             .curveRes = 5,
-             .branches = 40,
-             .whorl = 2};
+    LevelParams& level = weberPenn(params).level[1];
+    level.length = 0.3;
+    level.lengthV = 0.1;
+    level.taper = 1.1;
+    level.curve = 180;
+    level.curveBack = -90;
+    level.curveV = 45;
+    level.segSplits = 0.4;
+    level.splitAngle = 30;
+    level.splitAngleV = 60;
+    level.branchDist = 0.7;
+    level.branchDistV = 0.2;
+    level.downAngle = 120;
+    level.downAngleV = -36;
+    level.rotate = 140;
+    level.rotateV = 18;
+    level.curveRes = 5;
+    level.branches = 40;
     const LevelParams seen = CTreeParams(params, 1, 10).level();
     const double pi = std::acos(-1.0);
-    const std::pair<double, double> angles[] = {
+    const std::pair<Degrees, double> angles[] = {
         {seen.curve, pi},           {seen.curveBack, -pi / 2},  {seen.curveV, pi / 4},
         {seen.splitAngle, pi / 6},  {seen.splitAngleV, pi / 3}, {seen.downAngle, pi * 2 / 3},
         {seen.downAngleV, -pi / 5}, {seen.rotate, pi * 7 / 9},  {seen.rotateV, pi / 10}};
-    for (const auto& [got, expected] : angles) EXPECT_NEAR(got, expected, kTolerance);
+    for (const auto& [got, expected] : angles) EXPECT_NEAR(got.radians(), expected, kTolerance);
     const std::pair<double, double> kept[] = {{seen.length, 0.3},    {seen.lengthV, 0.1},    {seen.taper, 1.1},
                                               {seen.segSplits, 0.4}, {seen.branchDist, 0.7}, {seen.branchDistV, 0.2},
                                               {seen.curveRes, 5},    {seen.branches, 40}};

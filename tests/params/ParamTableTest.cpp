@@ -1,3 +1,4 @@
+#include "stromar/params/methods/weberpenn/WeberPennParams.h"
 #include "stromar/params/ParamTable.h"
 #include "params/Support.h"
 #include <algorithm>
@@ -70,16 +71,16 @@ const std::map<std::string, double>& specified() {
 
 TEST(ParamTable, HoldsWhatTheSpecificationLists) {
     std::map<std::string, double> table;
-    for (const ParamRef& ref : allParams()) table[ref.key()] = ref.info->defaultOf(ref.level);
+    for (const ParamRef& ref : numberParams()) table[ref.key()] = std::get<double>(defaultOf(ref, weberPennBlock()));
     EXPECT_EQ(table, specified());
-    EXPECT_EQ(allParams().size(), specified().size()) << "a value is listed twice";
+    EXPECT_EQ(numberParams().size(), specified().size()) << "a value is listed twice";
 }
 
 TEST(ParamTable, NewParamsHaveTheDefaults) {
     const CParams params;
     for (const auto& [key, value] : specified()) EXPECT_EQ(valueOf(params, key), value) << key;
     EXPECT_EQ(params.text.species, "default");
-    EXPECT_EQ(params.text.method, "weber-penn");
+    EXPECT_EQ(params.block().method, "weber-penn");
     EXPECT_TRUE(params == CParams());
 }
 
@@ -108,12 +109,12 @@ TEST(ParamTable, RangesOfTheSpecification) {
 }
 
 TEST(ParamTable, SetAndGetTouchOneValueOnly) {
-    for (const ParamRef& ref : allParams()) {
+    for (const ParamRef& ref : numberParams()) {
         CParams params;
         const double value = otherValue(*ref.info, ref.get(params));
         ASSERT_TRUE(ref.set(params, value)) << ref.key();
         EXPECT_EQ(ref.get(params), value) << ref.key();
-        for (const ParamRef& other : allParams())
+        for (const ParamRef& other : numberParams())
             if (!(other == ref)) {
                 EXPECT_EQ(other.get(params), other.get(CParams())) << ref.key() << " changed " << other.key();
             }
@@ -122,7 +123,7 @@ TEST(ParamTable, SetAndGetTouchOneValueOnly) {
 }
 
 TEST(ParamTable, SetClamps) {
-    for (const ParamRef& ref : allParams()) {
+    for (const ParamRef& ref : numberParams()) {
         const Range range = ref.info->range;
         CParams params;
         for (const double bound : {range.min, range.max}) {
@@ -141,7 +142,7 @@ TEST(ParamTable, SetClamps) {
 
 TEST(ParamTable, IntegersAreRounded) {
     int integers = 0;
-    for (const ParamRef& ref : allParams()) {
+    for (const ParamRef& ref : numberParams()) {
         if (!ref.info->integer()) continue;
         ++integers;
         CParams params;
@@ -155,16 +156,15 @@ TEST(ParamTable, KeysAreFound) {
     for (const ParamRef& ref : allParams()) {
         const auto found = findParam(ref.key());
         ASSERT_TRUE(found) << ref.key();
-        EXPECT_EQ(std::get<ParamRef>(*found), ref);
+        EXPECT_EQ(*found, ref);
     }
-    for (const TextInfo& text : textTable()) EXPECT_EQ(std::get<const TextInfo*>(findParam(text.key).value()), &text);
     for (const char* unknown : {"", "scale", "Length", "4Length", "0Branches", "0DownAngle", "Scale ", "00Scale"})
         EXPECT_FALSE(findParam(unknown)) << unknown;
 }
 
 CParams withLevels(int levels) {
     CParams params;
-    params.global.levels = levels;
+    weberPenn(params).levels = levels;
     return params;
 }
 
@@ -185,7 +185,7 @@ TEST(InvalidationOf, EveryRowNamesItsStage) {
     const auto in = [](const std::vector<std::string>& list, const std::string& key) {
         return std::ranges::find(list, key) != list.end();
     };
-    for (const ParamRef& ref : allParams()) {
+    for (const ParamRef& ref : numberParams()) {
         const std::string key = ref.key();
         const Stage expected = in(nothing, key) ? Stage::None : in(mesh, key) ? Stage::Mesh : Stage::Structure;
         EXPECT_EQ(afterChangeOf(ref, withLevels(4)).stage, expected) << key;
@@ -194,14 +194,14 @@ TEST(InvalidationOf, EveryRowNamesItsStage) {
 }
 
 TEST(InvalidationOf, AValueOfALevelStartsAtItsGeneration) {
-    for (const ParamRef& ref : allParams())
+    for (const ParamRef& ref : numberParams())
         for (int levels = ref.info->perLevel() ? ref.level + 1 : 10; levels <= 9; ++levels)
             EXPECT_EQ(afterChangeOf(ref, withLevels(levels)), (Invalidation{Stage::Structure, ref.level})) << ref.key();
 }
 
 TEST(InvalidationOf, TheLevelBehindTheLastPlacesTheLeaves) {
     const std::vector<std::string> placing{"2DownAngle", "2DownAngleV", "2Rotate", "2RotateV", "2BranchDistV"};
-    for (const ParamRef& ref : allParams()) {
+    for (const ParamRef& ref : numberParams()) {
         if (!ref.info->perLevel() || ref.level < 2) continue;
         const bool places = std::ranges::find(placing, ref.key()) != placing.end();
         const Invalidation first = afterChangeOf(ref, withLevels(2));
@@ -227,7 +227,7 @@ TEST(InvalidationOf, LevelsKeepsWhatBothTreesHave) {
 }
 
 TEST(InvalidationOf, OfTwoChangesTheEarlierCounts) {
-    for (const ParamRef& a : allParams())
+    for (const ParamRef& a : numberParams())
         for (const char* key : {"Seed", "1Curve", "2Curve", "Leaves", "MinRadius", "ZScale"}) {
             const ParamRef b = param(key);
             if (a == b || a.key() == "Levels") continue;
@@ -257,23 +257,23 @@ TEST(InvalidationOf, Texts) {
 
 TEST(ParamTable, WhatIsSaidToDoNothingDoesNothing) {
     CParams bare;
-    bare.global.levels = 1;
-    EXPECT_NE(whyIdle(param("1Branches"), bare), "");
-    EXPECT_NE(whyIdle(param("LeafScale"), bare), "");
-    EXPECT_NE(whyIdle(param("Shape"), bare), "");
-    EXPECT_EQ(whyIdle(param("0Curve"), bare), "");
-    EXPECT_NE(whyIdle(param("0SplitAngle"), bare), "");
-    bare.global.baseSplits = 2;
-    EXPECT_EQ(whyIdle(param("0SplitAngle"), bare), "") << "splits at the base use it";
+    weberPenn(bare).levels = 1;
+    EXPECT_NE(inactiveReason(param("1Branches"), bare), "");
+    EXPECT_NE(inactiveReason(param("LeafScale"), bare), "");
+    EXPECT_NE(inactiveReason(param("Shape"), bare), "");
+    EXPECT_EQ(inactiveReason(param("0Curve"), bare), "");
+    EXPECT_NE(inactiveReason(param("0SplitAngle"), bare), "");
+    weberPenn(bare).baseSplits = 2;
+    EXPECT_EQ(inactiveReason(param("0SplitAngle"), bare), "") << "splits at the base use it";
     CParams without;
-    without.level[1].branches = 0;
-    EXPECT_EQ(whyIdle(param("1Branches"), without), "") << "it is what brings them back";
-    EXPECT_NE(whyIdle(param("1Curve"), without), "");
-    EXPECT_NE(whyIdle(param("2Branches"), without), "");
+    weberPenn(without).level[1].branches = 0;
+    EXPECT_EQ(inactiveReason(param("1Branches"), without), "") << "it is what brings them back";
+    EXPECT_NE(inactiveReason(param("1Curve"), without), "");
+    EXPECT_NE(inactiveReason(param("2Branches"), without), "");
     CParams envelope;
-    envelope.global.shape = 8;
-    EXPECT_EQ(whyIdle(param("PrunePowerLow"), envelope), "") << "the crown's outline";
-    EXPECT_NE(whyIdle(param("PruneWidth"), envelope), "");
+    weberPenn(envelope).shape = 8;
+    EXPECT_EQ(inactiveReason(param("PrunePowerLow"), envelope), "") << "the crown's outline";
+    EXPECT_NE(inactiveReason(param("PruneWidth"), envelope), "");
 }
 
 TEST(ParamTable, VariationsAreFoundByTheirKeys) {

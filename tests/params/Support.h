@@ -15,7 +15,7 @@ inline std::vector<std::filesystem::path> presetFiles() {
 }
 
 /// Any parameter of the tree by its key.
-inline ParamRef param(std::string_view key) { return std::get<ParamRef>(findParam(key).value()); }
+inline ParamRef param(std::string_view key) { return findParam(key).value(); }
 
 inline double valueOf(const CParams& params, std::string_view key) { return param(key).get(params); }
 

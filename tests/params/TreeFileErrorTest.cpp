@@ -1,4 +1,5 @@
 #include "params/Support.h"
+#include "stromar/params/methods/weberpenn/WeberPennParams.h"
 #include "stromar/util/FileSet.h"
 #include "util/TemporaryFolder.h"
 #include <gtest/gtest.h>
@@ -102,7 +103,7 @@ TEST(TreeFileError, TheByteOrderMarkIsNoColumn) {
 }
 
 TEST(TreeFileError, Formats) {
-    expectError({"Format = 2\n", 1, 10, "2"});
+    expectError({"Format = 3\n", 1, 10, "3"});
     expectError({"Scale = 5\nFormat=99\n", 2, 8, "99"});
     for (const char* bad : {"0", "-1", "1.5", "one", "", "nan"})
         EXPECT_EQ(errorsOf(std::string("Format = ") + bad + "\n").size(), 1u) << bad;
@@ -194,8 +195,8 @@ TEST(TreeFileWarning, NamesThePlace) {
 }
 
 TEST(TreeFileWarning, ClampedValuesAndUnknownKeys) {
-    EXPECT_EQ(CTreeFile::parse("Format = 1\nScale = 99999\n", "").params().global.scale, 1000);
-    EXPECT_EQ(CTreeFile::parse("Format = 1\nLevels = 0\n", "").params().global.levels, 1);
+    EXPECT_EQ(weberPenn(CTreeFile::parse("Format = 1\nScale = 99999\n", "").params()).scale, 1000);
+    EXPECT_EQ(weberPenn(CTreeFile::parse("Format = 1\nLevels = 0\n", "").params()).levels, 1);
     const std::string text = "Format = 1\nFruit = acorn # kept\n4Curve = 5\nscale = 5\n";
     const CTreeFile file = CTreeFile::parse(text, "x.tree");
     EXPECT_EQ(file.warnings().size(), 3u);

@@ -41,12 +41,12 @@ private:
 
 void expectSane(const CTreeFile& file, const std::string& text) {
     ASSERT_TRUE(file.text(file.params()) == text) << "an unchanged document changed:\n" << text;
-    for (const ParamRef& ref : allParams()) ASSERT_TRUE(ref.info->range.contains(ref.get(file.params()))) << ref.key();
+    for (const ParamRef& ref : numberParams()) ASSERT_TRUE(ref.info->range.contains(ref.get(file.params()))) << ref.key();
 }
 
 /// Changes one number and one text of what was read, saves and reads again.
 void expectSavable(const CTreeFile& file, CMutator& mutator, const std::string& text) {
-    const ParamRef ref = allParams()[mutator.below(allParams().size())];
+    const ParamRef ref = numberParams()[mutator.below(numberParams().size())];
     CParams params = file.params();
     ref.set(params, otherValue(*ref.info, ref.get(params)));
     params.text.species = mutator.below(2) ? "Elm # 8" : "";

@@ -1,4 +1,5 @@
 #include "params/Support.h"
+#include "stromar/params/methods/weberpenn/WeberPennParams.h"
 #include "stromar/util/FileSet.h"
 #include "util/TemporaryFolder.h"
 #include <gtest/gtest.h>
@@ -48,33 +49,33 @@ std::string replaced(std::string text, const std::string& old, const std::string
 TEST(TreeFileWrite, OnlyTheChangedValueChanges) {
     const CTreeFile file = parsed(kByHand);
     CParams params = file.params();
-    params.global.scale = 20;
+    weberPenn(params).scale = 20;
     EXPECT_EQ(file.text(params), replaced(kByHand, "12.50", "20"));
     params.text.species = "Elm # 8";
     EXPECT_EQ(file.text(params), replaced(replaced(kByHand, "12.50", "20"), "Oak # 7", "Elm # 8"));
     params = file.params();
-    params.global.leafBend = 0.75;
+    params.common.leafBend = 0.75;
     EXPECT_EQ(file.text(params), replaced(kByHand, "Bend = .5", "Bend = 0.75"));
     params = file.params();
-    params.level[1].curve = 30;
-    params.global.shape = 0;
+    weberPenn(params).level[1].curve = 30;
+    weberPenn(params).shape = 0;
     EXPECT_EQ(file.text(params), replaced(replaced(kByHand, "-0040", "30"), "Flame", "0"));
 }
 
 TEST(TreeFileWrite, BlanksAroundAChangedValueStay) {
     const CTreeFile file = parsed("Format = 1\nScale=12\nRatio   =0.02\n");
     CParams params = file.params();
-    params.global.scale = 20;
-    params.global.ratio = 0.25;
+    weberPenn(params).scale = 20;
+    weberPenn(params).ratio = 0.25;
     EXPECT_EQ(file.text(params), "Format = 1\nScale=20\nRatio   =0.25\n");
 }
 
 TEST(TreeFileWrite, AStrayCarriageReturnInFrontOfAValueStays) {
     const CTreeFile file = parsed("Format = 1\nScale =\r12\nLeafTexture =\r\"a b.png\"\n");
     CParams params = file.params();
-    EXPECT_EQ(params.global.scale, 12);
+    EXPECT_EQ(weberPenn(params).scale, 12);
     EXPECT_EQ(params.text.leafTexture, "a b.png");
-    params.global.scale = 20;
+    weberPenn(params).scale = 20;
     params.text.leafTexture = "c.png";
     EXPECT_EQ(file.text(params), "Format = 1\nScale =\r20\nLeafTexture =\rc.png\n");
 }
@@ -83,7 +84,7 @@ TEST(TreeFileWrite, EveryChangeOfAPresetTouchesOneLine) {
     for (const auto& path : test::presetFiles()) {
         const CTreeFile file = CTreeFile::read(path);
         const std::string before = readFile(path);
-        for (const ParamRef& ref : allParams()) {
+        for (const ParamRef& ref : numberParams()) {
             const bool absent = before.find("\n" + ref.key() + " =") == std::string::npos; // has its default
             CParams params = file.params();
             ref.set(params, otherValue(*ref.info, ref.get(params)));
@@ -110,9 +111,9 @@ TEST(TreeFileWrite, AddedKeysStandAtTheEndOfTheirGroup) {
         "2Curve = 6\n# end\n";
     const CTreeFile file = parsed(text);
     CParams params = file.params();
-    params.global.ratio = 0.25;
-    params.level[1].curveV = 7;
-    params.level[2].curveV = 8;
+    weberPenn(params).ratio = 0.25;
+    weberPenn(params).level[1].curveV = 7;
+    weberPenn(params).level[2].curveV = 8;
     const std::string expected =
         "Format = 1\n# Tree\nScale = 12 # metres\nLevels = 2\nRatio = 0.25\n\n# First\n1Curve = 5\n"
         "1Length = 0.4\n1CurveV = 7\n\n# Second\n2Curve = 6\n2CurveV = 8\n# end\n";
@@ -121,7 +122,7 @@ TEST(TreeFileWrite, AddedKeysStandAtTheEndOfTheirGroup) {
 
 TEST(TreeFileWrite, EveryMissingKeyCanBeAdded) {
     for (const std::string& text : {std::string("Format = 1"), std::string("Format = 1\r\n# x\r\n"), kByHand})
-        for (const ParamRef& ref : allParams()) {
+        for (const ParamRef& ref : numberParams()) {
             const CTreeFile file = parsed(text);
             CParams params = file.params();
             ref.set(params, otherValue(*ref.info, ref.get(params)));
@@ -140,13 +141,13 @@ TEST(TreeFileWrite, SavingTwiceIsStable) {
     const CTemporaryFolder folder;
     CTreeFile file = parsed(kByHand);
     CParams params = file.params();
-    params.global.flare = 0.75;
+    params.common.flare = 0.75;
     file = file.write(folder / "oak.tree", params);
     const std::string once = readFile(folder / "oak.tree");
     EXPECT_TRUE(file.params() == params);
     file.write(folder / "oak.tree", params);
     EXPECT_EQ(readFile(folder / "oak.tree"), once);
-    params.global.flare = 0.5;
+    params.common.flare = 0.5;
     file.write(folder / "oak.tree", params);
     EXPECT_EQ(readFile(folder / "oak.tree"), replaced(once, "Flare = 0.75", "Flare = 0.5"));
     EXPECT_EQ(folder.names(), std::set<std::string>{"oak.tree"});
@@ -156,16 +157,16 @@ TEST(TreeFileWrite, TextsOfAllKindsReadBack) {
     for (const std::string text : {"",    " ",   "#",     "# x",       "x#y",    "x #y",       "\"",        "\"\"",
                                    "\"x", "x\"", "\"x\"", "a \"b\" c", " x ",    "x = y",      "=",         "Dub letní",
                                    "\t",  "x\t", "12",    "\"#\"",     "a\"\"b", "weber-penn", "Format = 2"})
-        for (const TextInfo& info : textTable()) {
-            if (info.field == &TextParams::method) continue;
+        for (const ParamRef& ref : allParams()) {
+            if (ref.info->kind() != ParamKind::Text) continue;
             CParams params;
-            params.text.*info.field = text;
-            EXPECT_TRUE(parsed(CTreeFile().text(params)).params() == params) << info.key << " = '" << text << "'";
+            ref.setValue(params, text);
+            EXPECT_TRUE(parsed(CTreeFile().text(params)).params() == params) << ref.key() << " = '" << text << "'";
             for (const std::string before : {"Oak", "\"Oak # 1\"", "Oak # comment", "", "\"\" # comment"}) {
-                const std::string line = std::string(info.key) + " = " + before + "\n";
+                const std::string line = ref.key() + " = " + before + "\n";
                 const CTreeFile file = parsed("Format = 1\n" + line);
                 CParams changed = file.params();
-                changed.text.*info.field = text;
+                ref.setValue(changed, text);
                 EXPECT_TRUE(parsed(file.text(changed)).params() == changed) << line << "set to '" << text << "'";
             }
         }
@@ -188,7 +189,8 @@ TEST(TreeFileWrite, WhatIsSavedCanBeRead) {
             CParams params = file.params();
             params.text.description = text;
             try {
-                EXPECT_TRUE(parsed(file.text(params)).params().global == params.global) << text;
+                const CParams back = parsed(file.text(params)).params();
+                EXPECT_TRUE(back.common == params.common && weberPenn(back) == weberPenn(params)) << text;
             } catch (const CInputError& error) {
                 ADD_FAILURE() << error.what() << "\nafter the description became\n" << text;
             }

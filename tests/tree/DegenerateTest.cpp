@@ -132,7 +132,7 @@ TEST(Degenerate, VariationMakesNoNegativeRadius) {
 TEST(Degenerate, BoundsOfEveryValueStayFinite) {
     const CParams base =
         with(richTree(), {{"1Branches", 5}, {"2Branches", 3}, {"3Branches", 2}, {"0BaseSplits", 1}, {"0CurveRes", 4}});
-    for (const ParamRef& ref : allParams())
+    for (const ParamRef& ref : numberParams())
         for (const double bound : {ref.info->range.min, ref.info->range.max}) {
             // what only makes the tree big is capped; splits grow with the power of the segments
             const bool count = ref.info->integer() || ref.info->key == "SegSplits" || ref.info->key == "LeafQuality";

@@ -1,4 +1,4 @@
-#include "stromar/params/TreeParams.h"
+#include "stromar/params/methods/weberpenn/TreeParams.h"
 #include "tree/Support.h"
 #include <algorithm>
 #include <gtest/gtest.h>
@@ -28,7 +28,7 @@ public:
     CTreeCheck(const CTree& tree, const CParams& params) : m_tree(tree), m_params(params) {}
 
     void run() {
-        ASSERT_EQ(m_tree.generationCount(), static_cast<std::size_t>(m_params.global.levels));
+        ASSERT_EQ(m_tree.generationCount(), static_cast<std::size_t>(weberPenn(m_params).levels));
         for (m_g = 0; m_g < m_tree.generationCount() && !failed(); ++m_g) checkGeneration(m_tree.generation(m_g));
         if (!failed()) checkLeaves();
     }
@@ -152,9 +152,9 @@ private:
         ASSERT_NEAR(stem.parentRadius, wood, kClose);
         ASSERT_LE(m.radius, wood + kClose) << "thicker than its parent";
         const double inherited =
-            parent.radius * std::pow(m.length / parent.length, m_params.global.ratioPower);
+            parent.radius * std::pow(m.length / parent.length, weberPenn(m_params).ratioPower);
         ASSERT_NEAR(m.radius, std::min(inherited, wood), kClose);
-        const double bare = m_g == 1 ? m_params.global.baseSize * m_tree.height() : 0;
+        const double bare = m_g == 1 ? weberPenn(m_params).baseSize * m_tree.height() : 0;
         ASSERT_GE(m.offset, bare - kClose) << "on the bare trunk";
         const StemMeasures on = grownOf(m_tree, m_g - 1).measuresOf(static_cast<std::size_t>(stem.parent));
         ASSERT_LE(m.length, seenBy(m_g).calc().length(scratchOf(generation, stem).lengthMax, on, m.offset) + kClose);

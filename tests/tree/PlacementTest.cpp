@@ -1,4 +1,4 @@
-#include "stromar/params/TreeParams.h"
+#include "stromar/params/methods/weberpenn/TreeParams.h"
 #include "tree/Support.h"
 #include <gtest/gtest.h>
 #include <map>
@@ -158,7 +158,7 @@ void expectCounts(const CParams& params, std::size_t generation, bool varied) {
     double sum = 0, wanted = 0;
     for (std::size_t s = 0; s < parents.stems.size(); ++s) {
         const StemMeasures m = grownOf(*tree, generation).measuresOf(s);
-        const double most = params.level[std::min<std::size_t>(generation + 1, 3)].branches;
+        const double most = weberPenn(params).level[std::min<std::size_t>(generation + 1, 3)].branches;
         const double number = generation == 0   ? most
                               : generation == 1 ? most * (0.2 + 0.8 * m.length / m.parentLength / m.lengthMax)
                                                 : most * (1 - 0.5 * m.offset / m.parentLength);

@@ -1,4 +1,4 @@
-#include "stromar/params/TreeParams.h"
+#include "stromar/params/methods/weberpenn/TreeParams.h"
 #include "tree/Support.h"
 #include <gtest/gtest.h>
 #include <map>
@@ -12,7 +12,7 @@ using namespace test;
 /// may differ from those that were tested, so the test gets a hair of room.
 bool inside(const CGeneration& generation, const CStem& stem, const CParams& params, double scaleTree, double scale) {
     const glm::dvec3 base = firstSegment(generation, stem).position;
-    GlobalParams roomy = params.global;
+    WeberPennParams roomy = weberPenn(params);
     roomy.pruneWidth *= 1 + 1e-9;
     for (std::uint32_t s = 0; s < stem.segmentCount; ++s) {
         const glm::dvec3 end = base + scale * (generation.segments[stem.firstSegment + s].axisPoint(1) - base);
@@ -25,7 +25,7 @@ std::vector<CParams> prunedTrees() {
     std::vector<CParams> all{preset("weeping_willow"), with(richTree(), {{"PruneRatio", 1}, {"1Length", 0.8}})};
     for (unsigned seed = 0; seed < 20; ++seed)
         all.push_back(with(randomTree(seed), {{"PruneRatio", 1}, {"PruneWidth", 0.3}}));
-    all[0].level[3].branches = 20; // the same tree with fewer of its 50000 twigs
+    weberPenn(all[0]).level[3].branches = 20; // the same tree with fewer of its 50000 twigs
     return all;
 }
 

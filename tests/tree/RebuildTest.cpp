@@ -1,3 +1,4 @@
+#include "stromar/params/methods/weberpenn/WeberPennParams.h"
 #include "tree/Support.h"
 #include <gtest/gtest.h>
 #include <limits>
@@ -52,13 +53,13 @@ TEST(Rebuild, EveryRowGivesTheSameAsAFullBuild) {
     int tried = 0;
     for (const CParams& before : startingTrees()) {
         const auto tree = grow(before);
-        for (const ParamRef& ref : allParams())
+        for (const ParamRef& ref : numberParams())
             for (const double value : changes(ref, before)) {
                 CParams after = before;
                 ref.set(after, value);
                 expectSameAsFull(before, *tree, after,
                                  ref.key() + " " + std::to_string(value) + ", levels " +
-                                     std::to_string(before.global.levels));
+                                     std::to_string(weberPenn(before).levels));
                 ++tried;
             }
     }
@@ -69,7 +70,7 @@ TEST(Rebuild, WhatIsNoStructureChangesNone) {
     const CParams before = richTree();
     const auto tree = grow(before);
     int rows = 0;
-    for (const ParamRef& ref : allParams())
+    for (const ParamRef& ref : numberParams())
         for (const double value : changes(ref, before)) {
             CParams after = before;
             ref.set(after, value);
@@ -90,7 +91,7 @@ TEST(Rebuild, EveryStructureRowHasAnEffect) {
     const CParams flowering = with(richTree(), {{"Levels", 2}, {"Trunks", 2}, {"Blossoms", 4}, {"Fruits", 3}});
     const std::vector<CParams> trees{richTree(), with(richTree(), {{"Shape", 8}}), with(richTree(), {{"Levels", 3}}),
                                      low, flowering};
-    for (const ParamRef& ref : allParams()) {
+    for (const ParamRef& ref : numberParams()) {
         bool invalid = false, changed = false;
         for (const CParams& before : trees)
             for (const double value : changes(ref, before)) {
@@ -122,12 +123,12 @@ TEST(Rebuild, AChainOfChangesEndsWhereAFullBuildDoes) {
     TreePtr tree = grow(params);
     std::mt19937 random(5);
     for (int i = 0; i < 60; ++i) {
-        const ParamRef ref = allParams()[random() % allParams().size()];
+        const ParamRef ref = numberParams()[random() % numberParams().size()];
         const std::vector<double> values = changes(ref, params);
         if (values.empty()) continue;
         CParams next = params;
         ref.set(next, values[0]);
-        if (next.global.levels > 4) next.global.levels = 4;
+        if (weberPenn(next).levels > 4) weberPenn(next).levels = 4;
         tree = regrow(params, *tree, next);
         params = next;
     }

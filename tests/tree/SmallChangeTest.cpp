@@ -125,7 +125,7 @@ TEST(SmallChange, LeavesAloneWhatItDoesNotConcern) {
 TEST(SmallChange, LowerGenerationsNeverNotice) {
     const CParams before = tree();
     const auto old = grow(before);
-    for (const ParamRef& ref : allParams()) {
+    for (const ParamRef& ref : numberParams()) {
         if (!ref.info->perLevel() || ref.level == 0) continue;
         const CParams after = with(before, {{ref.key(), ref.get(before) + ref.info->step}});
         const auto now = grow(after);

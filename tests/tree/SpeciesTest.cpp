@@ -1,5 +1,5 @@
 #include "stromar/params/Season.h"
-#include "stromar/params/TreeParams.h"
+#include "stromar/params/methods/weberpenn/TreeParams.h"
 #include "tree/Support.h"
 #include <cmath>
 #include <gtest/gtest.h>
@@ -103,7 +103,7 @@ TEST(Organs, BlossomsStandUprightOrHang) {
 
 TEST(Season, MakesAndTakesTheLeaves) {
     const auto at = [](double month, bool evergreen = false) {
-        GlobalParams g = CParams().global;
+        CommonParams g = CParams().common;
         g.season = month;
         g.evergreen = evergreen;
         return phenologyOf(g);
@@ -124,7 +124,7 @@ TEST(Season, MakesAndTakesTheLeaves) {
 }
 
 TEST(Season, OfBlossomGoesOverNewYear) {
-    GlobalParams g = CParams().global;
+    CommonParams g = CParams().common;
     g.blossomMonth = 0.2;
     g.season = 11.9;
     EXPECT_GT(phenologyOf(g).blossoms, 0.4);

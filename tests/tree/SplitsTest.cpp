@@ -1,3 +1,4 @@
+#include "stromar/params/methods/weberpenn/WeberPennParams.h"
 #include "tree/Support.h"
 #include <gtest/gtest.h>
 
@@ -8,8 +9,8 @@ using namespace test;
 
 std::size_t trunkPaths(Values values, int seed) {
     CParams params = with({}, values);
-    params.global.seed = seed;
-    params.global.levels = 1;
+    params.common.seed = seed;
+    weberPenn(params).levels = 1;
     return grow(params)->generation(0).paths.size();
 }
 

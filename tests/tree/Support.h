@@ -1,6 +1,6 @@
 #pragma once
 #include "stromar/params/TreeFile.h"
-#include "stromar/tree/TreeBuilder.h"
+#include "stromar/tree/weberpenn/WeberPennBuilder.h"
 #include "weberpenn/Grown.h"
 #include <cmath>
 #include <cstring>
@@ -25,7 +25,7 @@ inline TreePtr grow(const CParams& params, bool varied = true, int threads = 1) 
 /// Every random draw in the middle.
 inline TreePtr growNeutral(const CParams& params) { return grow(params, false); }
 
-inline ParamRef param(std::string_view key) { return std::get<ParamRef>(findParam(key).value()); }
+inline ParamRef param(std::string_view key) { return findParam(key).value(); }
 
 inline CParams with(CParams params, Values values) {
     for (const auto& [key, value] : values) param(key).set(params, value);
@@ -135,13 +135,13 @@ inline CParams randomTree(unsigned seed) {
         {"3CurveRes", {1, 4}},    {"LeafQuality", {0.1, 2}}};
     std::mt19937 random(seed);
     CParams params;
-    for (const ParamRef& ref : allParams()) {
+    for (const ParamRef& ref : numberParams()) {
         const auto capped = counts.find(ref.key());
         const Range range = capped == counts.end() ? ref.info->useful : capped->second;
         ref.set(params, std::uniform_real_distribution<double>(range.min, range.max)(random));
     }
-    params.global.trunkScaleV = std::min(params.global.trunkScaleV, 0.9 * params.global.trunkScale);
-    if (seed % 2) params.global.pruneRatio = 0;
+    weberPenn(params).trunkScaleV = std::min(weberPenn(params).trunkScaleV, 0.9 * weberPenn(params).trunkScale);
+    if (seed % 2) weberPenn(params).pruneRatio = 0;
     return params;
 }
 

@@ -7,20 +7,37 @@ namespace stromar {
 
 /// How large a tree can become; whole numbers, but possibly beyond any integer.
 struct Prediction {
-    double stems, leaves, vertices;
+    double stems, segments, organs, leaves, vertices;
+    double bytes; ///< of all that is held at once: structure, plans, meshes and what is drawn or written of them
 };
 
 /// Upper bounds of what a tree of these parameters may have, over all seeds. Takes microseconds: nothing is grown.
 Prediction predictSize(const CParams& params, const Detail& detail);
 
-BearerBound bearerBound(const CParams& params);
+/// What a tree may take.
+struct SizeLimits {
+    static constexpr double kMostVertices = 20e6;
+
+    double vertices = kMostVertices;
+    double bytes = defaultMemory();
+
+    /// Half of what this machine has free now.
+    static double defaultMemory();
+    static SizeLimits none();
+    bool allow(const Prediction& size) const { return size.vertices <= vertices && size.bytes <= bytes; }
+    bool operator==(const SizeLimits&) const = default;
+};
+
+/// "this tree would have up to 3 stems, … and take up to 5 MB; the limit is …": with both numbers of what is too large.
+std::string refusalText(const Prediction& size, const SizeLimits& limits);
+
 /// Whether cards may stand for the last stems: the level of detail has some, they gain something, and their picture can
 /// be made.
 bool mayShowCards(const CParams& params, const Detail& detail);
 
-/// The value of `ref` nearest to its own at which the tree is predicted to have at most so many vertices, found between
-/// `fits` and its own. Whole for integers. `fits` itself when not even that is small enough.
+/// The value of `ref` nearest to its own at which the tree is predicted to be within the limits, found between `fits`
+/// and its own. Whole for integers. `fits` itself when not even that is small enough.
 double nearestThatFits(const CParams& params, const ParamRef& ref, double fits, const Detail& detail,
-                       double mostVertices);
+                       const SizeLimits& limits);
 
 } // namespace stromar

@@ -1,4 +1,5 @@
 #pragma once
+#include "stromar/app/Prediction.h"
 #include "stromar/mesh/MeshBuilder.h"
 #include "stromar/model/TreeModel.h"
 #include "stromar/tree/TreeBuilder.h"
@@ -11,13 +12,11 @@ namespace stromar {
 /// equal parts of two results are shared. Not thread-safe: one thread at a time.
 class CTreeCreator {
 public:
-    static constexpr double kMostVertices = 20e6; ///< default limit
-
-    explicit CTreeCreator(bool varied = true, double mostVertices = kMostVertices);
+    explicit CTreeCreator(bool varied = true, const SizeLimits& limits = {});
 
     /// Throws CCancelled, and CError when the tree would be too large. What was made before stays valid.
     std::shared_ptr<const TreeModel> create(const CParams& params, const Detail& detail, const CProgress& progress);
-    void setMostVertices(double most) { m_mostVertices = most; }
+    void setLimits(const SizeLimits& limits) { m_limits = limits; }
     /// The next create() starts from nothing.
     void forget();
 
@@ -32,11 +31,12 @@ private:
     using MadeMeshes = std::vector<MadeMesh>; ///< by generation, then by organ, then the cards
 
     void refuseTooLarge(const CParams& params, const Detail& detail) const;
+    void chooseBuilder(const CParams& params);
     void updateTree(const CParams& params, const CProgress& progress);
     void dropStaleMeshes();
 
     bool m_varied;
-    double m_mostVertices;
+    SizeLimits m_limits;
     std::unique_ptr<ITreeBuilder> m_builder;
     std::shared_ptr<const CTree> m_tree;
     CParams m_treeParams;

@@ -2,6 +2,7 @@
 #include "stromar/mesh/Detail.h"
 #include "stromar/mesh/Mesh.h"
 #include "stromar/mesh/MeshParams.h"
+#include "stromar/tree/SizeBound.h"
 #include "stromar/tree/Tree.h"
 #include "stromar/util/Progress.h"
 #include <glm/vec2.hpp>
@@ -23,13 +24,6 @@ struct Twig {
     double allLeafArea;   ///< m² of all the tree's leaves that the season left
 
     double cardArea() const { return (high.x - low.x) * (high.y - low.y); }
-};
-
-/// What is known of the stems that bear leaves before a tree is grown.
-struct BearerBound {
-    double leaves = 0;     ///< on one of them, at most
-    double length = 0;     ///< of one of them, metres, at most
-    double leafLength = 0; ///< metres
 };
 
 /// Whether cards of whole twigs gain something: not where stems bear few leaves (the season counts), or are too long for

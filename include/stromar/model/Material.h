@@ -13,7 +13,7 @@ struct SurfaceInfo {
     bool cutOut;                      ///< seen from both sides; its picture's opacity says where it is
     std::string TextParams::*texture; ///< what the user chose; null: the picture is made of the tree's own parts
     const char* standard;             ///< what it has else: a file in textures/, or a recipe
-    int GlobalParams::*number;        ///< how many of them the tree may bear; null: any tree has it
+    int CommonParams::*number;        ///< how many of them the tree may bear; null: any tree has it
 };
 const SurfaceInfo& surfaceOf(Surface surface);
 /// Whether every file has its material, even where no mesh needs it.

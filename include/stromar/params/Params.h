@@ -1,54 +1,64 @@
 #pragma once
-#include <array>
+#include "stromar/params/Degrees.h"
+#include <any>
+#include <cassert>
 #include <string>
+#include <utility>
 
 namespace stromar {
 
-constexpr int kParamLevels = 4; ///< sets of level values; generation 4 and deeper use the last
+struct ParamBlock;
 
-/// Values of the whole tree. Lengths in metres, angles in degrees. What each means stands in the parameter table.
-struct GlobalParams {
-    double scale, scaleV, zScale, zScaleV, baseSize, ratio, ratioPower, lobeDepth, lobeFade, rootReach, rootHeight,
-        flare, attractionUp;
-    double trunkScale, trunkScaleV;
-    double trunksSpread, trunksLean;
-    double leafScale, leafScaleX, leafBend, leafQuality, leafFold, leafStalk, leafRounding;
-    double season, blossomScale, blossomUp, blossomMonth, fruitScale, fruitScaleX, fruitStalk, fruitMonth;
-    double pruneRatio, pruneWidth, pruneWidthPeak, prunePowerLow, prunePowerHigh;
-    double textureWrapX, textureWrapY, minRadius;
-    int shape, levels, lobes, roots, baseSplits, leaves, leafShape, leafForm, cloneHalving, seed;
-    int trunks, evergreen, leafWhorl, leafPlanes, blossoms, blossomPlanes, fruits;
+/// Values that every tree has, however it grows. Lengths in metres. What each means stands in the table of parameters.
+struct CommonParams {
+    double minRadius, textureWrapX, textureWrapY;
+    double flare, lobeDepth, lobeFade, rootReach, rootHeight;
+    double season;
+    double leafScale, leafScaleX, leafBend, leafQuality, leafStalk, leafRounding;
+    Degrees leafFold;
+    double blossomScale, blossomUp, blossomMonth, fruitScale, fruitScaleX, fruitStalk, fruitMonth;
+    int seed, evergreen, lobes, roots;
+    int leafShape, leafForm, leafWhorl, leafPlanes, blossoms, blossomPlanes, fruits;
 
-    bool operator==(const GlobalParams&) const = default;
-};
-
-/// Values of one level: 0 the trunk, 1 the branches on it, …
-struct LevelParams {
-    double length, lengthV, taper;
-    double curve, curveBack, curveV;
-    double segSplits, splitAngle, splitAngleV;
-    double branchDist, branchDistV, downAngle, downAngleV, rotate, rotateV;
-    int curveRes, branches, whorl;
-
-    bool operator==(const LevelParams&) const = default;
+    bool operator==(const CommonParams&) const = default;
 };
 
 /// What a file says in words. Texture paths are relative to the file; empty = the built-in picture.
 struct TextParams {
-    std::string species, author, description, method, likedSeeds, barkTexture, leafTexture, blossomTexture,
-        fruitTexture;
+    std::string species, author, description, likedSeeds, barkTexture, leafTexture, blossomTexture, fruitTexture;
 
     bool operator==(const TextParams&) const = default;
 };
 
-/// Everything a user can set for one tree: a plain value, to be copied, compared and handed to other threads.
-struct CParams {
-    GlobalParams global;
-    std::array<LevelParams, kParamLevels> level;
+/// Everything a user can set for one tree: what all trees have, and the block of its way to grow. A plain value, to be
+/// copied, compared and handed to other threads.
+class CParams {
+public:
+    CommonParams common{};
     TextParams text;
 
-    CParams(); ///< the table's defaults
-    bool operator==(const CParams&) const = default;
+    /// The defaults of Weber and Penn's method, which files without a method have.
+    CParams();
+    /// The defaults of a method.
+    explicit CParams(const ParamBlock& block);
+
+    const ParamBlock& block() const { return *m_block; }
+    /// The values of the method, whose struct this has to be.
+    template <typename Block>
+    const Block& as() const {
+        const Block* own = std::any_cast<Block>(&m_values);
+        assert(own);
+        return *own;
+    }
+    template <typename Block>
+    Block& as() {
+        return const_cast<Block&>(std::as_const(*this).template as<Block>());
+    }
+    bool operator==(const CParams& other) const;
+
+private:
+    const ParamBlock* m_block;
+    std::any m_values;
 };
 
 } // namespace stromar

@@ -11,6 +11,6 @@ struct Phenology {
     double fruits;    ///< part of the fruits that hang
     double fruitSize; ///< of a fruit's full length
 };
-Phenology phenologyOf(const GlobalParams& global);
+Phenology phenologyOf(const CommonParams& global);
 
 } // namespace stromar

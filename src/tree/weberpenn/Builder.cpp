@@ -3,8 +3,8 @@
 #include "LeafGrower.h"
 #include "Placement.h"
 #include "StemAxis.h"
-#include "stromar/params/TreeParams.h"
-#include "stromar/tree/TreeBuilder.h"
+#include "stromar/params/methods/weberpenn/TreeParams.h"
+#include "stromar/tree/weberpenn/WeberPennBuilder.h"
 #include "stromar/util/Parallel.h"
 #include <cmath>
 #include <iterator>
@@ -72,8 +72,9 @@ void reserve(CGrownGeneration& whole, const std::vector<CGrownGeneration>& parts
 /// Finds where children of one generation grow on the stems of the one before.
 class CSiteFinder {
 public:
-    CSiteFinder(const CTreeParams& parents, const CTreeParams& children, const CRandom& random)
-        : m_parents(parents), m_children(children), m_random(random) {}
+    /// `base` is the form of the parents' bases.
+    CSiteFinder(const CTreeParams& parents, const BaseForm& base, const CTreeParams& children, const CRandom& random)
+        : m_parents(parents), m_base(base), m_children(children), m_random(random) {}
 
     std::vector<Site> find(const CGrownGeneration& generation, const CProgress& progress) const {
         const std::size_t count = generation.stems.size();
@@ -102,7 +103,7 @@ private:
         const double number = m_parents.calc().childCount(level.branches, generation.measuresOf(p)) / level.whorl;
         const double phase = generation.scratch[p].countPhase;
         const double error = centred(phase + 1.0 / 3 + m_random.phase(stem.id, kDrawCountPhase));
-        CRotation rotation(level.rotate);
+        CRotation rotation(level.rotate.radians());
         std::uint32_t path = stem.pathCount;
         distribute(generation, stem, m_parents.calc().bareLength(), number, error, [&](const SegmentShare& share) {
             if (share.path != path) rotation.startPath(generation.rotationPhase[stem.firstPath + share.path]);
@@ -120,7 +121,7 @@ private:
         for (int j = 0; j < level.whorl; ++j) {
             const int i = node * level.whorl + j;
             const std::uint64_t id = siteId(stem, generation.paths[stem.firstPath + share.path], share.position, i);
-            const double variation = m_random.vary(level.rotateV, id, kDrawRotation);
+            const double variation = m_random.vary(level.rotateV.radians(), id, kDrawRotation);
             if (j == 0) {
                 w = placeInSegment(share, node, level.branchDist, m_random.vary(level.branchDistV, id, kDrawPlace));
                 turn = rotation.next(variation);
@@ -164,7 +165,7 @@ private:
     /// The wood that a child has to fit on.
     double woodRadius(const StemMeasures& stem, double offset) const {
         const double tapered = taperProfile(m_parents.level().taper).radiusAt(offset, stem.length, stem.radius);
-        return m_parents.generation() > 0 ? tapered : tapered * baseFormOf(m_parents.global()).flareAt(offset / stem.length);
+        return m_base.flare == 0 ? tapered : tapered * m_base.flareAt(offset / stem.length);
     }
 
     static std::uint64_t siteId(const CStem& stem, const CPath& path, std::uint32_t position, int i) {
@@ -173,6 +174,7 @@ private:
     }
 
     const CTreeParams& m_parents;
+    BaseForm m_base;
     const CTreeParams& m_children;
     const CRandom& m_random;
 };
@@ -197,7 +199,7 @@ public:
 private:
     /// Weber & Penn §4.6; every segment's end of every path is tested.
     double prunedLength(const Site& site) const {
-        const double original = site.measures.length, ratio = m_params.global().pruneRatio;
+        const double original = site.measures.length, ratio = m_params.tree().pruneRatio;
         if (ratio == 0) return original;
         double fitted = original;
         while (!fits(site.base, fitted)) {
@@ -212,7 +214,7 @@ private:
     bool fits(const glm::dvec3& base, double length) const {
         for (const StemAxis::Segment& segment : m_axis.segments) {
             const glm::dvec3 end = base + length * m_axis.end(segment);
-            if (!insideEnvelope(end.x, end.y, end.z, m_params.global(), m_params.calc().scaleTree())) return false;
+            if (!insideEnvelope(end.x, end.y, end.z, m_params.tree(), m_params.calc().scaleTree())) return false;
         }
         return true;
     }
@@ -251,7 +253,7 @@ private:
                          std::uint32_t position) const {
         const double n = m_axis.curveRes, length = stem.length / n;
         const auto radius = [&](double along) { return m_taper.radiusAt(along, stem.length, stem.radius); };
-        const double curveV = m_params.level().curveV;
+        const double curveV = m_params.level().curveV.radians();
         return {.position = site.base + stem.length * form.position,
                 .frame = form.frame,
                 .start = position * length,
@@ -292,7 +294,7 @@ std::pair<double, double> placeOfTrunk(int i, int count) {
 }
 
 Site trunkSite(const CTreeParams& params, const CRandom& random, int i) {
-    const GlobalParams& g = params.global();
+    const WeberPennParams& g = params.tree();
     const auto [out, around] = placeOfTrunk(i, g.trunks);
     Site site{};
     site.id = i == 0 ? kTrunkId : hashCombine(kTrunkId, static_cast<std::uint64_t>(i));
@@ -300,7 +302,7 @@ Site trunkSite(const CTreeParams& params, const CRandom& random, int i) {
     site.frame = Frame(1.0);
     if (g.trunks > 1) {
         site.base = out * g.trunksSpread * glm::dvec3(std::cos(around), std::sin(around), 0);
-        site.frame = rotatedX(rotatedZ(site.frame, around + std::numbers::pi / 2), out * g.trunksLean);
+        site.frame = rotatedX(rotatedZ(site.frame, around + std::numbers::pi / 2), out * g.trunksLean.radians());
     }
     site.parent = -1;
     site.measures.lengthMax = params.level().length + random.vary(params.level().lengthV, site.id, kDrawLength);
@@ -311,23 +313,25 @@ Site trunkSite(const CTreeParams& params, const CRandom& random, int i) {
 }
 
 std::vector<Site> sitesOf(int generation, const std::vector<std::shared_ptr<const CGrownGeneration>>& grown,
-                          const std::vector<CTreeParams>& params, const CRandom& random, const CProgress& progress) {
+                          const std::vector<CTreeParams>& params, const BaseForm& base, const CRandom& random,
+                          const CProgress& progress) {
     const auto g = static_cast<std::size_t>(generation);
-    if (generation > 0) return CSiteFinder(params[g - 1], params[g], random).find(*grown[g - 1], progress);
+    if (generation > 0)
+        return CSiteFinder(params[g - 1], g == 1 ? base : BaseForm(), params[g], random).find(*grown[g - 1], progress);
     std::vector<Site> trunks;
-    for (int i = 0; i < params[0].global().trunks; ++i)
+    for (int i = 0; i < params[0].tree().trunks; ++i)
         if (const Site trunk = trunkSite(params[0], random, i); trunk.measures.length > kLeastLength)
             trunks.push_back(trunk);
     return trunks;
 }
 
 CRandom randomOf(const CParams& params, bool varied) {
-    return {static_cast<std::uint64_t>(static_cast<std::int64_t>(params.global.seed)), varied};
+    return {static_cast<std::uint64_t>(static_cast<std::int64_t>(params.common.seed)), varied};
 }
 } // namespace
 
 double scaleOfTree(const CParams& params, bool varied) {
-    const GlobalParams& g = params.global;
+    const WeberPennParams& g = weberPenn(params);
     return std::max(g.scale + randomOf(params, varied).vary(g.scaleV, kTrunkId, kDrawTreeScale), 0.1 * g.scale);
 }
 
@@ -335,7 +339,8 @@ std::shared_ptr<const CTree> CWeberPennBuilder::build(const CParams& params, con
                                                       const CProgress& progress) const {
     const CRandom random = randomOf(params, m_varied);
     const double scale = scaleOfTree(params, m_varied);
-    const int levels = params.global.levels;
+    const BaseForm base = baseFormOf(params.common);
+    const int levels = weberPenn(params).levels;
     std::vector<CTreeParams> seen;
     for (int g = 0; g <= levels; ++g) seen.emplace_back(params, g, scale);
     std::vector<std::shared_ptr<const CGrownGeneration>> grown;
@@ -344,13 +349,13 @@ std::shared_ptr<const CTree> CWeberPennBuilder::build(const CParams& params, con
         const auto slot = static_cast<std::size_t>(g);
         const bool kept = previous && g < firstInvalid && slot < previous->generationCount();
         grown.push_back(kept ? std::static_pointer_cast<const CGrownGeneration>(previous->generations()[slot])
-                             : growStems(seen[slot], random, sitesOf(g, grown, seen, random, progress), progress));
+                             : growStems(seen[slot], random, sitesOf(g, grown, seen, base, random, progress), progress));
     }
     const auto last = static_cast<std::size_t>(levels) - 1;
     OrganArrays organs;
     for (const Organ organ : kOrgans) {
         std::shared_ptr<const LeafArray>& all = organs[static_cast<std::size_t>(organ)];
-        const OrganRule rule = organRule(params.global, organ);
+        const OrganRule rule = organRule(params, organ);
         if (previous && firstInvalid > Invalidation::kLeaves)
             all = previous->shared(organ);
         else if (levels < 2 || rule.number == 0)
@@ -359,7 +364,7 @@ std::shared_ptr<const CTree> CWeberPennBuilder::build(const CParams& params, con
             all = CLeafGrower(seen[last], seen[last + 1], random, rule).grow(*grown[last], progress);
     }
     return std::make_shared<const CTree>(scale, std::vector<std::shared_ptr<const CGeneration>>(grown.begin(), grown.end()),
-                                         std::move(organs), baseFormOf(params.global));
+                                         std::move(organs), base);
 }
 
 } // namespace stromar

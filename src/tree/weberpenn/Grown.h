@@ -1,5 +1,5 @@
 #pragma once
-#include "stromar/params/Calculations.h"
+#include "stromar/params/methods/weberpenn/Calculations.h"
 #include "stromar/tree/Tree.h"
 
 namespace stromar {
@@ -11,7 +11,7 @@ inline RadiusProfile taperProfile(double taper) {
     return {0, taper - 2, RadiusProfile::Form::Spheres};
 }
 
-inline BaseForm baseFormOf(const GlobalParams& g) {
+inline BaseForm baseFormOf(const CommonParams& g) {
     return {g.flare, g.lobes, g.lobeDepth, g.lobeFade, g.roots, g.rootReach, g.rootHeight};
 }
 

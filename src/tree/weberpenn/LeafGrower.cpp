@@ -22,7 +22,8 @@ Frame raised(const Frame& frame, double rise) {
 double wrapped(double angle) { return std::remainder(angle, 2 * std::numbers::pi); }
 } // namespace
 
-OrganRule organRule(const GlobalParams& g, Organ organ) {
+OrganRule organRule(const CParams& params, Organ organ) {
+    const CommonParams& g = params.common;
     switch (organ) {
     case Organ::Blossom:
         return {
@@ -32,7 +33,7 @@ OrganRule organRule(const GlobalParams& g, Organ organ) {
     default: break;
     }
     const double length = g.leafScale / std::sqrt(g.leafQuality);
-    return {g.leaves, g.leafQuality, g.leafWhorl, length, length * g.leafScaleX, g.leafBend, 0, kDrawLeafId};
+    return {weberPenn(params).leaves, g.leafQuality, g.leafWhorl, length, length * g.leafScaleX, g.leafBend, 0, kDrawLeafId};
 }
 
 std::uint64_t CLeafGrower::leafId(const CStem& stem, const CPath& path, std::uint32_t position, int i) const {
@@ -75,9 +76,8 @@ std::shared_ptr<const LeafArray> CLeafGrower::grow(const CGrownGeneration& gener
 }
 
 double CLeafGrower::numberOn(const CGrownGeneration& generation, std::size_t stem) const {
-    const GlobalParams& g = m_bearing.global();
     const double along = generation.stems[stem].offset / generation.scratch[stem].parentLength;
-    return std::abs(m_rule.number) * shapeRatio(kTaperedShape, along, g) * m_rule.density;
+    return std::abs(m_rule.number) * shapeRatio(kTaperedShape, along, m_bearing.tree()) * m_rule.density;
 }
 
 double CLeafGrower::startError(const CGrownGeneration& generation, std::size_t stem) const {
@@ -112,7 +112,7 @@ void CLeafGrower::growOn(const CGrownGeneration& generation, std::uint32_t stem,
 
 void CLeafGrower::growAlong(const CGrownGeneration& generation, std::uint32_t s, CLeaf* leaf) const {
     const CStem& stem = generation.stems[s];
-    CRotation rotation(m_leafLevel.level().rotate);
+    CRotation rotation(m_leafLevel.level().rotate.radians());
     std::uint32_t path = stem.pathCount;
     distribute(generation, stem, m_bearing.calc().bareLength(), nodesOn(generation, s), startError(generation, s),
                [&](const SegmentShare& share) {
@@ -131,7 +131,7 @@ void CLeafGrower::growNode(const CGrownGeneration& generation, std::uint32_t s, 
     double w = 0, turn = 0;
     for (int j = 0; j < m_rule.whorl; ++j) {
         const std::uint64_t id = leafId(stem, own, share.position, node * m_rule.whorl + j);
-        const double variation = m_random.vary(level.rotateV, id, kDrawRotation);
+        const double variation = m_random.vary(level.rotateV.radians(), id, kDrawRotation);
         if (j == 0) {
             w = placeInSegment(share, node, 1, m_random.vary(level.branchDistV, id, kDrawPlace));
             turn = rotation.next(variation);
@@ -153,8 +153,8 @@ void CLeafGrower::growFans(const CGrownGeneration& generation, std::uint32_t s, 
         const int count = fanSize(generation, s, path);
         for (int i = 0; i < count; ++i) {
             const std::uint64_t id = leafId(stem, path, generation.curveRes, i);
-            const double inFan = count > 1 ? level.rotate * (double(i) / (count - 1) - 0.5) : 0;
-            const double turn = inFan + m_random.vary(level.rotateV, id, kDrawRotation);
+            const double inFan = count > 1 ? level.rotate.radians() * (double(i) / (count - 1) - 0.5) : 0;
+            const double turn = inFan + m_random.vary(level.rotateV.radians(), id, kDrawRotation);
             const double down = downAngle(level, m_bearing.calc(), generation.measuresOf(s), stem.length,
                                           m_random.uniform(id, kDrawDownAngle));
             *leaf++ = makeLeaf(last.centre(1), rotatedX(rotatedY(last.frame, turn), down), s);

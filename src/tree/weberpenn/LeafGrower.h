@@ -1,6 +1,6 @@
 #pragma once
 #include "Placement.h"
-#include "stromar/params/TreeParams.h"
+#include "stromar/params/methods/weberpenn/TreeParams.h"
 #include "stromar/tree/Tree.h"
 #include "stromar/util/Progress.h"
 #include "stromar/util/Random.h"
@@ -17,7 +17,7 @@ struct OrganRule {
     double rise;          ///< −1 hangs down, 0 stands off its stem, 1 stands upright
     std::uint32_t purpose;
 };
-OrganRule organRule(const GlobalParams& global, Organ organ);
+OrganRule organRule(const CParams& params, Organ organ);
 
 /// Grows the leaves, or what is placed like them, of the last generation (Weber & Penn §4.5, thesis §4.9). `bearing` is
 /// what that generation sees, `leafLevel` what the next one would: it places the leaves.

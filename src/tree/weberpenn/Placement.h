@@ -1,6 +1,6 @@
 #pragma once
 #include "Grown.h"
-#include "stromar/params/TreeParams.h"
+#include "stromar/params/methods/weberpenn/TreeParams.h"
 #include <algorithm>
 #include <cmath>
 #include <numbers>
@@ -72,8 +72,9 @@ private:
 /// The down angle of a child or leaf; `u` uniform in 0..1. Radians.
 inline double downAngle(const LevelParams& level, const CCalculations& parentCalc, const StemMeasures& parent,
                         double offset, double u) {
-    if (level.downAngleV < 0) return parentCalc.gradedDownAngle(level.downAngle, level.downAngleV, parent, offset);
-    return level.downAngle + level.downAngleV * (2 * u - 1);
+    const double angle = level.downAngle.radians(), variation = level.downAngleV.radians();
+    if (variation < 0) return parentCalc.gradedDownAngle(angle, variation, parent, offset);
+    return angle + variation * (2 * u - 1);
 }
 
 } // namespace stromar

@@ -55,20 +55,21 @@ void CAxisGrower::bend(std::size_t p, int k, const StemAxis& axis) {
     Growing& growing = m_growing[p];
     const double n = axis.curveRes;
     const bool upperHalf = 2 * k >= axis.curveRes;
-    const double curve = level.curveBack == 0 ? level.curve / n : (upperHalf ? level.curveBack : level.curve) / (n / 2);
+    const double curve = level.curveBack == 0 ? level.curve.radians() / n
+                                              : (upperHalf ? level.curveBack : level.curve).radians() / (n / 2);
     growing.frame = rotatedX(growing.frame, curve + growing.correction);
-    if (level.curveV > 0) {
+    if (level.curveV.value > 0) {
         const std::uint64_t here = place(axis.paths[p].id, k);
         const double around = kTurn * m_random.uniform(m_id, kDrawCurveAxis, here);
         const glm::dvec3 bendAxis = std::cos(around) * growing.frame[0] + std::sin(around) * growing.frame[1];
         growing.frame =
-            rotatedAbout(growing.frame, bendAxis, m_random.vary(level.curveV, m_id, kDrawCurveAngle, here) / n);
+            rotatedAbout(growing.frame, bendAxis, m_random.vary(level.curveV.radians(), m_id, kDrawCurveAngle, here) / n);
     }
     if (m_params.generation() >= 2) attractUp(growing.frame);
 }
 
 void CAxisGrower::attractUp(Frame& frame) const {
-    const double attraction = m_params.global().attractionUp;
+    const double attraction = m_params.tree().attractionUp;
     if (attraction == 0) return;
     const double up = attraction * declination(frame) * frame[1].z / m_params.level().curveRes;
     frame = rotatedX(frame, -up);
@@ -76,19 +77,19 @@ void CAxisGrower::attractUp(Frame& frame) const {
 
 void CAxisGrower::split(std::size_t p, int k, StemAxis& axis) {
     const LevelParams& level = m_params.level();
-    const bool atBase = m_params.generation() == 0 && k == 0 && m_params.global().baseSplits > 0;
+    const bool atBase = m_params.generation() == 0 && k == 0 && m_params.tree().baseSplits > 0;
     const int clones = cloneCount(m_growing[p], atBase);
     if (clones == 0) return;
     const CPath source = axis.paths[p];
     const std::uint64_t here = place(source.id, k);
     const double lean = declination(m_growing[p].frame);
     const double angle =
-        std::max(0.0, level.splitAngle + m_random.vary(level.splitAngleV, m_id, kDrawSplitAngle, here) - lean);
+        std::max(0.0, level.splitAngle.radians() + m_random.vary(level.splitAngleV.radians(), m_id, kDrawSplitAngle, here) - lean);
     Growing& growing = m_growing[p];
     growing.frame = rotatedX(growing.frame, angle);
     growing.correction -= angle / (axis.curveRes - 1 - k);
     growing.density /= clones + 1;
-    growing.halved = growing.halved || (!atBase && m_params.global().cloneHalving != 0);
+    growing.halved = growing.halved || (!atBase && m_params.tree().cloneHalving != 0);
     axis.segments[source.firstSegment + static_cast<std::uint32_t>(k) - source.firstPosition].forks = true;
     for (int j = 1; j <= clones; ++j) {
         Growing clone = m_growing[p];
@@ -103,7 +104,7 @@ void CAxisGrower::split(std::size_t p, int k, StemAxis& axis) {
 }
 
 int CAxisGrower::cloneCount(const Growing& growing, bool atBase) {
-    if (atBase) return m_params.global().baseSplits;
+    if (atBase) return m_params.tree().baseSplits;
     const double wanted = m_params.level().segSplits * (growing.halved ? 0.5 : 1);
     const double count = std::floor(wanted + m_splitError + 0.5);
     m_splitError -= count - wanted;
@@ -114,7 +115,7 @@ double CAxisGrower::spreadAngle(bool atBase, int clones, int j, double lean, std
     const std::uint64_t here = hashCombine(place(pathId, k), static_cast<std::uint64_t>(j));
     if (atBase || clones >= 2) {
         const double evenly = kTurn * j / (clones + 1);
-        return atBase ? evenly + m_random.vary(m_params.level().splitAngleV, m_id, kDrawBaseSpread, here) : evenly;
+        return atBase ? evenly + m_random.vary(m_params.level().splitAngleV.radians(), m_id, kDrawBaseSpread, here) : evenly;
     }
     const double u = m_random.uniform(m_id, kDrawSpreadSize, here);
     const double degrees = 20 + 0.75 * (30 + std::abs(lean / kRadiansPerDegree - 90)) * u * u;

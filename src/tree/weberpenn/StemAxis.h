@@ -1,5 +1,5 @@
 #pragma once
-#include "stromar/params/TreeParams.h"
+#include "stromar/params/methods/weberpenn/TreeParams.h"
 #include "stromar/tree/Tree.h"
 #include "stromar/util/Random.h"
 #include <vector>

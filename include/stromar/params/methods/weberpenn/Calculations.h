@@ -1,12 +1,12 @@
 #pragma once
-#include "stromar/params/Params.h"
+#include "stromar/params/methods/weberpenn/WeberPennParams.h"
 #include <memory>
 
 namespace stromar {
 
 /// Relative branch length by crown shape 0..8 (Weber & Penn §4.3). `ratio` is 1 at the bottom of the crown, 0 at its
 /// top; shape 8 is the pruning envelope and takes its profile from `global`.
-double shapeRatio(int shape, double ratio, const GlobalParams& global);
+double shapeRatio(int shape, double ratio, const WeberPennParams& global);
 
 /// The measures of one stem that formulas use. Metres.
 struct StemMeasures {
@@ -20,7 +20,7 @@ struct StemMeasures {
 /// The formulas of one kind of stem. Pure: everything that varies is an argument. Lengths in metres, angles in radians.
 class CCalculations {
 public:
-    CCalculations(const GlobalParams& global, double scaleTree) : m_global(global), m_scaleTree(scaleTree) {}
+    CCalculations(const WeberPennParams& params, double scaleTree) : m_params(params), m_scaleTree(scaleTree) {}
     virtual ~CCalculations() = default;
 
     /// The length of a stem of this kind that sits at `offset` on `parent` (Weber & Penn §4.3).
@@ -38,9 +38,9 @@ public:
     double scaleTree() const { return m_scaleTree; }
 
 protected:
-    double lengthBase() const { return m_global.baseSize * m_scaleTree; }
+    double lengthBase() const { return m_params.baseSize * m_scaleTree; }
 
-    const GlobalParams m_global;
+    const WeberPennParams m_params;
     double m_scaleTree;
 };
 
@@ -70,6 +70,6 @@ public:
 };
 
 /// Whether a point lies inside the pruning envelope (Weber & Penn §4.6). Metres, the trunk's base at the origin.
-bool insideEnvelope(double x, double y, double z, const GlobalParams& global, double scaleTree);
+bool insideEnvelope(double x, double y, double z, const WeberPennParams& global, double scaleTree);
 
 } // namespace stromar

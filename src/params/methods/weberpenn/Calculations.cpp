@@ -1,4 +1,4 @@
-#include "stromar/params/Calculations.h"
+#include "stromar/params/methods/weberpenn/Calculations.h"
 #include <algorithm>
 #include <cmath>
 #include <numbers>
@@ -10,7 +10,7 @@ constexpr double kPi = std::numbers::pi;
 
 double flame(double r) { return r <= 0.7 ? r / 0.7 : (1 - r) / 0.3; }
 
-double envelopeRatio(double r, const GlobalParams& g) {
+double envelopeRatio(double r, const WeberPennParams& g) {
     if (r < 0 || r > 1) return 0;
     const double peak = g.pruneWidthPeak;
     if (r < 1 - peak) return std::pow(r / (1 - peak), g.prunePowerHigh);
@@ -18,7 +18,7 @@ double envelopeRatio(double r, const GlobalParams& g) {
 }
 } // namespace
 
-double shapeRatio(int shape, double ratio, const GlobalParams& global) {
+double shapeRatio(int shape, double ratio, const WeberPennParams& global) {
     if (shape == 8) return envelopeRatio(ratio, global);
     const double r = std::clamp(ratio, 0.0, 1.0);
     switch (shape) {
@@ -36,11 +36,11 @@ double shapeRatio(int shape, double ratio, const GlobalParams& global) {
 double CCalculations::gradedDownAngle(double downAngle, double downAngleV, const StemMeasures& stem,
                                       double offset) const {
     const double ratio = (stem.length - offset) / (stem.length - bareLength());
-    return downAngle + downAngleV * (1 - 2 * shapeRatio(0, ratio, m_global));
+    return downAngle + downAngleV * (1 - 2 * shapeRatio(0, ratio, m_params));
 }
 
 double CCalculations::childRadius(const StemMeasures& parent, double childLength, double woodThere) const {
-    return std::min(parent.radius * std::pow(childLength / parent.length, m_global.ratioPower), woodThere);
+    return std::min(parent.radius * std::pow(childLength / parent.length, m_params.ratioPower), woodThere);
 }
 
 double CTrunkCalc::length(double lengthMax, const StemMeasures&, double) const { return lengthMax * m_scaleTree; }
@@ -49,7 +49,7 @@ double CTrunkCalc::childCount(double branches, const StemMeasures&) const { retu
 
 double C0BranchCalc::length(double lengthMax, const StemMeasures& parent, double offset) const {
     const double ratio = (parent.length - offset) / (parent.length - lengthBase());
-    return parent.length * lengthMax * shapeRatio(m_global.shape, ratio, m_global);
+    return parent.length * lengthMax * shapeRatio(m_params.shape, ratio, m_params);
 }
 
 double C0BranchCalc::childCount(double branches, const StemMeasures& stem) const {
@@ -64,7 +64,7 @@ double C1BranchCalc::childCount(double branches, const StemMeasures& stem) const
     return branches * (1 - 0.5 * stem.offset / stem.parentLength);
 }
 
-bool insideEnvelope(double x, double y, double z, const GlobalParams& global, double scaleTree) {
+bool insideEnvelope(double x, double y, double z, const WeberPennParams& global, double scaleTree) {
     const double ratio = (scaleTree - z) / (scaleTree * (1 - global.baseSize));
     return std::hypot(x, y) / scaleTree < global.pruneWidth * shapeRatio(8, ratio, global);
 }

@@ -17,7 +17,7 @@ double rise(double from, double to, double x) { return std::clamp((x - from) / (
 double monthsFrom(double month, double now) { return std::remainder(now - month, kYear); }
 } // namespace
 
-Phenology phenologyOf(const GlobalParams& g) {
+Phenology phenologyOf(const CommonParams& g) {
     Phenology now{1, 1, 1, 1, 1};
     if (g.evergreen == 0) {
         now.leaves = std::min(rise(kBudBreak, kBudBreak + 0.4, g.season), 1 - rise(kLeafFall, kBare, g.season));

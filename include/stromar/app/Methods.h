@@ -1,0 +1,39 @@
+#pragma once
+#include "stromar/app/Guides.h"
+#include "stromar/params/ParamTable.h"
+#include "stromar/tree/SizeBound.h"
+#include "stromar/tree/TreeBuilder.h"
+#include <memory>
+#include <span>
+
+namespace stromar {
+
+/// The tree that help pictures change one value of, as `Key=value …`; `n` in a key stands for the level.
+struct DemoPlant {
+    std::string_view settings{};
+    /// What the pictures of one value have besides.
+    std::string_view (*settingsOf)(const ParamRef& ref) = nullptr;
+};
+
+/// A way to grow trees: one row of the table of methods. Files, command line, window, prediction and manual take all
+/// they need to know from here.
+struct TreeMethod {
+    const ParamBlock* block; ///< its word, label, help, table and groups
+    /// `varied` false replaces every random number by its middle value.
+    std::unique_ptr<ITreeBuilder> (*makeBuilder)(bool varied);
+    SizeBound (*bound)(const CParams& params);
+    std::span<const Guide> guides{}; ///< drawn around the tree, with handles
+    DemoPlant demonstration{};
+    /// The generation of stems that a value is about, for the picture: kLeaves, kNoGeneration. Null: none.
+    int (*generationOf)(const ParamRef& ref, const CParams& params) = nullptr;
+
+    static constexpr int kLeaves = -1, kNone = -100;
+};
+
+/// All that are known, in the order of File ▸ New.
+std::span<const TreeMethod> treeMethods();
+const TreeMethod& methodOf(const CParams& params);
+/// Adds one more; once, before threads start.
+void registerMethod(const TreeMethod& method);
+
+} // namespace stromar
