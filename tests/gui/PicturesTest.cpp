@@ -1,4 +1,4 @@
-#include "util/PictureDifference.h"
+#include "PictureDifference.h"
 #include <QDir>
 #include <QDirIterator>
 #include <QImage>
@@ -20,15 +20,6 @@ std::vector<test::PictureArea> timesIn(const QString& name, const QSize& size) {
     return areas;
 }
 
-/// Both have the same size.
-test::TileDifference difference(const QImage& a, const QImage& b, const QString& name) {
-    const auto bytes = [](const QImage& image) {
-        return test::PictureBytes{image.width(), image.height(), {image.constBits(), std::size_t(image.sizeInBytes())}};
-    };
-    return test::worstTile(bytes(a.convertToFormat(QImage::Format_RGBA8888)),
-                           bytes(b.convertToFormat(QImage::Format_RGBA8888)), timesIn(name, a.size()));
-}
-
 QImage manualPicture(const QString& name) { return QImage(QStringLiteral(STROMAR_SOURCE "/docs/images/") + name); }
 
 TEST(Pictures, OfTheManualShowTheProgramAsItIs) {
@@ -47,7 +38,7 @@ TEST(Pictures, OfTheManualShowTheProgramAsItIs) {
         const QImage now(path), shown = manualPicture(name);
         ASSERT_FALSE(shown.isNull()) << name.toStdString() << ": run script/make-pictures";
         ASSERT_EQ(now.size(), shown.size()) << name.toStdString() << ": run script/make-pictures";
-        const test::TileDifference worst = difference(now, shown, name);
+        const test::TileDifference worst = worstTile(now, shown, timesIn(name, now.size()));
         EXPECT_LT(worst.mean, test::kMostTileDifference)
             << name.toStdString() << ' ' << worst << ": run script/make-pictures and look";
     }
@@ -63,7 +54,7 @@ TEST(Pictures, ShowWhenThePanelIsBlank) {
         QImage blank = shown;
         const QImage mean = shown.copy(part).scaled(1, 1, Qt::IgnoreAspectRatio, Qt::SmoothTransformation);
         QPainter(&blank).fillRect(part, mean.pixelColor(0, 0));
-        const test::TileDifference worst = difference(blank, shown, name);
+        const test::TileDifference worst = worstTile(blank, shown, timesIn(name, shown.size()));
         EXPECT_GT(worst.mean, 5 * test::kMostTileDifference) << worst;
         EXPECT_TRUE(part.adjusted(-8, -8, 0, 0).contains(worst.x, worst.y)) << worst;
     }
