@@ -1,8 +1,9 @@
 #include "cli/Cli.h"
+#include "stromar/params/TreeFile.h"
+#include "util/PictureDifference.h"
 #include "util/TemporaryFolder.h"
 #include <algorithm>
 #include <array>
-#include <cstdlib>
 #include <gtest/gtest.h>
 #include <png.h>
 
@@ -13,6 +14,7 @@ struct Picture {
     unsigned width = 0, height = 0;
     std::vector<std::uint8_t> rgba;
 
+    PictureBytes bytes() const { return {static_cast<int>(width), static_cast<int>(height), rgba}; }
     std::array<int, 4> mean(unsigned x0, unsigned y0, unsigned x1, unsigned y1) const {
         std::array<int, 4> sum{};
         for (unsigned y = y0; y < y1; ++y)
@@ -129,16 +131,39 @@ std::vector<std::string> presetNames() {
 INSTANTIATE_TEST_SUITE_P(Slow, SpeciesPicture, ::testing::ValuesIn(presetNames()),
                          [](const auto& name) { return name.param; });
 
-TEST_P(SpeciesPicture, IsThatOfTheManual) {
+/// How far a preset, with more words for the command line, is from its picture in the manual.
+TileDifference differenceFromTheManual(const std::string& preset, const Words& more = {}) {
     const CTemporaryFolder folder;
     const std::string path = (folder.path() / "now.png").string();
-    const ProcessResult run = cli({"render", presetFile(GetParam()), "-o", path, "--size", "192x192", "--quiet"});
-    ASSERT_EQ(run.status, 0) << run.err;
-    const Picture now = readPng(path), shown = readPng(STROMAR_SOURCE "/docs/images/presets/" + GetParam() + ".png");
-    ASSERT_EQ(now.rgba.size(), shown.rgba.size()) << "run script/make-species";
-    double difference = 0;
-    for (std::size_t i = 0; i < now.rgba.size(); ++i) difference += std::abs(int(now.rgba[i]) - int(shown.rgba[i]));
-    EXPECT_LT(difference / double(now.rgba.size()), 2) << "run script/make-species and look";
+    Words words{"render", presetFile(preset), "-o", path, "--size", "192x192", "--quiet"};
+    words.insert(words.end(), more.begin(), more.end());
+    const ProcessResult run = cli(words);
+    EXPECT_EQ(run.status, 0) << run.err;
+    const Picture now = readPng(path), shown = readPng(STROMAR_SOURCE "/docs/images/presets/" + preset + ".png");
+    if (now.rgba.empty() || now.width != shown.width || now.height != shown.height) {
+        ADD_FAILURE() << "no pictures of one size: run script/make-species";
+        return {};
+    }
+    return worstTile(now.bytes(), shown.bytes());
+}
+
+TEST_P(SpeciesPicture, IsThatOfTheManual) {
+    const TileDifference worst = differenceFromTheManual(GetParam());
+    EXPECT_LT(worst.mean, kMostTileDifference) << worst << ": run script/make-species and look";
+}
+
+/// Species whose trunk is seen: thick and thin, bare and between branches.
+class TrunkPicture : public ::testing::TestWithParam<std::string> {};
+INSTANTIATE_TEST_SUITE_P(Slow, TrunkPicture,
+                         ::testing::Values("black_tupelo", "coconut_palm", "italian_cypress", "lombardy_poplar",
+                                           "norway_spruce", "quaking_aspen", "sapling", "silver_birch"),
+                         [](const auto& name) { return name.param; });
+
+TEST_P(TrunkPicture, ShowsWhenTheTrunkIsTooThick) {
+    const double factor = CTreeFile::read(presetFile(GetParam())).params().global.trunkScale;
+    const TileDifference worst =
+        differenceFromTheManual(GetParam(), {"--set", "0Scale=" + std::to_string(1.5 * factor)});
+    EXPECT_GT(worst.mean, 1.5 * kMostTileDifference) << worst;
 }
 
 } // namespace stromar::test

@@ -1,24 +1,26 @@
+#include "PictureDifference.h"
 #include <QDir>
 #include <QDirIterator>
 #include <QImage>
+#include <QPainter>
 #include <QProcess>
 #include <QTemporaryDir>
 #include <gtest/gtest.h>
+#include <vector>
 
 namespace stromar {
 namespace {
 
-/// Mean difference of the channels, 0..255.
-double difference(const QImage& a, const QImage& b) {
-    double sum = 0;
-    for (int y = 0; y < a.height(); ++y)
-        for (int x = 0; x < a.width(); ++x) {
-            const QRgb p = a.pixel(x, y), q = b.pixel(x, y);
-            sum += std::abs(qRed(p) - qRed(q)) + std::abs(qGreen(p) - qGreen(q)) + std::abs(qBlue(p) - qBlue(q)) +
-                   std::abs(qAlpha(p) - qAlpha(q));
-        }
-    return sum / (4.0 * a.width() * a.height());
+/// Where a picture of the window tells how long something took.
+std::vector<test::PictureArea> timesIn(const QString& name, const QSize& size) {
+    if (name.contains(QLatin1Char('/'))) return {}; // no window
+    constexpr int kStatusLine = 27;
+    std::vector<test::PictureArea> areas{{0, size.height() - kStatusLine, size.width(), kStatusLine}};
+    if (name == QLatin1String("guide.png")) areas.push_back({214, 171, 277, 18}); // the last line of the statistics
+    return areas;
 }
+
+QImage manualPicture(const QString& name) { return QImage(QStringLiteral(STROMAR_SOURCE "/docs/images/") + name); }
 
 TEST(Pictures, OfTheManualShowTheProgramAsItIs) {
     QTemporaryDir folder;
@@ -33,13 +35,29 @@ TEST(Pictures, OfTheManualShowTheProgramAsItIs) {
     for (QDirIterator files(folder.path(), {QStringLiteral("*.png")}, QDir::Files, QDirIterator::Subdirectories);
          files.hasNext(); ++count) {
         const QString path = files.next(), name = QDir(folder.path()).relativeFilePath(path);
-        const QImage now(path), shown(QStringLiteral(STROMAR_SOURCE "/docs/images/") + name);
+        const QImage now(path), shown = manualPicture(name);
         ASSERT_FALSE(shown.isNull()) << name.toStdString() << ": run script/make-pictures";
         ASSERT_EQ(now.size(), shown.size()) << name.toStdString() << ": run script/make-pictures";
-        // Times in the status line and the edges of leaves may differ.
-        EXPECT_LT(difference(now, shown), 3) << name.toStdString() << ": run script/make-pictures and look";
+        const test::TileDifference worst = worstTile(now, shown, timesIn(name, now.size()));
+        EXPECT_LT(worst.mean, test::kMostTileDifference)
+            << name.toStdString() << ' ' << worst << ": run script/make-pictures and look";
     }
     EXPECT_GT(count, 50);
+}
+
+TEST(Pictures, ShowWhenThePanelIsBlank) {
+    const QString name = QStringLiteral("window.png");
+    const QImage shown = manualPicture(name).convertToFormat(QImage::Format_RGB32);
+    ASSERT_EQ(shown.size(), QSize(1280, 800));
+    const QRect panel(820, 128, 444, 642), season(840, 530, 420, 28);
+    for (const QRect& part : {panel, season}) {
+        QImage blank = shown;
+        const QImage mean = shown.copy(part).scaled(1, 1, Qt::IgnoreAspectRatio, Qt::SmoothTransformation);
+        QPainter(&blank).fillRect(part, mean.pixelColor(0, 0));
+        const test::TileDifference worst = worstTile(blank, shown, timesIn(name, shown.size()));
+        EXPECT_GT(worst.mean, 5 * test::kMostTileDifference) << worst;
+        EXPECT_TRUE(part.adjusted(-8, -8, 0, 0).contains(worst.x, worst.y)) << worst;
+    }
 }
 
 } // namespace

@@ -1,6 +1,7 @@
 // glTF by the Khronos validator and by the standard's own rules; large formats by Blender.
 #include "cli/Process.h"
 #include "io/ExportedModels.h"
+#include "io/Tools.h"
 #include "stromar/app/Export.h"
 #include "stromar/mesh/Shading.h"
 #include "stromar/util/FileSet.h"
@@ -41,12 +42,13 @@ Json validate(const fs::path& path) {
 bool validatorIsInstalled() { return fs::exists(STROMAR_BIN "/../node_modules/gltf-validator"); }
 } // namespace
 
-class GltfFile : public testing::TestWithParam<const char*> {};
+class GltfFile : public testing::TestWithParam<const char*> {
+    void SetUp() override { needTool(validatorIsInstalled(), "the validator of glTF files (npm)"); }
+};
 INSTANTIATE_TEST_SUITE_P(All, GltfFile, testing::Values(".glb", ".gltf"),
                          [](const auto& one) { return std::string(one.param + 1); });
 
 TEST_P(GltfFile, HasNoErrorsOrWarnings) {
-    if (!validatorIsInstalled()) GTEST_SKIP() << "the validator is not installed (npm)";
     const CTemporaryFolder folder;
     const fs::path single = folder / ("one" + std::string(GetParam())),
                    lods = folder / ("lods" + std::string(GetParam()));
@@ -134,12 +136,13 @@ TEST(Shading, TheCrownsInsideAndForksAreDarker) {
     EXPECT_GT(*std::ranges::max_element(branches.openness), 250);
 }
 
-class BlenderReads : public testing::TestWithParam<const char*> {};
+class BlenderReads : public testing::TestWithParam<const char*> {
+    void SetUp() override { needTool(runProcess({"blender", "--version"}).status == 0, "Blender"); }
+};
 INSTANTIATE_TEST_SUITE_P(Slow, BlenderReads, testing::Values(".glb", ".gltf", ".obj", ".dae"),
                          [](const auto& one) { return std::string(one.param + 1); });
 
 TEST_P(BlenderReads, TheWholeModel) {
-    if (runProcess({"blender", "--version"}).status != 0) GTEST_SKIP() << "Blender is not installed";
     const TreeModel& model = sampleModel("aspen");
     const CExported file(model, GetParam());
     const ProcessResult run = runProcess(
