@@ -115,7 +115,7 @@ double leafAreaKept(const TreeModel& model) {
         return std::min(1.0, model.cards->area() * twig->shownArea / twig->cardArea() / twig->allLeafArea);
     const double all = double(model.tree->leaves().size());
     const double drawn = double(model.leaves()->vertexCount() / verticesPerOrgan(meshParamsOf(model.params), Organ::Leaf, *model.detail));
-    return drawn > 0 ? std::min(1.0, kMostLeafGrowth * kMostLeafGrowth * drawn / all) : all > 0 ? 0 : 1;
+    return drawn > 0 ? std::min(1.0, kMaxLeafGrowth * kMaxLeafGrowth * drawn / all) : all > 0 ? 0 : 1;
 }
 
 /// Leaves by generation and stem.

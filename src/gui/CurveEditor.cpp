@@ -177,7 +177,7 @@ void CCurveEditor::mouseReleaseEvent(QMouseEvent* event) {
 
 void CCurveEditor::mouseDoubleClickEvent(QMouseEvent* event) {
     m_dragged = false;
-    if (grip(event->position()) || m_curve.points().size() >= CCurve::kMostPoints) return;
+    if (grip(event->position()) || m_curve.points().size() >= CCurve::kMaxPoints) return;
     const CCurve::Point point = pointAt(event->position(), !(event->modifiers() & Qt::ShiftModifier));
     std::vector<CCurve::Point> points = m_curve.points();
     const auto right = std::ranges::upper_bound(points, point.x, {}, &CCurve::Point::x);

@@ -14,7 +14,7 @@ namespace stromar {
 
 namespace {
 constexpr int kWidth = 330, kHeight = 120, kCaption = 30; // of the whole row of pictures
-constexpr int kMostColumns = 5;
+constexpr int kMaxColumns = 5;
 
 /// A triangle ready to be painted.
 struct Face {
@@ -124,7 +124,7 @@ QImage helpPicture(const ParamRef& ref, const QPalette& palette, qreal ratio) {
     for (const Demonstration& shown : demonstrationsOf(ref)) pictures.push_back(makePicture(ref, shown, palette));
     if (pictures.empty()) return {};
     const int count = static_cast<int>(pictures.size());
-    const int rows = (count + kMostColumns - 1) / kMostColumns, columns = (count + rows - 1) / rows;
+    const int rows = (count + kMaxColumns - 1) / kMaxColumns, columns = (count + rows - 1) / rows;
     // One scale for all, so that sizes compare.
     QRectF metres(0, 0, 0, 0);
     for (const Picture& picture : pictures) {

@@ -15,6 +15,7 @@
 #include "Theme.h"
 #include "Thumbnails.h"
 #include "Variants.h"
+#include "stromar/app/Methods.h"
 #include "stromar/app/Prediction.h"
 #include "stromar/app/Randomise.h"
 #include <QAbstractButton>
@@ -59,7 +60,7 @@ CMainWindow::CMainWindow(const SizeLimits& limits, std::shared_ptr<CDocument> do
     : QMainWindow(parent), m_document(document ? std::move(document) : std::make_shared<CDocument>()),
       m_thumbnails(new CThumbnails(this)), m_viewport(new CViewport), m_panel(new CParamPanel),
       m_presets(new CPresetBrowser(*m_thumbnails)), m_variants(new CVariants(*m_thumbnails)), m_bar(new CMessageBar),
-      m_desk(new CViewDesk(*m_viewport, *m_panel, *m_document, this)),
+      m_viewController(new CViewController(*m_viewport, *m_panel, *m_document, this)),
       m_autosave(std::make_unique<CAutosave>(CAutosave::standardFolder())), m_limits(limits),
       m_thread(std::make_unique<CTreeCreatorThread>(std::make_unique<CTreeCreator>(true, limits))) {
     initResources();
@@ -191,9 +192,22 @@ void CMainWindow::makeActions() {
             if (bar->actions().size() > 0 && (command.startsGroup || newMenu)) bar->addSeparator();
             bar->addAction(action);
         }
+        if (QLatin1String(command.name) == QLatin1String("new")) addMethods(*menu);
         if (QLatin1String(command.name) == QLatin1String("open")) m_recentMenu = menu->addMenu(tr("Open &Recent"));
     }
     fillRecentMenu();
+}
+
+/// A new tree of each way to grow.
+void CMainWindow::addMethods(QMenu& menu) {
+    if (treeMethods().size() < 2) return; // the command itself starts the only one
+    QMenu* methods = menu.addMenu(tr("New &Tree by"));
+    for (const TreeMethod& method : treeMethods()) {
+        const ParamBlock& block = *method.block;
+        QAction* action = methods->addAction(trText(block.label), this, [this, &block] { startNew(block); });
+        action->setObjectName(QStringLiteral("new:") + toQString(block.method));
+        action->setStatusTip(trText(block.help));
+    }
 }
 
 void CMainWindow::restoreSwitches() {
@@ -214,7 +228,7 @@ void CMainWindow::makeStatusBar() {
     m_progress->setRange(0, 1000);
     m_progress->setFixedWidth(110);
     m_progress->setTextVisible(false);
-    m_progress->setToolTip(tr("The tree is growing; Esc gives it up"));
+    m_progress->setToolTip(tr("The tree is growing; Esc cancels"));
     QSizePolicy keepsRoom = m_progress->sizePolicy();
     keepsRoom.setRetainSizeWhenHidden(true);
     m_progress->setSizePolicy(keepsRoom);
@@ -229,11 +243,11 @@ void CMainWindow::connectParts() {
             [this](const ParamRef& text) { chooseTexture(QByteArray::fromStdString(text.key())); });
     connect(m_panel, &CParamPanel::workshopWanted, this, [this](const ParamRef& text) { openWorkshop(text); });
     connect(m_panel, &CParamPanel::released, this, [this] { m_pause.start(); });
-    connect(m_desk, &CViewDesk::released, this, [this] { m_pause.start(); });
-    const auto relight = [this] { m_desk->setLook([this](ViewLook& look) { m_light->applyTo(look); }); };
+    connect(m_viewController, &CViewController::released, this, [this] { m_pause.start(); });
+    const auto relight = [this] { m_viewController->setLook([this](ViewLook& look) { m_light->applyTo(look); }); };
     connect(m_light, &CLightPanel::changed, this, relight);
     relight();
-    connect(m_desk, &CViewDesk::notice, m_notice, &QLabel::setText);
+    connect(m_viewController, &CViewController::notice, m_notice, &QLabel::setText);
     connect(m_presets, &CPresetBrowser::chosen, this, &CMainWindow::openPreset);
     connect(m_presets, &CPresetBrowser::saveWanted, this, &CMainWindow::savePreset);
     connect(m_thread.get(), &CTreeCreatorThread::created, this, &CMainWindow::onCreated);
@@ -327,7 +341,7 @@ void CMainWindow::showOnly(Model model) {
 
 void CMainWindow::onReplaced() {
     m_recentreNext = true;
-    m_desk->clearSelection();
+    m_viewController->clearSelection();
     m_watch.watch(m_document->path());
     m_bar->dismiss(QLatin1String(kAboutFile));
     updateTitle();
@@ -338,7 +352,7 @@ void CMainWindow::onReplaced() {
 void CMainWindow::onChanged() {
     m_panel->showParams(m_document->params(), m_document->savedParams());
     m_variants->showParams(m_document->params(), m_document->folder());
-    m_desk->updateOverlay();
+    m_viewController->updateOverlay();
     updateTextures();
     updateAutosave();
     m_notice->clear();
@@ -405,13 +419,13 @@ void CMainWindow::request(Model model, bool anew) {
 
 /// The full model follows when the hand rests.
 void CMainWindow::requestFull() {
-    if (m_panel->held() || m_desk->held() || m_only) return;
+    if (m_panel->held() || m_viewController->held() || m_only) return;
     request(Model::Full);
 }
 
 void CMainWindow::onCreated(const std::shared_ptr<const ViewModel>& view) {
     m_shown = view;
-    m_desk->show(view);
+    m_viewController->show(view);
     if (m_recentreNext && view->model->params == m_document->params()) { // not a late picture of the document before
         m_viewport->recentre();
         m_recentreNext = false;
@@ -520,12 +534,12 @@ void CMainWindow::stop() {
     m_pause.stop();
     if (m_thread->progress()) m_notice->setText(tr("Stopped; F6 grows the full model"));
     m_thread->cancel();
-    m_desk->clearSelection();
+    m_viewController->clearSelection();
 }
 
-void CMainWindow::setWires(Wires wires, const char* other) {
-    if (wires != Wires::Off) findChild<QAction*>(QLatin1String(other))->setChecked(false);
-    m_desk->setLook([wires](ViewLook& look) { look.wires = wires; });
+void CMainWindow::setWireframe(Wireframe wireframe, const char* other) {
+    if (wireframe != Wireframe::Off) findChild<QAction*>(QLatin1String(other))->setChecked(false);
+    m_viewController->setLook([wireframe](ViewLook& look) { look.wireframe = wireframe; });
 }
 
 void CMainWindow::showManual() {
@@ -543,7 +557,7 @@ void CMainWindow::showShortcuts() {
     QString text = QStringLiteral("<p><b>%1</b></p><table>").arg(tr("In the picture"));
     for (const MouseGesture& gesture : navigationNamed(CSettings::instance().text("navigation")).gestures)
         text += row(gestureText(gesture), motionText(gesture.motion));
-    text += row(tr("Wheel"), tr("Nearer and farther")) + row(tr("Click"), tr("Tell about the stem or leaf")) +
+    text += row(tr("Wheel"), tr("Nearer and farther")) + row(tr("Click"), tr("Show details of the stem or leaf")) +
             QStringLiteral("</table><p><b>%1</b></p><table>").arg(tr("In the parameters")) +
             row(tr("Wheel"), tr("Scroll; changes an editor only after a click into it")) +
             row(tr("Shift"), tr("Finer steps of a slider")) + row(tr("Ctrl"), tr("Larger steps of a slider")) +

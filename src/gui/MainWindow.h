@@ -2,7 +2,7 @@
 #include "Document.h"
 #include "FileWatch.h"
 #include "TreeCreatorThread.h"
-#include "ViewDesk.h"
+#include "ViewController.h"
 #include "stromar/app/ExportOptions.h"
 #include "stromar/app/Pictures.h"
 #include <QMainWindow>
@@ -55,7 +55,7 @@ public:
     CDocument& document() { return *m_document; }
     const std::shared_ptr<CDocument>& sharedDocument() const { return m_document; }
     CViewport& viewport() { return *m_viewport; }
-    CViewDesk& view() { return *m_desk; }
+    CViewController& view() { return *m_viewController; }
     CParamPanel& panel() { return *m_panel; }
     CPresetBrowser& presets() { return *m_presets; }
     CVariants& variants() { return *m_variants; }
@@ -67,7 +67,7 @@ public:
     const ViewModel* shown() const { return m_shown.get(); }
 
     // The commands of the table.
-    void startNew();
+    void startNew(const ParamBlock& block = weberPennBlock());
     void chooseAndOpen();
     void saveAgain();
     void chooseAndSave();
@@ -81,7 +81,7 @@ public:
     void showFullModel();
     void stop();
     /// `other` is the switch that goes off.
-    void setWires(Wires wires, const char* other);
+    void setWireframe(Wireframe wireframe, const char* other);
     void resetLayout();
     void showManual();
     void showShortcuts();
@@ -108,6 +108,7 @@ private:
     QDockWidget* addDock(const char* name, const QString& title, QWidget* widget, Qt::DockWidgetArea area);
     void makeActions();
     QAction* makeAction(const Command& command);
+    void addMethods(QMenu& menu);
     void restoreSwitches();
     void makeStatusBar();
     void connectParts();
@@ -153,7 +154,7 @@ private:
     CVariants* m_variants;
     CMessageBar* m_bar;
     CLightPanel* m_light = nullptr;
-    CViewDesk* m_desk;
+    CViewController* m_viewController;
     QPointer<CHelpWindow> m_help;
     QMenu* m_recentMenu = nullptr;
     QDockWidget* m_messageDock = nullptr;

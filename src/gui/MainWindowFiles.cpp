@@ -30,7 +30,7 @@
 namespace stromar {
 
 namespace {
-constexpr int kMostRecent = 10;
+constexpr int kMaxRecent = 10;
 constexpr const char* kRecentKey = "recentFiles";
 
 QString treeFilter() { return CMainWindow::tr("Trees (*.tree);;All files (*)"); }
@@ -87,8 +87,8 @@ bool CMainWindow::save(const QString& path) {
     return true;
 }
 
-void CMainWindow::startNew() {
-    if (mayLoseChanges()) m_document->startNew();
+void CMainWindow::startNew(const ParamBlock& block) {
+    if (mayLoseChanges()) m_document->startNew(block);
 }
 
 void CMainWindow::chooseAndOpen() {
@@ -321,7 +321,7 @@ void CMainWindow::remember(const QString& path) {
     QStringList files = settings.value(QLatin1String(kRecentKey)).toStringList();
     files.removeAll(path);
     files.prepend(path);
-    settings.setValue(QLatin1String(kRecentKey), QStringList(files.mid(0, kMostRecent)));
+    settings.setValue(QLatin1String(kRecentKey), QStringList(files.mid(0, kMaxRecent)));
     fillRecentMenu();
 }
 

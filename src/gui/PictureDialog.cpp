@@ -12,13 +12,13 @@
 namespace stromar {
 
 namespace {
-constexpr int kMostPixels = 8192, kMostFrames = 1000;
+constexpr int kMaxPixels = 8192, kMaxFrames = 1000;
 QString storedKey(const char* name) { return QStringLiteral("picture/") + QLatin1String(name); }
 
 QSpinBox* makeSide(const char* name, int pixels) {
     auto* box = new QSpinBox;
     box->setObjectName(QLatin1String(name));
-    box->setRange(16, kMostPixels);
+    box->setRange(16, kMaxPixels);
     box->setSuffix(QStringLiteral(" px"));
     box->setValue(QSettings().value(storedKey(name), pixels).toInt());
     return box;
@@ -40,7 +40,7 @@ CPictureDialog::CPictureDialog(const QSize& windowSize, QWidget* parent)
     setWindowTitle(tr("Save a Picture"));
     m_transparent->setChecked(QSettings().value(storedKey("transparent")).toBool());
     m_frames->setObjectName(QStringLiteral("frames"));
-    m_frames->setRange(1, kMostFrames);
+    m_frames->setRange(1, kMaxFrames);
     m_frames->setSpecialValueText(tr("One picture"));
     m_frames->setSuffix(tr(" frames"));
     m_frames->setToolTip(tr("More than one: the tree turns once around, each frame a numbered PNG file"));

@@ -7,7 +7,7 @@ namespace {
 using Out = CByteOut<std::endian::big>;
 
 constexpr const char* kUvMap = "UV";
-constexpr std::uint32_t kMostPoints = 0xFFFFFF; // indices have 24 bits
+constexpr std::uint32_t kMaxPoints = 0xFFFFFF; // indices have 24 bits
 
 /// A chunk or, with a 16-bit length, a sub-chunk; padded to an even length.
 class CChunk {
@@ -161,7 +161,7 @@ void addSurface(Out& out, const Material& look, std::uint32_t image) {
 } // namespace
 
 void writeLwo(const ExportModel& model, const std::filesystem::path& path, CFileSet& files) {
-    if (model.vertexCount() > kMostPoints || model.triangleCount() > kMostPoints)
+    if (model.vertexCount() > kMaxPoints || model.triangleCount() > kMaxPoints)
         throw CError("a LightWave object holds at most 16,777,215 points and polygons; choose a lower level of detail");
     Out out;
     {

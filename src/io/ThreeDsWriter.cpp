@@ -6,7 +6,7 @@ namespace stromar {
 namespace {
 using Out = CByteOut<std::endian::little>;
 
-constexpr std::size_t kMostPerChunk = 65000; // vertices and faces are counted in 16 bits
+constexpr std::size_t kMaxPerChunk = 65000; // vertices and faces are counted in 16 bits
 
 enum ChunkId : std::uint16_t {
     kColour = 0x0011,
@@ -155,7 +155,7 @@ void write3ds(const ExportModel& model, const std::filesystem::path& path, CFile
         for (const Material& look : model.materials) addMaterial(out, look);
         for (std::size_t m = 0; m < model.meshes.size(); ++m) {
             const CMesh& mesh = *model.meshes[m];
-            const auto parts = cutIntoChunks(mesh, kMostPerChunk, kMostPerChunk);
+            const auto parts = cutIntoChunks(mesh, kMaxPerChunk, kMaxPerChunk);
             for (std::size_t p = 0; p < parts.size(); ++p)
                 addObject(out, mesh, parts[p], objectName(m, mesh, p), model.materialOf(mesh).name);
         }

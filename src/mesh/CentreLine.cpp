@@ -6,22 +6,22 @@
 namespace stromar {
 
 namespace {
-constexpr double kLeastTurn = 0.01;  // radians: below, a line is straight
+constexpr double kMinTurn = 0.01;  // radians: below, a line is straight
 constexpr double kOffAxis = 0.4;     // radii that a rounded bend may leave the corner: branches start on the axis
 constexpr double kOfSegment = 0.4;   // of a segment that a bend at one of its ends may take
 constexpr double kBehindFork = 0.55; // of a segment that a fork may take
-constexpr double kMostStretch = 2;   // of a mitred ring
+constexpr double kMaxStretch = 2;   // of a mitred ring
 constexpr double kForkOffAxis = 0.3; // of reach × half sine, what the curve behind a fork leaves the axis
 } // namespace
 
-void CCentreLine::start(const CStem& stem, const CPath& path, double mostTurn) {
+void CCentreLine::start(const CStem& stem, const CPath& path, double maxTurn) {
     m_path = &path;
     m_joints.clear();
     m_frames.clear();
     m_frames.push_back(frameOfFirst(stem, path));
     for (std::uint32_t i = 1; i < path.segmentCount; ++i)
         m_frames.push_back(transported(m_frames.back(), m_generation.segments[path.firstSegment + i].frame[2]));
-    for (std::uint32_t i = 0; i < path.segmentCount; ++i) m_joints.push_back(jointAt(stem, i, mostTurn));
+    for (std::uint32_t i = 0; i < path.segmentCount; ++i) m_joints.push_back(jointAt(stem, i, maxTurn));
     m_joints.emplace_back();
 }
 
@@ -36,7 +36,7 @@ Frame CCentreLine::frameOfFirst(const CStem& stem, const CPath& path) const {
     return transported(frame, own[2]);
 }
 
-CCentreLine::Joint CCentreLine::jointAt(const CStem& stem, std::uint32_t i, double mostTurn) const {
+CCentreLine::Joint CCentreLine::jointAt(const CStem& stem, std::uint32_t i, double maxTurn) const {
     const CSegment* below = i > 0 ? &m_generation.segments[m_path->firstSegment + i - 1]
                                   : m_generation.segmentBelow(stem, *m_path);
     if (!below) return {};
@@ -45,9 +45,9 @@ CCentreLine::Joint CCentreLine::jointAt(const CStem& stem, std::uint32_t i, doub
     const double sine = std::min(1.0, glm::distance(joint.axisBelow, above.frame[2]) / 2); // of half the turn
     joint.turn = 2 * std::asin(sine);
     const bool helix = below->helixRadius > 0 || above.helixRadius > 0;
-    if (mostTurn <= 0 || joint.turn <= mostTurn || joint.turn < kLeastTurn || helix) return joint;
+    if (maxTurn <= 0 || joint.turn <= maxTurn || joint.turn < kMinTurn || helix) return joint;
     const double radius = m_surface.woodRadius(stem, above, 0);
-    const int pieces = std::min(kMostBendRings, static_cast<int>(std::ceil(joint.turn / mostTurn)));
+    const int pieces = std::min(kMaxBendRings, static_cast<int>(std::ceil(joint.turn / maxTurn)));
     if (joint.kind == Kind::Fork) {
         const double reach = std::min(kBehindFork * above.length, kOffAxis * radius / (kForkOffAxis * sine));
         if (reach < 1.5 * radius * joint.turn) return joint;
@@ -103,8 +103,8 @@ CCentreLine::Place CCentreLine::mitred(const Joint& joint, const Frame& above, c
     const double cosine = glm::length(sum) / 2, bend = glm::length(across);
     if (cosine < 1e-6) return {corner, above};
     Place place{corner, transported(above, sum / (2 * cosine))};
-    if (joint.turn > kLeastTurn) {
-        place.stretch = std::min(kMostStretch, 1 / cosine);
+    if (joint.turn > kMinTurn) {
+        place.stretch = std::min(kMaxStretch, 1 / cosine);
         place.stretchAxis = across / bend;
     }
     return place;

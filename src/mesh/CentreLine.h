@@ -19,8 +19,8 @@ public:
     CCentreLine(const CGeneration& generation, const CStemSurface& surface)
         : m_generation(generation), m_surface(surface) {}
 
-    /// Looks at a path. Bends of more than `mostTurn` radians between rings are rounded; 0 rounds none.
-    void start(const CStem& stem, const CPath& path, double mostTurn);
+    /// Looks at a path. Bends of more than `maxTurn` radians between rings are rounded; 0 rounds none.
+    void start(const CStem& stem, const CPath& path, double maxTurn);
 
     Place at(std::uint32_t segment, double t) const;
     /// Appends where rings have to stand for the bends at both ends of a segment: 0 < t < 1, in rising order.
@@ -31,7 +31,7 @@ public:
     bool forksBelow(std::uint32_t segment) const { return m_joints[segment - m_path->firstSegment].kind == Kind::Fork; }
 
     /// Rings that one bend takes at most, besides the one in its middle.
-    static constexpr int kMostBendRings = 6;
+    static constexpr int kMaxBendRings = 6;
 
 private:
     enum class Kind { None, Bend, Fork };
@@ -44,7 +44,7 @@ private:
     };
 
     Frame frameOfFirst(const CStem& stem, const CPath& path) const;
-    Joint jointAt(const CStem& stem, std::uint32_t i, double mostTurn) const;
+    Joint jointAt(const CStem& stem, std::uint32_t i, double maxTurn) const;
     Place onBend(const Joint& joint, const Frame& above, const glm::dvec3& corner, double along) const;
     Place behindFork(const Joint& joint, const Frame& above, const glm::dvec3& fork, double along) const;
     Place mitred(const Joint& joint, const Frame& above, const glm::dvec3& corner) const;

@@ -25,7 +25,7 @@ double placeOf(const CGeneration& generation, const Ring& ring) {
 double arcOf(const CSegment& segment) { return std::hypot(segment.length, 2 * std::numbers::pi * segment.helixRadius); }
 } // namespace
 
-double Collar::leastGap() const {
+double Collar::minGap() const {
     double gap = std::numeric_limits<double>::infinity();
     for (std::size_t i = 0; i < points.size(); ++i)
         gap = std::min(gap, glm::distance(points[i].position, points[(i + 1) % points.size()].position));

@@ -12,7 +12,7 @@ struct Collar {
     double clear; ///< how far along the branch, from its base, its own rings may start; metres
 
     /// The shortest distance between neighbours; metres.
-    double leastGap() const;
+    double minGap() const;
 };
 
 /// Presses the first rings of branches onto the triangles of their parents (thesis §4.4, "branch connection").

@@ -26,7 +26,7 @@ std::shared_ptr<CMesh> allocateMesh(std::string name, Surface surface, std::size
     mesh->positions.resize(vertices);
     mesh->normals.resize(vertices);
     mesh->texCoords.resize(vertices);
-    mesh->openness.resize(vertices);
+    mesh->skyVisibility.resize(vertices);
     mesh->indices.resize(indices);
     return mesh;
 }

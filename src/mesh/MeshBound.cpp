@@ -51,12 +51,12 @@ private:
     }
 
     double ringsPerBend() const {
-        constexpr double kMost = CCentreLine::kMostBendRings;
-        if (m_detail.mostTurn <= 0 || points() <= 3) return 0;
-        if (m_bound.forks) return kMost;
-        const double between = m_detail.mostTurn / std::sqrt(m_bound.thickness);
-        const double pieces = std::ceil(m_bound.turn / std::min(between, kCoarsestTurn * m_detail.mostTurn));
-        return pieces <= 1 ? 0 : std::min(kMost, 2 * std::floor((pieces + 1) / 2));
+        constexpr double kMax = CCentreLine::kMaxBendRings;
+        if (m_detail.maxTurn <= 0 || points() <= 3) return 0;
+        if (m_bound.forks) return kMax;
+        const double between = m_detail.maxTurn / std::sqrt(m_bound.thickness);
+        const double pieces = std::ceil(m_bound.turn / std::min(between, kCoarsestTurn * m_detail.maxTurn));
+        return pieces <= 1 ? 0 : std::min(kMax, 2 * std::floor((pieces + 1) / 2));
     }
 
     const BaseForm& m_base;
@@ -70,7 +70,7 @@ double organVertices(const SizeBound& tree, Organ organ, const MeshParams& param
     const double count = params.seasonOf(organ).share > 0 ? tree.organs[static_cast<std::size_t>(organ)] : 0;
     if (organ == Organ::Leaf && onCards)
         return std::min(4 * std::ceil(count * detail.share),
-                        tree.generations.back().stems * double(mostVerticesOfCard(detail)));
+                        tree.generations.back().stems * double(maxVerticesOfCard(detail)));
     const double share = std::max(double(kFewOrgans), std::ceil(count * detail.share));
     return std::min({double(detail.leafBudget), share, count}) * double(verticesPerOrgan(params, organ, detail));
 }

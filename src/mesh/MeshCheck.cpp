@@ -149,8 +149,8 @@ void checkCollar(const CTree& tree, int generation, const StemMesh& stems, const
     }
     const glm::dvec3 at = glm::abs(glm::dvec3(stems.mesh->positions[tube.firstVertex]));
     const double rounding = 1e-6 * std::max({at.x, at.y, at.z});
-    if (highest > kMostFloating * stem.radius + rounding) ++faults.floating;
-    if (deepest < -kMostBuried * stem.radius - rounding) ++faults.buried;
+    if (highest > kMaxFloating * stem.radius + rounding) ++faults.floating;
+    if (deepest < -kMaxBuried * stem.radius - rounding) ++faults.buried;
 }
 } // namespace
 

@@ -54,7 +54,7 @@ std::shared_ptr<const CMesh> meshOfOrgans(const CTree& tree, Organ organ, std::s
     const Offered offered = offeredOf(tree, organ, plans, season.share, except);
     const auto share = std::max(kFewOrgans, static_cast<std::size_t>(std::ceil(double(offered.total) * detail.share)));
     const std::size_t count = std::min({detail.leafBudget, share, offered.drawable.size()});
-    const double thinned = count == 0 ? 1 : std::min(kMostLeafGrowth, std::sqrt(double(offered.total) / double(count)));
+    const double thinned = count == 0 ? 1 : std::min(kMaxLeafGrowth, std::sqrt(double(offered.total) / double(count)));
     const LeafBlade blade = bladeOf(params, organ, detail);
     const Rounding rounding = organ == Organ::Fruit ? Rounding() : roundingOf(all, params.leaf);
     const std::size_t points = blade.points.size(), corners = blade.indices.size();

@@ -29,7 +29,7 @@ void CPointGenerator::startTube(const Tube& tube) {
     }
     m_roots = tube.lobed ? m_surface.rootsOf(stem) : CRootFlare();
     m_bark = m_surface.barkOf(stem);
-    m_line.start(stem, m_generation.paths[tube.path], tube.mostTurn);
+    m_line.start(stem, m_generation.paths[tube.path], tube.maxTurn);
     m_rings.clear();
     for (std::uint32_t i = 0; i < tube.ringCount; ++i)
         m_rings.push_back(shapeOf(tube, m_plan.rings[tube.firstRing + i]));
@@ -45,13 +45,13 @@ RingShape CPointGenerator::shapeOf(const Tube& tube, const Ring& ring) const {
     shape.along = segment.start + ring.t * segment.length;
     shape.lobes = tube.lobed ? m_surface.lobes() : 0;
     shape.lobeDepth = tube.lobed ? m_surface.lobeDepth(stem, shape.along) : 0;
-    shape.openness = opennessAt(tube, shape.along);
+    shape.skyVisibility = skyVisibilityAt(tube, shape.along);
     shape.points = ring.points;
     return shape;
 }
 
 /// Darker towards where the tube leaves its parent, a fork or the ground.
-std::uint8_t CPointGenerator::opennessAt(const Tube& tube, double along) const {
+std::uint8_t CPointGenerator::skyVisibilityAt(const Tube& tube, double along) const {
     const CStem& stem = m_generation.stems[tube.stem];
     const CPath& path = m_generation.paths[tube.path];
     const double start = m_generation.segments[path.firstSegment].start;
@@ -102,7 +102,7 @@ void CPointGenerator::addRing(std::size_t r, VertexSink& sink) const {
     for (std::uint32_t i = 0; i <= ring.points; ++i) {
         const std::uint32_t k = i == ring.points ? 0 : i;
         sink.add(pointAt(ring, k), normalAt(ring, kTurn * k / ring.points, circle(ring, k)), around(ring, i),
-                 bark(ring.along), ring.openness);
+                 bark(ring.along), ring.skyVisibility);
     }
 }
 
@@ -111,7 +111,7 @@ void CPointGenerator::addTip(VertexSink& sink) const {
     for (std::uint32_t i = 0; i < below.points; ++i) {
         const glm::dvec3 left = pointAt(below, i), right = pointAt(below, (i + 1) % below.points);
         const glm::dvec3 face = glm::cross(right - left, tip.centre - left);
-        sink.add(tip.centre, glm::normalize(face), around(below, i + 0.5), bark(tip.along), tip.openness);
+        sink.add(tip.centre, glm::normalize(face), around(below, i + 0.5), bark(tip.along), tip.skyVisibility);
     }
 }
 
@@ -141,7 +141,7 @@ void CPointGenerator::addCollarRing(std::uint32_t ring, VertexSink& sink) const 
     const RingShape& own = m_rings.front();
     const double share = double(ring) / m_tube->collarRings;
     const double hidden = 255 * (1 - kHiddenInCollar);
-    const auto open = static_cast<std::uint8_t>(hidden + share * (own.openness - hidden) + 0.5);
+    const auto open = static_cast<std::uint8_t>(hidden + share * (own.skyVisibility - hidden) + 0.5);
     for (std::uint32_t i = 0; i <= m_points; ++i) {
         const std::uint32_t k = i == m_points ? 0 : i;
         const SurfacePoint point = collarPointAt(ring, k);
@@ -156,7 +156,7 @@ void CPointGenerator::addLid(bool base, VertexSink& sink) const {
     const glm::dvec3 normal = base ? -ring.frame[2] : ring.frame[2];
     const auto add = [&](const glm::dvec3& point, glm::dvec2 at) {
         sink.add(point, normal, m_bark.around * (0.5 + at.x / 8), bark(ring.along) + m_bark.around * at.y / 8,
-                 ring.openness);
+                 ring.skyVisibility);
     };
     if (m_tube->middleOfLid(base)) add(ring.centre, {0, 0});
     for (std::uint32_t i = 0; i < ring.points; ++i) add(pointAt(ring, i), circle(ring, i));

@@ -13,7 +13,7 @@ struct RingShape : CCentreLine::Place {
     double along;  ///< metres from the stem's base
     double lobeDepth;
     int lobes;
-    std::uint8_t openness; ///< as in CMesh
+    std::uint8_t skyVisibility; ///< as in CMesh
     std::uint32_t points;
 };
 
@@ -22,12 +22,12 @@ struct VertexSink {
     glm::vec3* position;
     glm::vec3* normal;
     glm::vec2* texCoord;
-    std::uint8_t* openness;
+    std::uint8_t* skyVisibility;
     void add(const glm::dvec3& p, const glm::dvec3& n, double u, double v, std::uint8_t open) {
         *position++ = glm::vec3(p);
         *normal++ = glm::vec3(n);
         *texCoord++ = glm::vec2(u, v);
-        *openness++ = open;
+        *skyVisibility++ = open;
     }
 };
 
@@ -50,7 +50,7 @@ public:
 
 private:
     RingShape shapeOf(const Tube& tube, const Ring& ring) const;
-    std::uint8_t opennessAt(const Tube& tube, double along) const;
+    std::uint8_t skyVisibilityAt(const Tube& tube, double along) const;
     void setSlopes();
     double radiusAt(const RingShape& ring, double angle) const;
     const CStem& stem() const { return m_generation.stems[m_tube->stem]; }

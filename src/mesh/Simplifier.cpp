@@ -58,8 +58,8 @@ private:
                   .firstRing = static_cast<std::uint32_t>(plan.rings.size()),
                   .points = path.source < 0 ? ringPoints(stem) : pointsOfFork(stem, path, plan),
                   .firstCollarPoint = static_cast<std::uint32_t>(plan.collarPoints.size())};
-        tube.mostTurn = tube.points > 3 ? turnOf(stem, m_detail.mostTurn) : 0;
-        m_line.start(stem, path, tube.mostTurn);
+        tube.maxTurn = tube.points > 3 ? turnOf(stem, m_detail.maxTurn) : 0;
+        m_line.start(stem, path, tube.maxTurn);
         tube.lobed = m_surface.ridges() > 0 &&
                      tube.points >= static_cast<std::uint32_t>(kFewestPointsPerLobe * m_surface.ridges());
         tube.pointed = endsInPoint(stem, path);
@@ -81,7 +81,7 @@ private:
             stem,
             std::span(m_generation.segments).subspan(stem.firstSegment, m_generation.paths[tube.path].segmentCount),
             radius, tube.points);
-        if (!collar || collar->leastGap() < CStemSurface::leastDrawn(stem, first)) return 0;
+        if (!collar || collar->minGap() < CStemSurface::minDrawn(stem, first)) return 0;
         tube.collarRings = static_cast<std::uint32_t>(tube.points > 3 ? m_detail.collarRings : 1);
         plan.collarPoints.insert(plan.collarPoints.end(), collar->points.begin(), collar->points.end());
         return collar->clear;
@@ -94,7 +94,7 @@ private:
         std::uint32_t first = 0;
         while (first + 1 < path.segmentCount && segments[first].end() <= start) ++first;
         const double t = start > 0 ? (start - segments[first].start) / segments[first].length : 0;
-        m_spacing = CStemSurface::leastDrawn(stem, m_generation.segments[stem.firstSegment]);
+        m_spacing = CStemSurface::minDrawn(stem, m_generation.segments[stem.firstSegment]);
         m_last = discAt(stem, {path.firstSegment + first, tube.points, t});
         plan.rings.push_back(m_last.ring);
         const auto add = [&](std::uint32_t segment, double place, bool needed) {
@@ -188,7 +188,7 @@ private:
         left += m_line.turnBelow(segment);
         const CSegment& above = m_generation.segments[segment];
         const bool needed = m_line.forksBelow(segment) || m_surface.uneven(stem) || above.helixRadius > 0 ||
-                            left >= turnOf(stem, m_detail.leastTurn) ||
+                            left >= turnOf(stem, m_detail.minTurn) ||
                             left * above.length > 2 * above.radiusBase; // the chord would leave the wood
         if (needed) left = 0;
         return !needed;
@@ -211,7 +211,7 @@ private:
         m_trial.positions.resize(trial.vertexCount());
         m_trial.normals.resize(trial.vertexCount());
         m_trial.texCoords.resize(trial.vertexCount());
-        m_trial.openness.resize(trial.vertexCount());
+        m_trial.skyVisibility.resize(trial.vertexCount());
         m_trial.indices.resize(trial.indexCount());
         CPointGenerator points(m_generation, plan, m_surface);
         return !writeTube(plan, trial, points, m_trial);

@@ -6,7 +6,7 @@
 namespace stromar {
 
 namespace {
-constexpr int kMostHalvings = 8;
+constexpr int kMaxHalvings = 8;
 constexpr int kRingsPerSphere = 8;
 constexpr double kRadiusTolerance = 0.03; // of the stem's radius
 } // namespace
@@ -30,12 +30,12 @@ void CSmoother::subdivide(const CStem& stem, const CSegment& segment, int helixR
 }
 
 /// Where rings of the chain of spheres stand (taper above 2): evenly by angle on each sphere, their touching points
-/// included. Chains too fine for kMostRings get none.
+/// included. Chains too fine for kMaxRings get none.
 std::vector<double> CSmoother::sphereMarks(const CStem& stem, const CSegment& segment) {
     const double radius = stem.radius, length = stem.length;
     if (stem.profile.form != RadiusProfile::Form::Spheres || stem.profile.depth <= 0 || radius <= 0) return {};
     const double spheres = length / (2 * radius);
-    const int perSphere = static_cast<int>(std::min<double>(kRingsPerSphere, kMostRings / (spheres + 1) - 1));
+    const int perSphere = static_cast<int>(std::min<double>(kRingsPerSphere, kMaxRings / (spheres + 1) - 1));
     if (perSphere < 2) return {};
     const double low = segment.start, high = segment.end();
     std::vector<double> marks;
@@ -51,7 +51,7 @@ std::vector<double> CSmoother::sphereMarks(const CStem& stem, const CSegment& se
 void CSmoother::addWhereRadiusBends(const CStem& stem, const CSegment& segment, Place low, Place high, int depth,
                                     std::vector<double>& places) const {
     const std::size_t limit = ringLimit(segment.length / stem.length);
-    if (depth == kMostHalvings || places.size() >= limit) return;
+    if (depth == kMaxHalvings || places.size() >= limit) return;
     const Place middle = at(stem, segment, (low.t + high.t) / 2);
     const double tolerance = kRadiusTolerance * stem.radius + m_surface.minRadius() / 2;
     if (std::abs(middle.radius - (low.radius + high.radius) / 2) <= tolerance) return;

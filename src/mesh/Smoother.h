@@ -6,15 +6,15 @@
 namespace stromar {
 
 /// Decides where a segment needs rings between its ends: where the radius bends (flare, round ends, spheres) and along
-/// a helix. At most ringLimit() per segment, so about kMostRings along a path.
+/// a helix. At most ringLimit() per segment, so about kMaxRings along a path.
 class CSmoother {
 public:
     static constexpr int kHelixRings = 10;
-    static constexpr int kMostRings = 1024;
+    static constexpr int kMaxRings = 1024;
 
     /// For a segment that is this part of its stem.
     static std::size_t ringLimit(double part) {
-        return static_cast<std::size_t>(std::max<double>(kHelixRings - 1, kMostRings * part + 1e-6));
+        return static_cast<std::size_t>(std::max<double>(kHelixRings - 1, kMaxRings * part + 1e-6));
     }
 
     explicit CSmoother(const CStemSurface& surface) : m_surface(surface) {}

@@ -55,13 +55,13 @@ public:
     double minRadius() const { return m_params.minRadius; }
 
     /// Lengths below this vanish in the rounding of single-precision coordinates near the stem.
-    static double leastDrawn(const CStem& stem, const CSegment& first) {
+    static double minDrawn(const CStem& stem, const CSegment& first) {
         const glm::dvec3 p = glm::abs(first.position);
         return 1e-5 * (std::max({p.x, p.y, p.z}) + stem.length);
     }
     /// The radius below which a ring is drawn with this radius.
     double drawnFloor(const CStem& stem, const CSegment& first) const {
-        return std::max(minRadius(), leastDrawn(stem, first));
+        return std::max(minRadius(), minDrawn(stem, first));
     }
 
     /// How often the bark's picture is repeated.

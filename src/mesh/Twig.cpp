@@ -14,7 +14,7 @@ namespace {
 constexpr double kFewestLeaves = 6; // of a stem at most; shorter ones have half of them
 constexpr double kLongest = 32;     // stem as long as can be, in leaves' lengths; most have half of that
 constexpr double kFlat = 0.35;       // spread out of the plane over that in it
-constexpr double kMostTilt = 0.9;    // radians between a leaf that is seen best and one in the picture
+constexpr double kMaxTilt = 0.9;    // radians between a leaf that is seen best and one in the picture
 constexpr double kShowsBack = -0.25; // of a normal's z
 constexpr double kMargin = 0.02;     // of the card, around what it shows
 constexpr int kCells = 128;          // of the grid that measures what leaves cover, on a side
@@ -103,9 +103,9 @@ glm::dvec3 pressed(const glm::dvec3& axis, const glm::dvec3& normal) {
     if (most < 0.1) return normal;
     const glm::dvec3 best = side / most * flat;
     const double angle = std::acos(glm::clamp(glm::dot(normal, best), -1.0, 1.0));
-    if (angle <= kMostTilt) return normal;
+    if (angle <= kMaxTilt) return normal;
     const glm::dvec3 across = glm::cross(axis, best);
-    const double tilt = glm::dot(normal, across) < 0 ? -kMostTilt : kMostTilt;
+    const double tilt = glm::dot(normal, across) < 0 ? -kMaxTilt : kMaxTilt;
     return std::cos(tilt) * best + std::sin(tilt) * across;
 }
 

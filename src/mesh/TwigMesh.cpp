@@ -11,11 +11,11 @@ namespace stromar {
 namespace {
 constexpr std::size_t kGrain = 512;
 constexpr double kBendPerRow = 0.5; // radians
-constexpr int kMostRows = 4;
-constexpr double kLeastGrowth = 0.7; // of areas
-constexpr double kMostCut = 2;       // length of a stem over that of its card
-constexpr double kMostBent = 0.3;    // cosine between a normal and the triangles around it
-constexpr double kMostGrowth = kMostLeafGrowth * kMostLeafGrowth;
+constexpr int kMaxRows = 4;
+constexpr double kMinGrowth = 0.7; // of areas
+constexpr double kMaxCut = 2;       // length of a stem over that of its card
+constexpr double kMaxBent = 0.3;    // cosine between a normal and the triangles around it
+constexpr double kMaxGrowth = kMaxLeafGrowth * kMaxLeafGrowth;
 
 /// How the stems' cards are made.
 struct CardPlan {
@@ -43,7 +43,7 @@ CardPlan planCards(const CTree& tree, const Twig& twig, double share, const Deta
     const double budget = std::min(double(detail.leafBudget), std::ceil(total * detail.share));
     const double perStem = budget / std::max(1.0, double(bearers.size()));
     const double planes = twig.flat || perStem < detail.twigPlanes ? 1 : detail.twigPlanes;
-    const double wanted = std::clamp(std::ceil(twig.bend / kBendPerRow), 1.0, double(kMostRows));
+    const double wanted = std::clamp(std::ceil(twig.bend / kBendPerRow), 1.0, double(kMaxRows));
     plan.planes = static_cast<std::uint32_t>(planes);
     plan.rows = static_cast<std::uint32_t>(std::clamp(std::floor(perStem / planes), 1.0, wanted));
     const auto most = static_cast<std::size_t>(budget) / (plan.planes * plan.rows);
@@ -96,13 +96,13 @@ private:
     void setSize(const CStraightStem& stem, double leafArea) {
         const double longer = stem.length() / m_twig.length;
         const double growth =
-            std::clamp(leafArea / (m_plan.planes * m_twig.shownArea * longer), kLeastGrowth, kMostGrowth);
+            std::clamp(leafArea / (m_plan.planes * m_twig.shownArea * longer), kMinGrowth, kMaxGrowth);
         m_along = longer * std::pow(growth, 0.25); // rather wider than longer: the crown keeps its size
         m_across = std::pow(growth, 0.75);
         double chords = 0;
         for (std::uint32_t row = 1; row <= m_plan.rows; ++row)
             chords += glm::distance(stem.pointAt(yOf(row - 1)), stem.pointAt(yOf(row)));
-        m_across *= std::min(kMostCut, (yOf(m_plan.rows) - yOf(0)) / std::max(1e-9, chords));
+        m_across *= std::min(kMaxCut, (yOf(m_plan.rows) - yOf(0)) / std::max(1e-9, chords));
     }
 
     double yOf(std::uint32_t row) const {
@@ -141,7 +141,7 @@ private:
         });
         bool good = true;
         for (Point& point : m_points) {
-            good = good && point.least > kMostBent;
+            good = good && point.least > kMaxBent;
             point.least = std::min(0.99, 0.05 + std::sqrt(std::max(0.0, 1 - point.least * point.least)));
         }
         return good;
@@ -175,8 +175,8 @@ private:
 };
 } // namespace
 
-std::size_t mostVerticesOfCard(const Detail& detail) {
-    return 2 * static_cast<std::size_t>(detail.twigPlanes * (kMostRows + 1));
+std::size_t maxVerticesOfCard(const Detail& detail) {
+    return 2 * static_cast<std::size_t>(detail.twigPlanes * (kMaxRows + 1));
 }
 
 std::shared_ptr<const CMesh> meshOfTwigs(const CTree& tree, const Twig& twig, const MeshParams& params,

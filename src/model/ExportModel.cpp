@@ -30,12 +30,12 @@ std::size_t ExportModel::triangleCount() const {
     return sum(*this, [](const CMesh& mesh) { return mesh.triangleCount(); });
 }
 
-std::vector<MeshChunk> cutIntoChunks(const CMesh& mesh, std::size_t mostVertices, std::size_t mostTriangles) {
+std::vector<MeshChunk> cutIntoChunks(const CMesh& mesh, std::size_t maxVertices, std::size_t maxTriangles) {
     std::vector<MeshChunk> chunks;
     std::vector<std::uint32_t> placeOf(mesh.vertexCount()), chunkOf(mesh.vertexCount(), 0); // chunks count from 1 here
     for (std::size_t t = 0; t < mesh.indices.size(); t += 3) {
-        const bool full = chunks.empty() || chunks.back().vertices.size() + 3 > mostVertices ||
-                          chunks.back().indices.size() / 3 == mostTriangles;
+        const bool full = chunks.empty() || chunks.back().vertices.size() + 3 > maxVertices ||
+                          chunks.back().indices.size() / 3 == maxTriangles;
         if (full) chunks.emplace_back();
         MeshChunk& chunk = chunks.back();
         for (std::size_t corner = t; corner < t + 3; ++corner) {

@@ -14,7 +14,7 @@ constexpr std::string_view kByteOrderMark = "\xEF\xBB\xBF";
 constexpr std::string_view kFormatKey = "Format", kMethodKey = "Method";
 constexpr std::string_view kBlockMark = "\"\"\"";
 constexpr std::string_view kBlanks = " \t\r"; // what trimmed() takes away
-constexpr std::size_t kMostBytes = 16u << 20;
+constexpr std::size_t kMaxBytes = 16u << 20;
 
 /// Columns count characters, not bytes; a byte-order mark is none.
 int columnOf(std::string_view line, std::size_t byte) {
@@ -36,7 +36,7 @@ std::optional<std::string> whyNotText(std::string_view text) {
     const bool binary = std::ranges::any_of(text, [](char c) {
         return c == '\0' || (c > 0 && c < ' ' && c != '\t' && c != '\n' && c != '\r' && c != '\f');
     });
-    if (binary || text.size() > kMostBytes) return "this is not a text file of parameters";
+    if (binary || text.size() > kMaxBytes) return "this is not a text file of parameters";
     if (std::ranges::all_of(text, [](char c) { return c == ' ' || c == '\t' || c == '\r' || c == '\n'; }))
         return "the file is empty";
     return {};

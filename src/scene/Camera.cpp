@@ -6,7 +6,7 @@
 namespace stromar {
 
 namespace {
-constexpr double kMostPitch = 89.9;
+constexpr double kMaxPitch = 89.9;
 constexpr double kOrthographicBack = 1000; // metres: nothing may lie behind an orthographic eye
 constexpr double kNearest = 0.01, kFarthest = 20000;
 
@@ -46,7 +46,7 @@ void CCamera::frame(const osg::BoundingBoxd& box, double aspect) {
 
 void CCamera::turn(double yaw, double pitch) {
     const double now = osg::RadiansToDegrees(std::asin(std::clamp(-forward().z(), -1.0, 1.0)));
-    const double by = std::clamp(now + pitch, -kMostPitch, kMostPitch) - now;
+    const double by = std::clamp(now + pitch, -kMaxPitch, kMaxPitch) - now;
     m_turn = osg::Quat(-osg::DegreesToRadians(by), osg::X_AXIS) * m_turn *
              osg::Quat(osg::DegreesToRadians(yaw), osg::Z_AXIS);
 }
@@ -61,7 +61,7 @@ void CCamera::straighten() {
     const osg::Vec3d ahead = forward();
     const double pitch = osg::RadiansToDegrees(std::asin(std::clamp(-ahead.z(), -1.0, 1.0)));
     const osg::Vec3d level = std::hypot(ahead.x(), ahead.y()) > 1e-3 ? ahead : up() * (ahead.z() < 0 ? 1 : -1);
-    lookFrom(osg::RadiansToDegrees(std::atan2(-level.x(), level.y())), std::clamp(pitch, -kMostPitch, kMostPitch));
+    lookFrom(osg::RadiansToDegrees(std::atan2(-level.x(), level.y())), std::clamp(pitch, -kMaxPitch, kMaxPitch));
 }
 
 void CCamera::pan(const osg::Vec2d& by, double aspect) {

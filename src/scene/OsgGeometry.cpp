@@ -30,10 +30,10 @@ osg::ref_ptr<osg::Geometry> makeGeometry(const CMesh& mesh) {
 
 osg::ref_ptr<osg::Geometry> makeViewGeometry(const CMesh& mesh) {
     osg::ref_ptr<osg::Geometry> geometry = makeGeometry(mesh);
-    const osg::ref_ptr<osg::UByteArray> openness =
-        new osg::UByteArray(mesh.openness.data(), mesh.openness.data() + mesh.openness.size());
-    openness->setNormalize(true);
-    geometry->setVertexAttribArray(kOpennessAttribute, openness, osg::Array::BIND_PER_VERTEX);
+    const osg::ref_ptr<osg::UByteArray> skyVisibility =
+        new osg::UByteArray(mesh.skyVisibility.data(), mesh.skyVisibility.data() + mesh.skyVisibility.size());
+    skyVisibility->setNormalize(true);
+    geometry->setVertexAttribArray(kSkyVisibilityAttribute, skyVisibility, osg::Array::BIND_PER_VERTEX);
     return geometry;
 }
 

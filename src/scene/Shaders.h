@@ -54,7 +54,7 @@ uniform mat4 shadowMatrix;
 uniform float shadowOffset; // metres
 attribute float openAt;
 varying vec3 place, normal, inShadow;
-varying float openness, shade;
+varying float skyVisibility, shade;
 void main() {
     gl_Position = ftransform();
     gl_TexCoord[0] = gl_MultiTexCoord0;
@@ -63,7 +63,7 @@ void main() {
     inShadow = (shadowMatrix * vec4(place + shadowOffset * (sun + normal * sign(dot(normal, sun))), 1.0)).xyz;
     // Inside the crown less of the sky is seen.
     vec3 out_ = (place - crownMiddle) / crownSize;
-    openness = (0.35 + 0.65 * smoothstep(0.05, 1.0, length(out_) * 0.8 + 0.25 * out_.z)) * openAt;
+    skyVisibility = (0.35 + 0.65 * smoothstep(0.05, 1.0, length(out_) * 0.8 + 0.25 * out_.z)) * openAt;
     // All corners of a leaf share its normal: a number of its own.
     shade = fract(sin(dot(gl_Normal, vec3(127.1, 311.7, 74.7))) * 437.5);
 }
@@ -75,7 +75,7 @@ uniform sampler2D picture, relief, gloss, under; // albedo; normals; roughness a
 uniform float leaf, tinted, generation, reliefDepth, underSide, smoothEdges, alphaCut;
 uniform int view; // 0 lit, 1 material, 2 occlusion, 3 normals
 varying vec3 place, normal, inShadow;
-varying float openness, shade;
+varying float skyVisibility, shade;
 vec3 withRelief(vec3 n) {
     vec3 along = dFdx(place), up = dFdy(place);
     vec2 du = dFdx(gl_TexCoord[0].st), dv = dFdy(gl_TexCoord[0].st);
@@ -121,23 +121,23 @@ void main() {
     float seen = sunSeen(inShadow, leaf > 0.5 ? 2.5 : 2.0);
     vec3 direct = sunlight * seen;
     vec3 above = mix(haze, zenith, 0.35) * 1.05;
-    vec3 around = mix(bounce, above, 0.5 + 0.5 * n.z) * openness;
+    vec3 around = mix(bounce, above, 0.5 + 0.5 * n.z) * skyVisibility;
     vec3 light = albedo * (around + direct * max(facing, 0.0));
     // Light that went through a blade is warmer and greener than what it throws back.
     vec3 passed = albedo * vec3(1.3, 1.25, 0.6);
-    light += through * passed * (direct * max(-facing, 0.0) + 0.35 * mix(above, bounce, 0.5 + 0.5 * n.z) * openness);
+    light += through * passed * (direct * max(-facing, 0.0) + 0.35 * mix(above, bounce, 0.5 + 0.5 * n.z) * skyVisibility);
 #if BEST
     vec3 half_ = normalize(sun + toEye);
     float sharp = 2.0 / (rough * rough * rough * rough) - 2.0 + 1e-3;
     float mirror = 0.04 + 0.96 * pow(1.0 - max(dot(toEye, half_), 0.0), 5.0);
     light += direct * max(facing, 0.0) * mirror * (sharp + 8.0) / 25.0 * pow(max(dot(n, half_), 0.0), sharp);
     float rim = 0.04 + 0.5 * pow(1.0 - max(dot(n, toEye), 0.0), 5.0);
-    light += rim * (1.0 - rough) * openness * skyIn(reflect(-toEye, n)) * step(0.0, reflect(-toEye, n).z);
+    light += rim * (1.0 - rough) * skyVisibility * skyIn(reflect(-toEye, n)) * step(0.0, reflect(-toEye, n).z);
 #endif
 
     vec3 result = shown(light);
     if (view == 1) result = colour.rgb;
-    if (view == 2) result = vec3(openness);
+    if (view == 2) result = vec3(skyVisibility);
     if (view == 3) result = n * 0.5 + 0.5;
     if (abs(tinted - generation) < 0.5)
         result = mix(result, vec3(1.0, 0.55, 0.12) * (0.45 + 0.6 * dot(result, vec3(0.35, 0.5, 0.15))), 0.6);
@@ -211,7 +211,7 @@ float noise(vec2 p) {
                mix(random(i + vec2(0.0, 1.0)), random(i + 1.0), f.x), f.y);
 }
 // Less of the sky is seen below the crown and at the trunk.
-float openness(vec2 place) {
+float skyVisibility(vec2 place) {
     vec2 below = (place - crownMiddle.xy) / (crownSize.xy + 0.02 * size());
     float crown = 0.35 * (1.0 - smoothstep(0.0, 1.3, length(below)));
     return 1.0 - max(crown, 0.5 * (1.0 - smoothstep(0.0, 0.12, length(place) / size())));
@@ -240,7 +240,7 @@ void main() {
     float away = max(length(place - crownMiddle.xy) / size() - 1.0, 0.0);
     vec3 at = (shadowMatrix * vec4(place, 0.0, 1.0)).xyz;
     bool inMap = all(greaterThan(at.xy, vec2(0.0))) && all(lessThan(at.xy, vec2(1.0)));
-    float seen = inMap ? sunSeen(at, 6.0) : 1.0, open = openness(place);
+    float seen = inMap ? sunSeen(at, 6.0) : 1.0, open = skyVisibility(place);
     vec3 colour;
     if (backdrop == 0) {
         vec3 light = mix(haze, zenith, 0.35) * open + sunlight * max(sun.z, 0.0) * seen;

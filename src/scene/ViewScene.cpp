@@ -40,25 +40,25 @@ void setInteger(osg::StateSet* state, const char* name, int value) {
 osg::ref_ptr<osg::Program> makeTreeProgram(const char* looks) {
     const osg::ref_ptr<osg::Program> program =
         makeProgram("tree", kTreeVertexShader, std::string(looks) + kLightFunctions + kTreeFragmentShader);
-    program->addBindAttribLocation("openAt", kOpennessAttribute);
+    program->addBindAttribLocation("openAt", kSkyVisibilityAttribute);
     return program;
 }
 
-void styleWires(osg::StateSet* wires) {
-    wires->setAttributeAndModes(makeProgram("wires", kPlainVertexShader, kPlainFragmentShader));
-    wires->addUniform(new osg::Uniform("colour", osg::Vec4(0.02f, 0.03f, 0.05f, 0.3f)));
-    wires->setMode(GL_BLEND, osg::StateAttribute::ON);
-    wires->setRenderingHint(osg::StateSet::TRANSPARENT_BIN);
-    wires->setAttributeAndModes(new osg::PolygonMode(osg::PolygonMode::FRONT_AND_BACK, osg::PolygonMode::LINE));
-    wires->setAttributeAndModes(new osg::PolygonOffset(-1, -1));
-    wires->setMode(GL_POLYGON_OFFSET_LINE, osg::StateAttribute::ON);
+void styleWireframe(osg::StateSet* wireframe) {
+    wireframe->setAttributeAndModes(makeProgram("wires", kPlainVertexShader, kPlainFragmentShader));
+    wireframe->addUniform(new osg::Uniform("colour", osg::Vec4(0.02f, 0.03f, 0.05f, 0.3f)));
+    wireframe->setMode(GL_BLEND, osg::StateAttribute::ON);
+    wireframe->setRenderingHint(osg::StateSet::TRANSPARENT_BIN);
+    wireframe->setAttributeAndModes(new osg::PolygonMode(osg::PolygonMode::FRONT_AND_BACK, osg::PolygonMode::LINE));
+    wireframe->setAttributeAndModes(new osg::PolygonOffset(-1, -1));
+    wireframe->setMode(GL_POLYGON_OFFSET_LINE, osg::StateAttribute::ON);
 }
 
 void show(osg::Node& node, bool on) { node.setNodeMask(on ? ~0u : 0u); }
 } // namespace
 
 CViewScene::CViewScene()
-    : m_root(new osg::Group), m_tree(new osg::Group), m_wires(new osg::Group), m_surfaceGroup(new osg::Group),
+    : m_root(new osg::Group), m_tree(new osg::Group), m_wireframe(new osg::Group), m_surfaceGroup(new osg::Group),
       m_background(makeBackground()), m_state(m_root->getOrCreateStateSet()) {
     for (const Surface surface : kSurfaces) {
         const auto i = static_cast<std::size_t>(surface);
@@ -71,11 +71,11 @@ CViewScene::CViewScene()
     m_shadows->addTo(m_state, kShadowUnit);
     m_person = makePerson(m_state->getOrCreateUniform("place", osg::Uniform::FLOAT_VEC3));
     m_tree->addChild(m_surfaceGroup);
-    m_wires->addChild(m_surfaceGroup);
+    m_wireframe->addChild(m_surfaceGroup);
     m_root->addChild(m_shadows->camera());
     m_root->addChild(m_background);
     m_root->addChild(m_tree);
-    m_root->addChild(m_wires);
+    m_root->addChild(m_wireframe);
     setInteger(m_state, "picture", kAlbedoUnit);
     setInteger(m_state, "relief", kReliefUnit);
     setInteger(m_state, "gloss", kGlossUnit);
@@ -84,7 +84,7 @@ CViewScene::CViewScene()
     setFloat(m_state, "smoothEdges", 0);
     osg::StateSet* state = m_tree->getOrCreateStateSet();
     state->setMode(GL_CULL_FACE, osg::StateAttribute::OFF);
-    styleWires(m_wires->getOrCreateStateSet());
+    styleWireframe(m_wireframe->getOrCreateStateSet());
     tint(ViewPart::kNone);
     setLook({});
     setQuality(1);
@@ -111,9 +111,9 @@ void CViewScene::setLook(const ViewLook& look) {
     setInteger(m_state, "backdrop", static_cast<int>(look.backdrop));
     setInteger(m_state, "view", static_cast<int>(look.shading));
     setFloat(m_state, "grid", look.ground);
-    const auto mode = look.wires == Wires::Only ? osg::PolygonMode::LINE : osg::PolygonMode::FILL;
+    const auto mode = look.wireframe == Wireframe::Only ? osg::PolygonMode::LINE : osg::PolygonMode::FILL;
     m_tree->getOrCreateStateSet()->setAttributeAndModes(new osg::PolygonMode(osg::PolygonMode::FRONT_AND_BACK, mode));
-    stromar::show(*m_wires, look.wires == Wires::Over);
+    stromar::show(*m_wireframe, look.wireframe == Wireframe::Over);
     for (const Surface surface : kSurfaces)
         stromar::show(*m_surfaces[static_cast<std::size_t>(surface)], look.leaves || surface == Surface::Bark);
     m_root->removeChild(m_person);

@@ -22,9 +22,9 @@ namespace {
 
 /// The place a path really names, so that a symbolic link is written through instead of replaced.
 fs::path resolved(fs::path path) {
-    constexpr int kMostLinks = 40;
+    constexpr int kMaxLinks = 40;
     std::error_code problem;
-    for (int links = 0; links < kMostLinks && fs::is_symlink(path, problem); ++links)
+    for (int links = 0; links < kMaxLinks && fs::is_symlink(path, problem); ++links)
         path = path.parent_path() / fs::read_symlink(path, problem);
     return path;
 }

@@ -125,7 +125,7 @@ TEST(Prediction, ARefusalNamesBothNumbers) {
     CParams params = preset("quaking_aspen");
     weberPenn(params).level[1].branches = 5000;
     weberPenn(params).level[2].branches = 5000;
-    const std::string text = refusal(params, SizeLimits::kMostVertices);
+    const std::string text = refusal(params, SizeLimits::kMaxVertices);
     const double predicted = predictSize(params, detailOf(Model::Full)).vertices / 1e6;
     const auto numbers = millionsIn(text);
     ASSERT_EQ(numbers.size(), 2u) << text;

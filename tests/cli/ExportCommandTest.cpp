@@ -117,7 +117,7 @@ TEST(ExportCommand, AFullDiskLeavesTheOlderFile) {
         const CTemporaryFolder folder;
         const std::string name = "x" + std::string(format.ending);
         writeFile(folder / name, "older");
-        const ProcessResult run = cli({"export", kAspen, "-o", (folder / name).string()}, {.mostFileBytes = 1'500'000});
+        const ProcessResult run = cli({"export", kAspen, "-o", (folder / name).string()}, {.maxFileBytes = 1'500'000});
         EXPECT_EQ(run.status, 1) << format.ending << ": " << run.err;
         EXPECT_NE(run.err, "") << format.ending;
         EXPECT_EQ(readFile(folder / name), "older") << format.ending;

@@ -16,7 +16,7 @@ namespace stromar::test {
 struct ProcessSettings {
     std::string folder{};     ///< to start in; empty: this one
     std::string output{};     ///< where standard output goes instead of into the result
-    rlim_t mostFileBytes = 0; ///< like a disk that is full after so many bytes; 0: no limit
+    rlim_t maxFileBytes = 0; ///< like a disk that is full after so many bytes; 0: no limit
 };
 
 struct ProcessResult {
@@ -60,8 +60,8 @@ private:
         const int errFile = ::open(err.c_str(), O_WRONLY | O_CREAT | O_TRUNC, 0666);
         ::dup2(outFile, STDOUT_FILENO);
         ::dup2(errFile, STDERR_FILENO);
-        if (settings.mostFileBytes > 0) {
-            const rlimit limit{settings.mostFileBytes, settings.mostFileBytes};
+        if (settings.maxFileBytes > 0) {
+            const rlimit limit{settings.maxFileBytes, settings.maxFileBytes};
             ::signal(SIGXFSZ, SIG_IGN);
             ::setrlimit(RLIMIT_FSIZE, &limit);
         }

@@ -131,7 +131,7 @@ TEST_F(Help, ShowsThePictureOnThePage) {
     const QImage seen = help.browser().viewport()->grab({corner, wanted.size()}).toImage();
     ASSERT_EQ(seen.size(), wanted.size());
     const test::TileDifference worst = worstTile(seen, wanted);
-    EXPECT_LT(worst.mean, test::kMostTileDifference) << worst;
+    EXPECT_LT(worst.mean, test::kMaxTileDifference) << worst;
 }
 
 } // namespace

@@ -49,7 +49,7 @@ TEST(Panel, EveryRowHasAnEditorThatShowsAndSets) {
     CParamPanel panel;
     CParams params;
     QObject::connect(&panel, &CParamPanel::edited,
-                     [&](const ParamRef& ref, double value, int) { ref.set(params, value); });
+                     [&](const ParamRef& ref, const ParamValue& value, int) { ref.setValue(params, value); });
     for (const ParamRef& ref : numberParams()) {
         const CParamEditor* editor = panel.editor(ref);
         ASSERT_EQ(editor != nullptr, !ref.info->unused()) << ref.key();
@@ -239,8 +239,8 @@ TEST(Panel, ShiftDragsFinelyCtrlCoarsely) {
     panel.show();
     ASSERT_TRUE(QTest::qWaitForWindowExposed(&panel));
     CParams params;
-    QObject::connect(&panel, &CParamPanel::edited, [&](const ParamRef& ref, double value, int) {
-        ref.set(params, value);
+    QObject::connect(&panel, &CParamPanel::edited, [&](const ParamRef& ref, const ParamValue& value, int) {
+        ref.setValue(params, value);
         panel.showParams(params, params);
     });
     const ParamRef ref = paramRef("1DownAngle");
@@ -274,7 +274,7 @@ TEST(Panel, ABurstOfKeysIsOneGesture) {
     CParamPanel panel;
     std::vector<int> gestures;
     QObject::connect(&panel, &CParamPanel::edited,
-                     [&](const ParamRef&, double, int gesture) { gestures.push_back(gesture); });
+                     [&](const ParamRef&, const ParamValue&, int gesture) { gestures.push_back(gesture); });
     auto* slider = panel.editor(paramRef("1DownAngle"))->findChild<QSlider*>();
     for (int i = 0; i < 3; ++i) QTest::keyClick(slider, Qt::Key_Right);
     QTest::qWait(900);

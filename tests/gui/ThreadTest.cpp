@@ -16,8 +16,8 @@ CParams aspen() { return CTreeFile::read(STROMAR_SOURCE "/presets/quaking_aspen.
 
 /// A thread with its results.
 struct Fixture {
-    explicit Fixture(double mostVertices = SizeLimits::kMostVertices)
-        : thread(std::make_unique<CTreeCreator>(true, mostVertices)) {
+    explicit Fixture(const SizeLimits& limits = {})
+        : thread(std::make_unique<CTreeCreator>(true, limits)) {
         QObject::connect(&thread, &CTreeCreatorThread::created, &receiver, [this](const auto& view) {
             last = view;
             ++results;

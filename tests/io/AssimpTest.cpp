@@ -16,7 +16,7 @@ struct ReadModel {
     std::vector<Corner> corners;                 ///< right-handed, y up
     std::vector<std::string> materials;          ///< of each triangle
     std::map<std::string, std::string> textures; ///< by material
-    std::size_t meshCount = 0, mostFaces = 0;
+    std::size_t meshCount = 0, maxFaces = 0;
 };
 
 glm::vec3 toGlm(const aiVector3D& v) { return {v.x, v.y, v.z}; }
@@ -35,7 +35,7 @@ void addMesh(const aiMesh& mesh, const aiMatrix4x4& place, const std::string& ma
         model.materials.push_back(material);
     }
     ++model.meshCount;
-    model.mostFaces = std::max<std::size_t>(model.mostFaces, mesh.mNumFaces);
+    model.maxFaces = std::max<std::size_t>(model.maxFaces, mesh.mNumFaces);
 }
 
 void addNode(const aiScene& scene, const aiNode& node, const aiMatrix4x4& parent, ReadModel& model) {
@@ -142,7 +142,7 @@ TEST_P(AssimpReads, EveryCornerInItsPlace) {
 TEST(AssimpReads3ds, MeshesWithinTheFormatsLimits) {
     const ReadModel got = read(CExported(sampleModel("tupelo"), ".3ds").path());
     EXPECT_GT(got.meshCount, sampleModel("tupelo").meshes().size()) << "nothing had to be cut";
-    EXPECT_LE(got.mostFaces, 65535u);
+    EXPECT_LE(got.maxFaces, 65535u);
 }
 
 class AssimpReadsNormals : public testing::TestWithParam<const char*> {};

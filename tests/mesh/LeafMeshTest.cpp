@@ -75,7 +75,7 @@ TEST(LeafMesh, ThinningKeepsTheAreaAndTheCrown) {
             EXPECT_LE(double(drawn),
                       std::max(double(kFewOrgans), std::ceil(detail.share * double(tree->leaves().size()))));
             const double growth = std::sqrt(double(tree->leaves().size()) / double(drawn));
-            const double kept = growth <= kMostLeafGrowth ? 1 : std::pow(kMostLeafGrowth / growth, 2);
+            const double kept = growth <= kMaxLeafGrowth ? 1 : std::pow(kMaxLeafGrowth / growth, 2);
             EXPECT_NEAR(mesh->area() / areaOf(tree->leaves()), kept, 0.05 * kept) << sample.name << ", " << detail.name;
             const Bounds box = mesh->bounds();
             for (int i = 0; i < 3; ++i)

@@ -41,7 +41,7 @@ void checkAll(const CParams& params, Report&& report) {
 
 /// Where a stem turns back more tightly than it is thick, it reaches through itself, and normals may be tilted there:
 /// the share says how often. All else has to be sound.
-void expectSound(std::uint64_t samples, CParams (*make)(std::uint64_t, const Caps&), double mostTilted) {
+void expectSound(std::uint64_t samples, CParams (*make)(std::uint64_t, const Caps&), double maxTilted) {
     std::size_t triangles = 0, tilted = 0;
     for (std::uint64_t number = 0; number < samples; ++number)
         checkAll(make(number, kMeshCaps), [&](MeshFaults faults, const std::string& label) {
@@ -50,7 +50,7 @@ void expectSound(std::uint64_t samples, CParams (*make)(std::uint64_t, const Cap
             EXPECT_EQ(inWords(faults), "") << "of " << faults.triangles << ", sample " << number << ", " << label;
         });
     EXPECT_GT(triangles, 1'000'000u) << "the samples show too little";
-    EXPECT_LE(double(tilted), mostTilted * double(triangles)) << tilted << " of " << triangles;
+    EXPECT_LE(double(tilted), maxTilted * double(triangles)) << tilted << " of " << triangles;
 }
 
 TEST(RandomMesh, GentleTreesAreSound) { expectSound(300, gentleParams, 0.002); }

@@ -54,7 +54,7 @@ TEST(ParamText, EveryWordOfAnEnumIsItsNumber) {
             ++words;
             CParams params;
             SetProblem problem;
-            EXPECT_EQ(setFromText(params, ref, ref.info->words[i], problem), SetResult::Done) << problem;
+            EXPECT_EQ(setFromText(params, ref, ref.info->words[i], problem), SetResult::Done) << problem.text;
             EXPECT_EQ(ref.get(params), double(i)) << ref.info->words[i];
             EXPECT_EQ(valueText(params, ref), std::to_string(i)) << "files have numbers";
         }

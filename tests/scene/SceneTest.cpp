@@ -72,11 +72,11 @@ TEST(OsgGeometry, ForTheViewportKnowsHowOpenItLies) {
     for (const auto& mesh : aspenMeshes()) {
         EXPECT_EQ(makeGeometry(*mesh)->getNumVertexAttribArrays(), 0u) << "files do not";
         const osg::ref_ptr<osg::Geometry> geometry = makeViewGeometry(*mesh);
-        const auto* openness = geometry->getVertexAttribArray(kOpennessAttribute);
-        ASSERT_TRUE(openness);
-        ASSERT_EQ(openness->getNumElements(), mesh->vertexCount());
-        EXPECT_TRUE(openness->getNormalize());
-        EXPECT_EQ(std::memcmp(openness->getDataPointer(), mesh->openness.data(), mesh->vertexCount()), 0);
+        const auto* skyVisibility = geometry->getVertexAttribArray(kSkyVisibilityAttribute);
+        ASSERT_TRUE(skyVisibility);
+        ASSERT_EQ(skyVisibility->getNumElements(), mesh->vertexCount());
+        EXPECT_TRUE(skyVisibility->getNormalize());
+        EXPECT_EQ(std::memcmp(skyVisibility->getDataPointer(), mesh->skyVisibility.data(), mesh->vertexCount()), 0);
     }
 }
 

@@ -31,7 +31,7 @@ inline constexpr int kTileSide = 8;
 
 /// One version of the software OpenGL draws the same bytes on all x86 processors: this is room for the rounding of
 /// another version. The smallest fault to be caught, a spruce's trunk 1.5 times too thick, changes a tile by 10.
-inline constexpr double kMostTileDifference = 5;
+inline constexpr double kMaxTileDifference = 5;
 
 /// The tile in which two pictures of the same size differ most; what lies in `unseen` does not count.
 inline TileDifference worstTile(const PictureBytes& a, const PictureBytes& b,

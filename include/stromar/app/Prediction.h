@@ -16,9 +16,9 @@ Prediction predictSize(const CParams& params, const Detail& detail);
 
 /// What a tree may take.
 struct SizeLimits {
-    static constexpr double kMostVertices = 20e6;
+    static constexpr double kMaxVertices = 20e6;
 
-    double vertices = kMostVertices;
+    double vertices = kMaxVertices;
     double bytes = defaultMemory();
 
     /// Half of what this machine has free now.

@@ -14,8 +14,8 @@ struct Detail {
     int lod;               ///< 0..3, of the full model
     int ringPoints;        ///< of a ring as thick as the trunk; thinner stems have fewer by the root, 3 at least
     int lobePoints;        ///< for each lobe or root, at least; 0: they are drawn where the ring has four points for each
-    double mostTurn;       ///< degrees between rings of a stem as thick as the trunk, thinner ones bend more; 0: mitres
-    double leastTurn;      ///< degrees, likewise: rings between smaller turns are left out; 0 draws all
+    double maxTurn;       ///< degrees between rings of a stem as thick as the trunk, thinner ones bend more; 0: mitres
+    double minTurn;      ///< degrees, likewise: rings between smaller turns are left out; 0 draws all
     int helixRings;        ///< per turn of a helix
     int smoothGenerations; ///< the first so many get rings between their segments' ends
     int collarRings;       ///< between a parent's surface and a branch's own rings
@@ -25,7 +25,7 @@ struct Detail {
 };
 
 constexpr std::size_t kFewOrgans = 60; ///< so many leaves, blossoms or fruits are not thinned
-constexpr double kMostLeafGrowth = 2; ///< thinned leaves grow at most to this times their length
+constexpr double kMaxLeafGrowth = 2; ///< thinned leaves grow at most to this times their length
 constexpr double kCoarsestTurn = 2.5; ///< of thin stems, times what is allowed to a trunk
 
 std::span<const Detail> detailTable();

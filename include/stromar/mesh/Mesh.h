@@ -26,7 +26,7 @@ public:
     RawVector<glm::vec3> positions;
     RawVector<glm::vec3> normals; ///< unit
     RawVector<glm::vec2> texCoords;
-    RawVector<std::uint8_t> openness; ///< 255: sees the whole sky as far as its own stem is concerned; 0: none
+    RawVector<std::uint8_t> skyVisibility; ///< 255: sees the whole sky as far as its own stem is concerned; 0: none
     RawVector<std::uint32_t> indices; ///< three per triangle
 
     std::size_t vertexCount() const { return positions.size(); }

@@ -27,7 +27,7 @@ struct Tube {
     std::uint32_t stem, path; ///< of the generation
     std::uint32_t firstRing = 0, ringCount = 0;
     std::uint32_t points = 0;           ///< of the collar and of the first ring
-    double mostTurn = 0;                ///< radians of a bend between its rings; 0: bends are mitred
+    double maxTurn = 0;                ///< radians of a bend between its rings; 0: bends are mitred
     bool lobed = false;                 ///< the rings have bulges
     bool pointed = false;               ///< the last ring is a single point
     std::uint32_t collarRings = 0;      ///< in front of the first ring, the lowest pressed onto the parent
@@ -93,7 +93,7 @@ constexpr std::uint32_t kNoGeneration = ~0u;
 
 /// The leaves by their form, seen from above; blossoms as cards, fruits as ellipsoids. As many and as large as the
 /// season has them. Only those on stems that `plans`, by generation, chose; at most the detail's share or kFewOrgans,
-/// enlarged to keep their area as far as kMostLeafGrowth allows. Not those of the generation `except`, which cards show.
+/// enlarged to keep their area as far as kMaxLeafGrowth allows. Not those of the generation `except`, which cards show.
 /// Throws CCancelled.
 std::shared_ptr<const CMesh> meshOfOrgans(const CTree& tree, Organ organ, std::span<const MeshPlan* const> plans,
                                           const MeshParams& params, const Detail& detail, const CProgress& progress,

@@ -18,7 +18,7 @@ struct MeshFaults {
     std::size_t tangled = 0;    ///< surfaces with an edge of several triangles, or of two that face opposite ways
     std::size_t tilted = 0;     ///< triangles with a corner whose normal points to their back
     std::size_t floating = 0;   ///< branches whose collar starts above their parent's surface
-    std::size_t buried = 0;     ///< branches whose collar starts more than kMostBuried radii below it
+    std::size_t buried = 0;     ///< branches whose collar starts more than kMaxBuried radii below it
 
     bool sound() const;
 };
@@ -30,7 +30,7 @@ struct MeshCheck {
 };
 std::span<const MeshCheck> meshChecks();
 
-constexpr double kMostFloating = 0.001, kMostBuried = 0.01; ///< radii of the branch: rounding
+constexpr double kMaxFloating = 0.001, kMaxBuried = 0.01; ///< radii of the branch: rounding
 
 /// Checks the surfaces (one per path) of a generation's stems; their collars against the parents' triangles, if given.
 MeshFaults checkStems(const CTree& tree, int generation, const StemMesh& stems, const StemMesh* parents);

@@ -12,7 +12,7 @@ struct Crown {
 /// Of all leaves, or of all meshes where there are none.
 Crown crownOf(const Meshes& meshes);
 
-/// Ambient occlusion of a vertex, 0 dark … 255 open: what its own stem leaves open (CMesh::openness), less towards the
+/// Ambient occlusion of a vertex, 0 dark … 255 open: what its own stem leaves open (CMesh::skyVisibility), less towards the
 /// middle of the crown. A closed form, no rays: cost of one square root.
 std::uint8_t ambientAt(const Crown& crown, const CMesh& mesh, std::size_t vertex);
 

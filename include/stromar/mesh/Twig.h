@@ -38,9 +38,9 @@ std::shared_ptr<const Twig> typicalTwig(const CTree& tree, const MeshParams& par
 
 /// A card for every stem of the last generation that bears leaves, bent with it, in the detail's number of planes. No
 /// more rectangles than the detail's share of the leaves: else fewer planes, straight cards, at last fewer cards. Each
-/// shows as much leaf as its stem has, as far as kMostLeafGrowth allows. Throws CCancelled.
+/// shows as much leaf as its stem has, as far as kMaxLeafGrowth allows. Throws CCancelled.
 std::shared_ptr<const CMesh> meshOfTwigs(const CTree& tree, const Twig& twig, const MeshParams& params,
                                          const Detail& detail, const CProgress& progress);
-std::size_t mostVerticesOfCard(const Detail& detail);
+std::size_t maxVerticesOfCard(const Detail& detail);
 
 } // namespace stromar

@@ -30,6 +30,6 @@ struct MeshChunk {
 };
 
 /// Cuts a mesh, triangle by triangle in their order, into parts of at most so many vertices and triangles (3 at least).
-std::vector<MeshChunk> cutIntoChunks(const CMesh& mesh, std::size_t mostVertices, std::size_t mostTriangles);
+std::vector<MeshChunk> cutIntoChunks(const CMesh& mesh, std::size_t maxVertices, std::size_t maxTriangles);
 
 } // namespace stromar

@@ -20,7 +20,7 @@ public:
         std::size_t at;
     };
 
-    static constexpr std::size_t kMostPoints = 64;
+    static constexpr std::size_t kMaxPoints = 64;
 
     /// 0 everywhere.
     CCurve() : m_points{{0, 0}} {}

@@ -24,13 +24,13 @@ struct ViewPart {
 };
 
 enum class Backdrop { Sky, Light, Dark, Nothing }; ///< Nothing: transparent
-enum class Wires { Off, Only, Over };
+enum class Wireframe { Off, Only, Over };
 enum class Shading { Lit, Material, Occlusion, Normals };
 
 /// What is drawn beside the tree, and how.
 struct ViewLook {
     Backdrop backdrop = Backdrop::Sky;
-    Wires wires = Wires::Off;
+    Wireframe wireframe = Wireframe::Off;
     Shading shading = Shading::Lit;
     double hour = 10;    ///< of the day, 0..24: where the sun stands
     double sunTurn = 0;  ///< turns its way about the tree, degrees
@@ -83,7 +83,7 @@ private:
     void updateCrown();
     void updateLight();
 
-    osg::ref_ptr<osg::Group> m_root, m_tree, m_wires, m_person, m_surfaceGroup;
+    osg::ref_ptr<osg::Group> m_root, m_tree, m_wireframe, m_person, m_surfaceGroup;
     osg::ref_ptr<osg::Geometry> m_background;
     std::array<osg::ref_ptr<osg::Group>, kSurfaces.size()> m_surfaces;
     std::unique_ptr<CShadowMap> m_shadows;

@@ -37,8 +37,8 @@ std::optional<CCurve> CCurve::parse(std::string_view text, Fault& fault) {
         std::string wrong = readPoint(piece, points.size(), point);
         if (wrong.empty() && !points.empty() && point.x <= points.back().x)
             wrong = named(points.size(), piece) + " must lie to the right of the point before it";
-        if (wrong.empty() && points.size() == kMostPoints)
-            wrong = "a curve has at most " + std::to_string(kMostPoints) + " points";
+        if (wrong.empty() && points.size() == kMaxPoints)
+            wrong = "a curve has at most " + std::to_string(kMaxPoints) + " points";
         if (!wrong.empty()) {
             fault = {std::move(wrong), begin + blanks};
             return {};

@@ -76,7 +76,7 @@ constexpr ParamInfo kTexts[] = {
 };
 
 constexpr ParamInfo kNumbers[] = {
-    {.key = "MinRadius", .label = N_("Least radius"), .group = Group::Tree, .section = N_("Thickness"), .unit = Unit::Metre,
+    {.key = "MinRadius", .label = N_("Min radius"), .group = Group::Tree, .section = N_("Thickness"), .unit = Unit::Metre,
      .field = field<&CommonParams::minRadius>, .range = {0, 1}, .useful = {0, 0.01}, .step = 0.0005, .decimals = 4, .defaults = {0.0005},
      .invalidates = kMeshOnly, .help = N_("No stem is drawn thinner than this, so that fine twigs stay visible."),
      .demo = {"Levels=2 Ratio=0.01 Scale=4", {0.0005, 0.01, 0.04}}},

@@ -15,7 +15,7 @@ namespace stromar {
 namespace {
 constexpr std::uint64_t kTrunkId = 1;
 constexpr double kTrunkPhase = 0.20710678118654752; // (√2 − 1) / 2
-constexpr double kLeastLength = 1e-5;             // metres; shorter stems are not grown
+constexpr double kMinLength = 1e-5;             // metres; shorter stems are not grown
 constexpr std::size_t kParentGrain = 16, kStemGrain = 64;
 
 /// A place where a stem will grow, with all that its parent says about it.
@@ -128,7 +128,7 @@ private:
             }
             const double around = turn + 2 * std::numbers::pi * j / level.whorl + (j > 0 ? variation : 0);
             const Site site = makeSite(generation, parent, share, i, id, w, around);
-            if (site.measures.length > kLeastLength) sites.push_back(site);
+            if (site.measures.length > kMinLength) sites.push_back(site);
         }
     }
 
@@ -190,7 +190,7 @@ public:
         StemMeasures measures = site.measures;
         if (site.parent >= 0) {
             measures.length = prunedLength(site);
-            if (measures.length <= kLeastLength) return;
+            if (measures.length <= kMinLength) return;
             measures.radius = m_params.calc().childRadius(site.parentMeasures, measures.length, site.woodThere);
         }
         addStem(site, measures, generation);
@@ -320,7 +320,7 @@ std::vector<Site> sitesOf(int generation, const std::vector<std::shared_ptr<cons
         return CSiteFinder(params[g - 1], g == 1 ? base : BaseForm(), params[g], random).find(*grown[g - 1], progress);
     std::vector<Site> trunks;
     for (int i = 0; i < params[0].tree().trunks; ++i)
-        if (const Site trunk = trunkSite(params[0], random, i); trunk.measures.length > kLeastLength)
+        if (const Site trunk = trunkSite(params[0], random, i); trunk.measures.length > kMinLength)
             trunks.push_back(trunk);
     return trunks;
 }

@@ -1,4 +1,4 @@
-#include "ViewDesk.h"
+#include "ViewController.h"
 #include "ParamPanel.h"
 #include "PictureDialog.h"
 #include "QtText.h"
@@ -34,41 +34,41 @@ std::vector<std::vector<osg::Vec3d>> linesOf(const CGeneration& all, const CStem
 }
 } // namespace
 
-CViewDesk::CViewDesk(CViewport& viewport, CParamPanel& panel, CDocument& document, QObject* parent)
+CViewController::CViewController(CViewport& viewport, CParamPanel& panel, CDocument& document, QObject* parent)
     : QObject(parent), m_viewport(viewport), m_panel(panel), m_document(document) {
-    connect(&m_panel, &CParamPanel::touched, this, &CViewDesk::onTouched);
+    connect(&m_panel, &CParamPanel::touched, this, &CViewController::onTouched);
     connect(&m_panel.tabs(), &QTabWidget::currentChanged, this, [this](int tab) {
         m_guide = nullptr;
         for (const Guide& guide : methodOf(m_document.params()).guides)
             if (!guide.group.name.empty() && tab == m_panel.tabOf(guide.group)) m_guide = &guide;
         updateOverlay();
     });
-    connect(&m_viewport, &CViewport::picked, this, &CViewDesk::onPicked);
-    connect(&m_viewport, &CViewport::guideDragged, this, &CViewDesk::onDragged);
+    connect(&m_viewport, &CViewport::picked, this, &CViewController::onPicked);
+    connect(&m_viewport, &CViewport::guideDragged, this, &CViewController::onDragged);
     connect(&m_viewport, &CViewport::guideReleased, this, [this] {
         m_dragging = false;
         emit released();
     });
 }
 
-void CViewDesk::show(const std::shared_ptr<const ViewModel>& view) {
+void CViewController::show(const std::shared_ptr<const ViewModel>& view) {
     m_view = view;
     m_viewport.show(view->parts);
     updateSelection();
 }
 
-int CViewDesk::generationOf(const ParamRef& ref) const {
+int CViewController::generationOf(const ParamRef& ref) const {
     const TreeMethod& method = methodOf(m_document.params());
     return method.generationOf ? method.generationOf(ref, m_document.params()) : ViewPart::kNone;
 }
 
-const Guide* CViewDesk::guideOf(const ParamRef& ref) const {
+const Guide* CViewController::guideOf(const ParamRef& ref) const {
     for (const Guide& guide : methodOf(m_document.params()).guides)
         if (guide.belongsTo(ref)) return &guide;
     return nullptr;
 }
 
-void CViewDesk::onTouched(const std::optional<ParamRef>& ref) {
+void CViewController::onTouched(const std::optional<ParamRef>& ref) {
     m_viewport.tint(ref ? generationOf(*ref) : ViewPart::kNone);
     // Guides stay while the mouse goes to their handles, until another value is touched.
     if (!ref || guideOf(*ref) == m_guide) return;
@@ -76,7 +76,7 @@ void CViewDesk::onTouched(const std::optional<ParamRef>& ref) {
     updateOverlay();
 }
 
-void CViewDesk::onDragged(std::size_t handle, const glm::dvec2& to, int gesture) {
+void CViewController::onDragged(std::size_t handle, const glm::dvec2& to, int gesture) {
     if (!m_guide) return;
     m_dragging = true;
     const GuideHandle& dragged = m_guide->handles[handle];
@@ -86,7 +86,7 @@ void CViewDesk::onDragged(std::size_t handle, const glm::dvec2& to, int gesture)
         tr("Drag %1").arg(text), [&](CParams& params) { dragged.drag(params, scale, to); }, gesture, text);
 }
 
-void CViewDesk::onPicked(const std::optional<ViewHit>& hit) {
+void CViewController::onPicked(const std::optional<ViewHit>& hit) {
     m_selected.reset();
     if (hit && m_view) {
         const CTree& tree = *m_view->model->tree;
@@ -106,12 +106,12 @@ void CViewDesk::onPicked(const std::optional<ViewHit>& hit) {
     updateSelection();
 }
 
-void CViewDesk::clearSelection() {
+void CViewController::clearSelection() {
     m_selected.reset();
     updateSelection();
 }
 
-void CViewDesk::updateSelection() {
+void CViewController::updateSelection() {
     CViewOverlay::Model& model = m_viewport.overlay().model();
     model.selection.clear();
     model.selectionText.clear();
@@ -127,7 +127,7 @@ void CViewDesk::updateSelection() {
     updateOverlay();
 }
 
-void CViewDesk::describeStem(std::size_t generation, const CStem& stem, std::size_t number) {
+void CViewController::describeStem(std::size_t generation, const CStem& stem, std::size_t number) {
     const CTree& tree = *m_view->model->tree;
     const CGeneration& all = tree.generation(generation);
     CViewOverlay::Model& model = m_viewport.overlay().model();
@@ -144,7 +144,7 @@ void CViewDesk::describeStem(std::size_t generation, const CStem& stem, std::siz
     model.selectionText = rows.join(QLatin1Char('\n'));
 }
 
-void CViewDesk::describeLeaf(std::size_t number) {
+void CViewController::describeLeaf(std::size_t number) {
     const CTree& tree = *m_view->model->tree;
     if (number >= tree.leaves().size()) return;
     const CLeaf& leaf = tree.leaves()[number];
@@ -158,7 +158,7 @@ void CViewDesk::describeLeaf(std::size_t number) {
             .arg(leaf.stem + 1);
 }
 
-QStringList CViewDesk::statistics() const {
+QStringList CViewController::statistics() const {
     if (!m_statistics || !m_view) return {};
     const TreeModel& tree = *m_view->model;
     const QLocale numbers;
@@ -181,7 +181,7 @@ QStringList CViewDesk::statistics() const {
     return rows;
 }
 
-void CViewDesk::updateOverlay() {
+void CViewController::updateOverlay() {
     CViewOverlay::Model& model = m_viewport.overlay().model();
     model.params = m_document.params();
     model.guide = m_guide;
@@ -193,19 +193,19 @@ void CViewDesk::updateOverlay() {
     m_viewport.overlay().update();
 }
 
-void CViewDesk::setLook(const std::function<void(ViewLook&)>& change) {
+void CViewController::setLook(const std::function<void(ViewLook&)>& change) {
     ViewLook look = m_viewport.look();
     change(look);
     m_viewport.setLook(look);
     updateOverlay();
 }
 
-void CViewDesk::setStatistics(bool on) {
+void CViewController::setStatistics(bool on) {
     m_statistics = on;
     updateOverlay();
 }
 
-void CViewDesk::savePicture(QWidget* parent) {
+void CViewController::savePicture(QWidget* parent) {
     CPictureDialog dialog(m_viewport.size() * m_viewport.devicePixelRatioF(), parent);
     if (dialog.exec() != QDialog::Accepted) return;
     const PictureOptions wanted = dialog.options();

@@ -10,10 +10,10 @@ class CParamPanel;
 
 /// What one sees of what one edits: brings viewport, panel and document together. Tints the generation of the value in
 /// hand, draws the guides of crown and envelope, tells about the stem or leaf that was clicked.
-class CViewDesk : public QObject {
+class CViewController : public QObject {
     Q_OBJECT
 public:
-    CViewDesk(CViewport& viewport, CParamPanel& panel, CDocument& document, QObject* parent = nullptr);
+    CViewController(CViewport& viewport, CParamPanel& panel, CDocument& document, QObject* parent = nullptr);
 
     void show(const std::shared_ptr<const ViewModel>& view);
     /// After a change of the values or of the unit.
