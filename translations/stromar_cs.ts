@@ -212,10 +212,6 @@
         <translation>Ukázat drátěný model</translation>
     </message>
     <message>
-        <source>Wires &amp;over the Tree</source>
-        <translation>Dráty &amp;přes strom</translation>
-    </message>
-    <message>
         <source>Show the wire frame on the shaded tree</source>
         <translation>Ukázat drátěný model na vystínovaném stromu</translation>
     </message>
@@ -354,6 +350,10 @@
     <message>
         <source>Where each place faces, as a colour</source>
         <translation>Kam které místo míří, jako barva</translation>
+    </message>
+    <message>
+        <source>Wireframe &amp;over the Tree</source>
+        <translation>Dráty &amp;přes strom</translation>
     </message>
 </context>
 <context>
@@ -891,10 +891,6 @@
         <translation>Oč je kratší větev tenčí než její rodič. Vyšší hodnoty dělají jemnější větve.</translation>
     </message>
     <message>
-        <source>Least radius</source>
-        <translation>Nejmenší poloměr</translation>
-    </message>
-    <message>
         <source>No stem is drawn thinner than this, so that fine twigs stay visible.</source>
         <translation>Nic se nekreslí tenčí, aby jemné větvičky zůstaly vidět.</translation>
     </message>
@@ -1293,14 +1289,6 @@
     <message>
         <source>What the tree is like.</source>
         <translation>Jaký strom je.</translation>
-    </message>
-    <message>
-        <source>Method</source>
-        <translation>Metoda</translation>
-    </message>
-    <message>
-        <source>How the tree is grown: weber-penn.</source>
-        <translation>Jak strom roste: weber-penn.</translation>
     </message>
     <message>
         <source>Liked seeds</source>
@@ -1934,6 +1922,29 @@
         <source>How many cards, turned about their length, make one blossom: 2 or 3 for candles and catkins.</source>
         <translation>Kolik karet pootočených kolem délky tvoří jeden květ: 2 nebo 3 pro svíce a jehnědy.</translation>
     </message>
+    <message>
+        <source>Min radius</source>
+        <translation>Min. poloměr</translation>
+    </message>
+    <message>
+        <source>Weber and Penn</source>
+        <translation>Weber a Penn</translation>
+    </message>
+    <message>
+        <source>Botanical values by level: trunk, branches, twigs. Creation and Rendering of Realistic Trees, SIGGRAPH 1995.</source>
+        <translation>Botanické hodnoty po úrovních: kmen, větve, větvičky. Creation and Rendering of Realistic Trees, SIGGRAPH 1995.</translation>
+    </message>
+</context>
+<context>
+    <name>stromar::CCurveEditor</name>
+    <message>
+        <source>value</source>
+        <translation>hodnota</translation>
+    </message>
+    <message>
+        <source>&amp;Delete Point</source>
+        <translation>&amp;Smazat bod</translation>
+    </message>
 </context>
 <context>
     <name>stromar::CDocument</name>
@@ -2062,10 +2073,6 @@
         <translation>Otevřít &amp;nedávné</translation>
     </message>
     <message>
-        <source>The tree is growing; Esc gives it up</source>
-        <translation>Strom roste; Esc ho vzdá</translation>
-    </message>
-    <message>
         <source>Autosave: %1</source>
         <translation>Průběžné ukládání: %1</translation>
     </message>
@@ -2088,10 +2095,6 @@
     <message>
         <source>Undo</source>
         <translation>Zpět</translation>
-    </message>
-    <message>
-        <source>This tree may have up to %1 stems, %2 leaves and %3 million vertices; the limit is %4 million.</source>
-        <translation>Tento strom může mít až %1 větví, %2 listů a %3 milionů vrcholů; mez je %4 milionů.</translation>
     </message>
     <message>
         <source>%1   %2 stems   %3 leaves   %4 vertices   %5 triangles   %6 ms</source>
@@ -2148,10 +2151,6 @@
     <message>
         <source>Click</source>
         <translation>Kliknutí</translation>
-    </message>
-    <message>
-        <source>Tell about the stem or leaf</source>
-        <translation>Povědět o větvi nebo listu</translation>
     </message>
     <message>
         <source>In the parameters</source>
@@ -2327,6 +2326,22 @@
         <source>Light</source>
         <translation>Světlo</translation>
     </message>
+    <message>
+        <source>New &amp;Tree by</source>
+        <translation>Nový &amp;strom metodou</translation>
+    </message>
+    <message>
+        <source>The tree is growing; Esc cancels</source>
+        <translation>Strom roste; Esc růst zruší</translation>
+    </message>
+    <message>
+        <source>This tree may have up to %1 stems, %2 leaves and %3 million vertices and take %4 GB of memory; the limit is %5 million vertices and %6 GB.</source>
+        <translation>Tento strom může mít až %1 větví, %2 listů a %3 milionů vrcholů a zabrat %4 GB paměti; mez je %5 milionů vrcholů a %6 GB.</translation>
+    </message>
+    <message>
+        <source>Show details of the stem or leaf</source>
+        <translation>Ukázat podrobnosti o větvi nebo listu</translation>
+    </message>
 </context>
 <context>
     <name>stromar::CMessageBar</name>
@@ -2400,10 +2415,6 @@
         <translation>&amp;Vložit</translation>
     </message>
     <message>
-        <source>Give to &amp;Level</source>
-        <translation>Předat ú&amp;rovni</translation>
-    </message>
-    <message>
         <source>&amp;Reset to Default</source>
         <translation>&amp;Výchozí hodnota</translation>
     </message>
@@ -2422,6 +2433,10 @@
     <message>
         <source>&amp;Lock against Randomise</source>
         <translation>&amp;Zamknout proti míchání</translation>
+    </message>
+    <message>
+        <source>Copy to &amp;Level</source>
+        <translation>Kopírovat do ú&amp;rovně</translation>
     </message>
 </context>
 <context>
@@ -2611,7 +2626,7 @@
     </message>
 </context>
 <context>
-    <name>stromar::CViewDesk</name>
+    <name>stromar::CViewController</name>
     <message>
         <source>Drag %1</source>
         <translation>Tažení: %1</translation>

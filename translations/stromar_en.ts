@@ -2,7 +2,7 @@
 <!DOCTYPE TS>
 <TS version="2.1" language="en">
 <context>
-    <name>stromar::CViewDesk</name>
+    <name>stromar::CViewController</name>
     <message numerus="yes">
         <source>Split into %n path(s)</source>
         <translation>

@@ -212,10 +212,6 @@
         <translation>Показать каркас</translation>
     </message>
     <message>
-        <source>Wires &amp;over the Tree</source>
-        <translation>Каркас по&amp;верх дерева</translation>
-    </message>
-    <message>
         <source>Show the wire frame on the shaded tree</source>
         <translation>Показать каркас на затенённом дереве</translation>
     </message>
@@ -354,6 +350,10 @@
     <message>
         <source>Where each place faces, as a colour</source>
         <translation>Куда обращена каждая точка, цветом</translation>
+    </message>
+    <message>
+        <source>Wireframe &amp;over the Tree</source>
+        <translation>Каркас по&amp;верх дерева</translation>
     </message>
 </context>
 <context>
@@ -891,10 +891,6 @@
         <translation>Насколько ветвь короче — настолько она тоньше родителя. Большие значения дают более тонкие ветви.</translation>
     </message>
     <message>
-        <source>Least radius</source>
-        <translation>Наименьший радиус</translation>
-    </message>
-    <message>
         <source>No stem is drawn thinner than this, so that fine twigs stay visible.</source>
         <translation>Ничто не рисуется тоньше этого, чтобы тонкие веточки оставались видны.</translation>
     </message>
@@ -1293,14 +1289,6 @@
     <message>
         <source>What the tree is like.</source>
         <translation>Каково дерево.</translation>
-    </message>
-    <message>
-        <source>Method</source>
-        <translation>Метод</translation>
-    </message>
-    <message>
-        <source>How the tree is grown: weber-penn.</source>
-        <translation>Как растёт дерево: weber-penn.</translation>
     </message>
     <message>
         <source>Liked seeds</source>
@@ -1934,6 +1922,29 @@
         <source>How many cards, turned about their length, make one blossom: 2 or 3 for candles and catkins.</source>
         <translation>Сколько карточек, повёрнутых вокруг длины, составляют цветок: 2 или 3 для свечей и серёжек.</translation>
     </message>
+    <message>
+        <source>Min radius</source>
+        <translation>Мин. радиус</translation>
+    </message>
+    <message>
+        <source>Weber and Penn</source>
+        <translation>Вебер и Пенн</translation>
+    </message>
+    <message>
+        <source>Botanical values by level: trunk, branches, twigs. Creation and Rendering of Realistic Trees, SIGGRAPH 1995.</source>
+        <translation>Ботанические параметры по уровням: ствол, ветви, веточки. Creation and Rendering of Realistic Trees, SIGGRAPH 1995.</translation>
+    </message>
+</context>
+<context>
+    <name>stromar::CCurveEditor</name>
+    <message>
+        <source>value</source>
+        <translation>значение</translation>
+    </message>
+    <message>
+        <source>&amp;Delete Point</source>
+        <translation>&amp;Удалить точку</translation>
+    </message>
 </context>
 <context>
     <name>stromar::CDocument</name>
@@ -2062,10 +2073,6 @@
         <translation>Открыть &amp;недавние</translation>
     </message>
     <message>
-        <source>The tree is growing; Esc gives it up</source>
-        <translation>Дерево растёт; Esc прекращает</translation>
-    </message>
-    <message>
         <source>Autosave: %1</source>
         <translation>Автосохранение: %1</translation>
     </message>
@@ -2088,10 +2095,6 @@
     <message>
         <source>Undo</source>
         <translation>Отменить</translation>
-    </message>
-    <message>
-        <source>This tree may have up to %1 stems, %2 leaves and %3 million vertices; the limit is %4 million.</source>
-        <translation>У этого дерева может быть до %1 ветвей, %2 листьев и %3 млн вершин; предел — %4 млн.</translation>
     </message>
     <message>
         <source>%1   %2 stems   %3 leaves   %4 vertices   %5 triangles   %6 ms</source>
@@ -2148,10 +2151,6 @@
     <message>
         <source>Click</source>
         <translation>Щелчок</translation>
-    </message>
-    <message>
-        <source>Tell about the stem or leaf</source>
-        <translation>Рассказать о ветви или листе</translation>
     </message>
     <message>
         <source>In the parameters</source>
@@ -2327,6 +2326,22 @@
         <source>Light</source>
         <translation>Свет</translation>
     </message>
+    <message>
+        <source>New &amp;Tree by</source>
+        <translation>Новое &amp;дерево по методу</translation>
+    </message>
+    <message>
+        <source>The tree is growing; Esc cancels</source>
+        <translation>Дерево растёт; Esc — отмена</translation>
+    </message>
+    <message>
+        <source>This tree may have up to %1 stems, %2 leaves and %3 million vertices and take %4 GB of memory; the limit is %5 million vertices and %6 GB.</source>
+        <translation>У этого дерева может быть до %1 ветвей, %2 листьев и %3 млн вершин, оно займёт до %4 ГБ памяти; предел — %5 млн вершин и %6 ГБ.</translation>
+    </message>
+    <message>
+        <source>Show details of the stem or leaf</source>
+        <translation>Показать сведения о ветви или листе</translation>
+    </message>
 </context>
 <context>
     <name>stromar::CMessageBar</name>
@@ -2400,10 +2415,6 @@
         <translation>&amp;Вставить</translation>
     </message>
     <message>
-        <source>Give to &amp;Level</source>
-        <translation>Передать &amp;уровню</translation>
-    </message>
-    <message>
         <source>&amp;Reset to Default</source>
         <translation>По &amp;умолчанию</translation>
     </message>
@@ -2422,6 +2433,10 @@
     <message>
         <source>&amp;Lock against Randomise</source>
         <translation>&amp;Закрепить от перемешивания</translation>
+    </message>
+    <message>
+        <source>Copy to &amp;Level</source>
+        <translation>Копировать на &amp;уровень</translation>
     </message>
 </context>
 <context>
@@ -2611,7 +2626,7 @@
     </message>
 </context>
 <context>
-    <name>stromar::CViewDesk</name>
+    <name>stromar::CViewController</name>
     <message>
         <source>Drag %1</source>
         <translation>Перетаскивание: %1</translation>

@@ -212,10 +212,6 @@
         <translation>Pokaži žični model</translation>
     </message>
     <message>
-        <source>Wires &amp;over the Tree</source>
-        <translation>Žice če&amp;z drevo</translation>
-    </message>
-    <message>
         <source>Show the wire frame on the shaded tree</source>
         <translation>Pokaži žični model na senčenem drevesu</translation>
     </message>
@@ -354,6 +350,10 @@
     <message>
         <source>Where each place faces, as a colour</source>
         <translation>Kam je obrnjeno vsako mesto, kot barva</translation>
+    </message>
+    <message>
+        <source>Wireframe &amp;over the Tree</source>
+        <translation>Žice če&amp;z drevo</translation>
     </message>
 </context>
 <context>
@@ -891,10 +891,6 @@
         <translation>Koliko tanjša od starša je krajša veja. Višje vrednosti naredijo finejše veje.</translation>
     </message>
     <message>
-        <source>Least radius</source>
-        <translation>Najmanjši polmer</translation>
-    </message>
-    <message>
         <source>No stem is drawn thinner than this, so that fine twigs stay visible.</source>
         <translation>Nič se ne nariše tanjše, da fine vejice ostanejo vidne.</translation>
     </message>
@@ -1293,14 +1289,6 @@
     <message>
         <source>What the tree is like.</source>
         <translation>Kakšno je drevo.</translation>
-    </message>
-    <message>
-        <source>Method</source>
-        <translation>Metoda</translation>
-    </message>
-    <message>
-        <source>How the tree is grown: weber-penn.</source>
-        <translation>Kako drevo raste: weber-penn.</translation>
     </message>
     <message>
         <source>Liked seeds</source>
@@ -1934,6 +1922,29 @@
         <source>How many cards, turned about their length, make one blossom: 2 or 3 for candles and catkins.</source>
         <translation>Koliko kartic, zasukanih okoli dolžine, sestavlja en cvet: 2 ali 3 za sveče in mačice.</translation>
     </message>
+    <message>
+        <source>Min radius</source>
+        <translation>Najm. polmer</translation>
+    </message>
+    <message>
+        <source>Weber and Penn</source>
+        <translation>Weber in Penn</translation>
+    </message>
+    <message>
+        <source>Botanical values by level: trunk, branches, twigs. Creation and Rendering of Realistic Trees, SIGGRAPH 1995.</source>
+        <translation>Botanične vrednosti po ravneh: deblo, veje, vejice. Creation and Rendering of Realistic Trees, SIGGRAPH 1995.</translation>
+    </message>
+</context>
+<context>
+    <name>stromar::CCurveEditor</name>
+    <message>
+        <source>value</source>
+        <translation>vrednost</translation>
+    </message>
+    <message>
+        <source>&amp;Delete Point</source>
+        <translation>&amp;Izbriši točko</translation>
+    </message>
 </context>
 <context>
     <name>stromar::CDocument</name>
@@ -2062,10 +2073,6 @@
         <translation>Odpri &amp;nedavne</translation>
     </message>
     <message>
-        <source>The tree is growing; Esc gives it up</source>
-        <translation>Drevo raste; Esc ga opusti</translation>
-    </message>
-    <message>
         <source>Autosave: %1</source>
         <translation>Samodejno shranjevanje: %1</translation>
     </message>
@@ -2088,10 +2095,6 @@
     <message>
         <source>Undo</source>
         <translation>Razveljavi</translation>
-    </message>
-    <message>
-        <source>This tree may have up to %1 stems, %2 leaves and %3 million vertices; the limit is %4 million.</source>
-        <translation>To drevo ima lahko do %1 vej, %2 listov in %3 milijonov oglišč; meja je %4 milijonov.</translation>
     </message>
     <message>
         <source>%1   %2 stems   %3 leaves   %4 vertices   %5 triangles   %6 ms</source>
@@ -2148,10 +2151,6 @@
     <message>
         <source>Click</source>
         <translation>Klik</translation>
-    </message>
-    <message>
-        <source>Tell about the stem or leaf</source>
-        <translation>Povej o veji ali listu</translation>
     </message>
     <message>
         <source>In the parameters</source>
@@ -2327,6 +2326,22 @@
         <source>Light</source>
         <translation>Svetloba</translation>
     </message>
+    <message>
+        <source>New &amp;Tree by</source>
+        <translation>Novo &amp;drevo po metodi</translation>
+    </message>
+    <message>
+        <source>The tree is growing; Esc cancels</source>
+        <translation>Drevo raste; Esc prekliče rast</translation>
+    </message>
+    <message>
+        <source>This tree may have up to %1 stems, %2 leaves and %3 million vertices and take %4 GB of memory; the limit is %5 million vertices and %6 GB.</source>
+        <translation>To drevo ima lahko do %1 vej, %2 listov in %3 milijonov oglišč ter zasede %4 GB pomnilnika; meja je %5 milijonov oglišč in %6 GB.</translation>
+    </message>
+    <message>
+        <source>Show details of the stem or leaf</source>
+        <translation>Pokaži podrobnosti veje ali lista</translation>
+    </message>
 </context>
 <context>
     <name>stromar::CMessageBar</name>
@@ -2400,10 +2415,6 @@
         <translation>&amp;Prilepi</translation>
     </message>
     <message>
-        <source>Give to &amp;Level</source>
-        <translation>Daj &amp;ravni</translation>
-    </message>
-    <message>
         <source>&amp;Reset to Default</source>
         <translation>P&amp;rivzeta vrednost</translation>
     </message>
@@ -2422,6 +2433,10 @@
     <message>
         <source>&amp;Lock against Randomise</source>
         <translation>&amp;Zakleni pred mešanjem</translation>
+    </message>
+    <message>
+        <source>Copy to &amp;Level</source>
+        <translation>Kopiraj na &amp;raven</translation>
     </message>
 </context>
 <context>
@@ -2611,7 +2626,7 @@
     </message>
 </context>
 <context>
-    <name>stromar::CViewDesk</name>
+    <name>stromar::CViewController</name>
     <message>
         <source>Drag %1</source>
         <translation>Vlečenje: %1</translation>

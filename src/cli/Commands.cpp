@@ -9,6 +9,7 @@
 #include "stromar/texture/Draw.h"
 #include "stromar/util/Text.h"
 #include <algorithm>
+#include <cmath>
 #include <glm/common.hpp>
 #include <iomanip>
 #include <iostream>
@@ -146,10 +147,10 @@ Json stemInfo(const CGeneration& generation, std::size_t g, std::size_t index, s
 
 Json predictedInfo(const Prediction& size) {
     return {{"stems", size.stems},
-            {"segments", size.segments},
+            {"segments", std::ceil(size.segments)},
             {"organs", size.organs},
-            {"vertices", size.vertices},
-            {"bytes", size.bytes}};
+            {"vertices", std::ceil(size.vertices)},
+            {"bytes", std::ceil(size.bytes)}};
 }
 
 /// The segments of a stem, path by path.

@@ -3,8 +3,8 @@
 
 namespace stromar {
 
-/// The rows of what every tree has: texts, which stand in front of a method's own rows in their group, and numbers,
-/// which stand behind them.
+/// The rows of what every tree has. In a group, pictures stand in front of a method's own rows, numbers and other texts
+/// behind them.
 std::span<const ParamInfo> commonTexts();
 std::span<const ParamInfo> commonNumbers();
 

@@ -17,16 +17,19 @@ std::vector<const ParamBlock*>& knownBlocks() {
 /// The rows of one page, in the order of their tables.
 std::vector<ParamRef> refsOf(const ParamBlock& block, const Group& group, int level) {
     std::vector<ParamRef> refs;
-    const auto add = [&](std::span<const ParamInfo> rows) {
+    enum class Only { All, Pictures, Words };
+    const auto add = [&](std::span<const ParamInfo> rows, Only only = Only::All) {
         for (const ParamInfo& p : rows) {
+            if (only != Only::All && p.picture() != (only == Only::Pictures)) continue;
             const bool ofLevel = p.perLevel() && level >= p.firstLevel && (group == Group::Trunk || p.group == group);
             const bool ofTree = !p.perLevel() && p.group == group;
             if (ofLevel || ofTree) refs.push_back({&p, p.perLevel() ? level : 0});
         }
     };
-    add(commonTexts());
+    add(commonTexts(), Only::Pictures);
     add(block.rows);
     add(commonNumbers());
+    add(commonTexts(), Only::Words);
     return refs;
 }
 

@@ -22,7 +22,7 @@ bool isVector(const Json& value) {
            value[2].is_number();
 }
 
-const std::vector<std::string> kInfoKeys = {"species",        "seed",   "method",       "scale_tree", "generations",
+const std::vector<std::string> kInfoKeys = {"species",        "seed",   "method",       "scale_tree", "generations", "predicted",
                                             "leaves",         "model",  "lod",          "vertices",   "triangles",
                                             "leaf_area_kept", "bounds", "milliseconds", "mesh_bytes"};
 const std::vector<std::string> kGenerationKeys = {"generation", "stems",      "clones",
