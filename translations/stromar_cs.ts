@@ -1934,6 +1934,18 @@
         <source>Botanical values by level: trunk, branches, twigs. Creation and Rendering of Realistic Trees, SIGGRAPH 1995.</source>
         <translation>Botanické hodnoty po úrovních: kmen, větve, větvičky. Creation and Rendering of Realistic Trees, SIGGRAPH 1995.</translation>
     </message>
+    <message>
+        <source>Memory for a tree</source>
+        <translation>Paměť pro strom</translation>
+    </message>
+    <message>
+        <source>The most that a tree may take while it is made; 0 is half of what is free.</source>
+        <translation>Kolik nejvýše smí strom zabrat, když vzniká; 0 je polovina volné paměti.</translation>
+    </message>
+    <message>
+        <source> GB</source>
+        <translation> GB</translation>
+    </message>
 </context>
 <context>
     <name>stromar::CCurveEditor</name>
@@ -2474,7 +2486,7 @@
         <translation>&amp;Otáčení</translation>
     </message>
     <message>
-        <source>Pictures (*.png *.jpg *.webp)</source>
+        <source>Pictures (*.png *.jpg)</source>
         <translation>Obrázky (*.png *.jpg *.webp)</translation>
     </message>
 </context>

@@ -1934,6 +1934,18 @@
         <source>Botanical values by level: trunk, branches, twigs. Creation and Rendering of Realistic Trees, SIGGRAPH 1995.</source>
         <translation>Ботанические параметры по уровням: ствол, ветви, веточки. Creation and Rendering of Realistic Trees, SIGGRAPH 1995.</translation>
     </message>
+    <message>
+        <source>Memory for a tree</source>
+        <translation>Память на дерево</translation>
+    </message>
+    <message>
+        <source>The most that a tree may take while it is made; 0 is half of what is free.</source>
+        <translation>Сколько памяти дерево может занять при построении; 0 — половина свободной.</translation>
+    </message>
+    <message>
+        <source> GB</source>
+        <translation> ГБ</translation>
+    </message>
 </context>
 <context>
     <name>stromar::CCurveEditor</name>
@@ -2474,7 +2486,7 @@
         <translation>Вр&amp;ащение</translation>
     </message>
     <message>
-        <source>Pictures (*.png *.jpg *.webp)</source>
+        <source>Pictures (*.png *.jpg)</source>
         <translation>Картинки (*.png *.jpg *.webp)</translation>
     </message>
 </context>

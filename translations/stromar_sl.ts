@@ -1934,6 +1934,18 @@
         <source>Botanical values by level: trunk, branches, twigs. Creation and Rendering of Realistic Trees, SIGGRAPH 1995.</source>
         <translation>Botanične vrednosti po ravneh: deblo, veje, vejice. Creation and Rendering of Realistic Trees, SIGGRAPH 1995.</translation>
     </message>
+    <message>
+        <source>Memory for a tree</source>
+        <translation>Pomnilnik za drevo</translation>
+    </message>
+    <message>
+        <source>The most that a tree may take while it is made; 0 is half of what is free.</source>
+        <translation>Koliko sme drevo največ zasesti med nastajanjem; 0 je polovica prostega.</translation>
+    </message>
+    <message>
+        <source> GB</source>
+        <translation> GB</translation>
+    </message>
 </context>
 <context>
     <name>stromar::CCurveEditor</name>
@@ -2474,7 +2486,7 @@
         <translation>Vr&amp;tenje</translation>
     </message>
     <message>
-        <source>Pictures (*.png *.jpg *.webp)</source>
+        <source>Pictures (*.png *.jpg)</source>
         <translation>Slike (*.png *.jpg *.webp)</translation>
     </message>
 </context>

@@ -30,7 +30,7 @@ void applySetting(CParams& params, const CommonOptions& common, const std::strin
     const std::string key(trimmed(std::string_view(setting).substr(0, equals)));
     std::string value(trimmed(std::string_view(setting).substr(equals + 1)));
     if (key == "Method" && value != params.block().method)
-        throw CUsageError("--set: a tree keeps the method of its file, '" + std::string(params.block().method) + "'");
+        throw CUsageError("--set: a tree keeps the method of its file: it is '" + std::string(params.block().method) + "', not '" + value + "'");
     if (key == "Method") return;
     const auto ref = findParam(key, params.block());
     if (!ref) throw CUsageError("--set: there is no parameter '" + key + "'" + keySuggestion(key, params.block()));

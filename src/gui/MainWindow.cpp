@@ -76,7 +76,7 @@ CMainWindow::CMainWindow(const SizeLimits& limits, std::shared_ptr<CDocument> do
     resize(QSize(1280, 800).boundedTo(screen()->availableSize()));
     restoreLayout();
     restoreSwitches();
-    for (const char* key : {"navigation", "threads", "fullModelDelay", "autosave"}) onSetting(QLatin1String(key));
+    for (const char* key : {"navigation", "threads", "fullModelDelay", "maxMemory", "autosave"}) onSetting(QLatin1String(key));
     onReplaced();
 }
 
@@ -458,6 +458,8 @@ void CMainWindow::onSetting(const QString& key) {
     if (key == QLatin1String("navigation")) m_viewport->setNavigation(navigationNamed(settings.text("navigation")));
     if (key == QLatin1String("threads")) m_thread->setThreads(settings.number("threads"));
     if (key == QLatin1String("fullModelDelay")) m_pause.setInterval(settings.number("fullModelDelay"));
+    if (const int gigabytes = settings.number("maxMemory"); key == QLatin1String("maxMemory"))
+        m_limits.bytes = gigabytes > 0 ? 1e9 * gigabytes : SizeLimits::defaultMemory();
     if (key == QLatin1String("autosave")) m_autosave->setInterval(settings.number("autosave"));
     if (key == QLatin1String("theme")) applyTheme(settings.text("theme"));
     if (key != QLatin1String("language") && key != QLatin1String("units")) return;

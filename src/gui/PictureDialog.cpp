@@ -57,7 +57,7 @@ CPictureDialog::CPictureDialog(const QSize& windowSize, QWidget* parent)
 
 void CPictureDialog::chooseFile() {
     QFileDialog dialog(this, tr("Save a Picture"), QSettings().value(storedKey("folder")).toString(),
-                       tr("Pictures (*.png *.jpg *.webp)"));
+                       tr("Pictures (*.png *.jpg)"));
     dialog.setAcceptMode(QFileDialog::AcceptSave);
     dialog.setDefaultSuffix(QStringLiteral("png"));
     dialog.selectFile(QStringLiteral("tree.png"));

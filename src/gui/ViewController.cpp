@@ -5,9 +5,11 @@
 #include "Settings.h"
 #include "stromar/params/ParamText.h"
 #include "stromar/tree/Nearest.h"
+#include <QFileInfo>
 #include <QLocale>
 #include <QMessageBox>
 #include <QProgressDialog>
+#include <QSaveFile>
 #include <QTabWidget>
 #include <algorithm>
 
@@ -31,6 +33,13 @@ std::vector<std::vector<osg::Vec3d>> linesOf(const CGeneration& all, const CStem
         line.push_back(toOsg(all.segments[path.firstSegment + path.segmentCount - 1].centre(1)));
     }
     return lines;
+}
+
+/// All of it or, when that fails, none: then the old file stays.
+bool writeImage(const QImage& image, const QString& path) {
+    QSaveFile file(path);
+    const QByteArray format = QFileInfo(path).suffix().toLatin1();
+    return file.open(QIODevice::WriteOnly) && image.save(&file, format.constData()) && file.commit();
 }
 } // namespace
 
@@ -214,17 +223,18 @@ void CViewController::savePicture(QWidget* parent) {
     QProgressDialog progress(tr("Writing pictures"), tr("Cancel"), 0, wanted.frames, parent);
     progress.setWindowModality(Qt::WindowModal);
     CCamera camera = m_viewport.camera();
-    for (int frame = 0; frame < wanted.frames && !progress.wasCanceled(); ++frame) {
-        const QString file = wanted.fileOf(frame);
-        if (!m_viewport.picture(wanted.size, look, camera).save(file)) {
+    int written = 0;
+    for (; written < wanted.frames && !progress.wasCanceled(); ++written) {
+        const QString file = wanted.fileOf(written);
+        if (!writeImage(m_viewport.picture(wanted.size, look, camera), file)) {
             QMessageBox::critical(parent, tr("Cannot save the picture"), tr("%1 cannot be written.").arg(file));
             return;
         }
         camera.turn(360.0 / wanted.frames, 0);
-        progress.setValue(frame + 1);
+        progress.setValue(written + 1);
     }
     emit notice(wanted.frames == 1 ? tr("Saved %1").arg(wanted.path)
-                                   : tr("Saved %n frame(s) of a turntable", nullptr, wanted.frames));
+                                   : tr("Saved %n frame(s) of a turntable", nullptr, written));
 }
 
 } // namespace stromar

@@ -19,7 +19,8 @@ Frame raised(const Frame& frame, double rise) {
     return length > 1e-9 ? transported(frame, axis / length) : frame;
 }
 
-double wrapped(double angle) { return std::remainder(angle, 2 * std::numbers::pi); }
+/// Its direction on the ground; that of x where it has none.
+glm::dvec2 horizontal(const glm::dvec3& v) { return v.x == 0 && v.y == 0 ? glm::dvec2(1, 0) : glm::dvec2(v); }
 } // namespace
 
 OrganRule organRule(const CParams& params, Organ organ) {
@@ -45,7 +46,8 @@ std::uint64_t CLeafGrower::leafId(const CStem& stem, const CPath& path, std::uin
 Frame bentToLight(const Frame& frame, const glm::dvec3& position, double bend) {
     if (bend == 0) return frame;
     const glm::dvec3 n = frame[1];
-    const double outwards = wrapped(std::atan2(position.y, position.x) - std::atan2(n.y, n.x));
+    const glm::dvec2 from = horizontal(n), to = horizontal(position);
+    const double outwards = std::atan2(from.x * to.y - from.y * to.x, from.x * to.x + from.y * to.y);
     const Frame turned = rotatedWorldZ(frame, bend * outwards);
     const glm::dvec3 m = turned[1];
     const double level = std::hypot(m.x, m.y);
