@@ -1,5 +1,7 @@
 #include "PictureDialog.h"
+#include "QtText.h"
 #include "WindowFixture.h"
+#include "stromar/util/FileSet.h"
 #include <QCheckBox>
 #include <QDialogButtonBox>
 #include <QDir>
@@ -8,8 +10,11 @@
 #include <QPointer>
 #include <QProgressDialog>
 #include <QPushButton>
+#include <QRegularExpression>
 #include <QSpinBox>
 #include <QTemporaryDir>
+#include <csignal>
+#include <sys/resource.h>
 
 namespace stromar {
 namespace {
@@ -37,6 +42,7 @@ protected:
                 press(yes ? yes : box->buttons().front());
             } else if (auto* files = qobject_cast<QFileDialog*>(dialog)) {
                 auto* name = files->findChild<QLineEdit*>(QStringLiteral("fileNameEdit"));
+                offered = files->nameFilters().join(QLatin1Char(' '));
                 QApplication::setActiveWindow(files);
                 name->setFocus(); // else what the dialog proposes stays selected
                 name->setText(wanted.path);
@@ -63,6 +69,7 @@ protected:
     static constexpr QImage::Format kPixels = QImage::Format_ARGB32;
     QTemporaryDir folder;
     QStringList messages; ///< of the message boxes on the way
+    QString offered;      ///< what the dialog calls pictures
 
 private:
     /// Later: pressed inside the timer's slot, the dialog that follows would stop the timer.
@@ -152,6 +159,42 @@ TEST_F(SavePicture, ATurntableThatEndsEarlyKeepsWholeFrames) {
     for (int i = 0; i < written.size(); ++i) {
         EXPECT_EQ(written[i], QStringLiteral("turn_%1.png").arg(i, 4, 10, QLatin1Char('0')));
         EXPECT_EQ(QImage(path(written[i])).size(), QSize(400, 300)) << i;
+    }
+    EXPECT_TRUE(notice().contains(QStringLiteral("%1 frame").arg(written.size()))) << notice().toStdString();
+}
+
+TEST_F(SavePicture, OnAFullDiskTheOldOneStays) {
+    const QString file = path(QStringLiteral("tree.png"));
+    save({.size = {64, 48}, .path = file});
+    const std::string before = readFile(toPath(file));
+    rlimit usual{};
+    ::getrlimit(RLIMIT_FSIZE, &usual);
+    const rlimit full{4096, usual.rlim_max};
+    const auto handler = ::signal(SIGXFSZ, SIG_IGN);
+    ::setrlimit(RLIMIT_FSIZE, &full);
+    save({.size = {640, 480}, .path = file});
+    ::setrlimit(RLIMIT_FSIZE, &usual);
+    ::signal(SIGXFSZ, handler);
+    ASSERT_EQ(messages.size(), 2) << "whether to replace it, then why not";
+    EXPECT_TRUE(messages[1].contains(file)) << messages[1].toStdString();
+    EXPECT_EQ(files(), QStringList{QStringLiteral("tree.png")});
+    EXPECT_TRUE(readFile(toPath(file)) == before);
+}
+
+TEST_F(SavePicture, EveryFormatOfferedCanBeWritten) {
+    save({.size = {64, 48}, .path = path(QStringLiteral("first.png"))});
+    QStringList endings;
+    for (auto found = QRegularExpression(QStringLiteral("\\*\\.(\\w+)")).globalMatch(offered); found.hasNext();)
+        endings << found.next().captured(1);
+    ASSERT_TRUE(endings.contains(QStringLiteral("png"))) << offered.toStdString();
+    for (const QString& ending : endings) {
+        const QString file = path(QStringLiteral("tree.") + ending);
+        save({.size = {64, 48}, .transparent = true, .path = file});
+        EXPECT_EQ(messages.join(QLatin1Char(' ')).toStdString(), "");
+        const QImage image(file);
+        ASSERT_EQ(image.size(), QSize(64, 48)) << ending.toStdString();
+        const QColor corner = image.pixelColor(2, 2);
+        EXPECT_TRUE(corner.alpha() == 0 || corner.lightness() > 40) << ending.toStdString() << ": a black backdrop";
     }
 }
 
