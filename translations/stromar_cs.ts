@@ -2487,7 +2487,7 @@
     </message>
     <message>
         <source>Pictures (*.png *.jpg)</source>
-        <translation>Obrázky (*.png *.jpg *.webp)</translation>
+        <translation>Obrázky (*.png *.jpg)</translation>
     </message>
 </context>
 <context>

@@ -2487,7 +2487,7 @@
     </message>
     <message>
         <source>Pictures (*.png *.jpg)</source>
-        <translation>Картинки (*.png *.jpg *.webp)</translation>
+        <translation>Картинки (*.png *.jpg)</translation>
     </message>
 </context>
 <context>

@@ -2487,7 +2487,7 @@
     </message>
     <message>
         <source>Pictures (*.png *.jpg)</source>
-        <translation>Slike (*.png *.jpg *.webp)</translation>
+        <translation>Slike (*.png *.jpg)</translation>
     </message>
 </context>
 <context>

@@ -1,5 +1,5 @@
 #pragma once
-#include "stromar/mesh/Twig.h"
+#include "stromar/mesh/twig/Twig.h"
 #include "stromar/texture/TextureMaps.h"
 #include <filesystem>
 

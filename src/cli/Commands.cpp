@@ -3,7 +3,7 @@
 #include "stromar/app/Formats.h"
 #include "stromar/app/Methods.h"
 #include "stromar/app/Prediction.h"
-#include "stromar/mesh/MeshCheck.h"
+#include "stromar/mesh/check/MeshCheck.h"
 #include "stromar/model/MeshValues.h"
 #include "stromar/params/TreeFile.h"
 #include "stromar/texture/Draw.h"

@@ -1,8 +1,8 @@
 #include "stromar/mesh/MeshBound.h"
-#include "CentreLine.h"
-#include "Smoother.h"
+#include "stem/CentreLine.h"
+#include "stem/Smoother.h"
 #include "stromar/mesh/MeshBuilder.h"
-#include "stromar/mesh/Twig.h"
+#include "stromar/mesh/twig/Twig.h"
 #include <algorithm>
 #include <cmath>
 

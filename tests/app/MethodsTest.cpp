@@ -4,7 +4,7 @@
 #include "stromar/app/Demonstration.h"
 #include "stromar/app/Export.h"
 #include "stromar/app/Randomise.h"
-#include "stromar/mesh/MeshCheck.h"
+#include "stromar/mesh/check/MeshCheck.h"
 #include "stromar/model/MeshValues.h"
 #include "stromar/params/ParamText.h"
 #include "stromar/params/methods/weberpenn/WeberPennParams.h"

@@ -1,6 +1,6 @@
-#include "Display.h"
-#include "MainWindow.h"
-#include "ParamPanel.h"
+#include "window/Display.h"
+#include "window/MainWindow.h"
+#include "params/ParamPanel.h"
 #include "stromar/params/ParamText.h"
 #include <QApplication>
 #include <QEventLoop>

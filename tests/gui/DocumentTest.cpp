@@ -1,4 +1,4 @@
-#include "Document.h"
+#include "document/Document.h"
 #include "Support.h"
 #include "stromar/params/methods/weberpenn/WeberPennParams.h"
 #include "stromar/util/FileSet.h"

@@ -1,5 +1,5 @@
-#include "ExportDialog.h"
-#include "QtText.h"
+#include "work/ExportDialog.h"
+#include "window/QtText.h"
 #include "Support.h"
 #include <QComboBox>
 #include <QDoubleSpinBox>

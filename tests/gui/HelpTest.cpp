@@ -1,5 +1,5 @@
-#include "HelpWindow.h"
-#include "MainWindow.h"
+#include "window/HelpWindow.h"
+#include "window/MainWindow.h"
 #include "PictureDifference.h"
 #include "Support.h"
 #include <QAbstractTextDocumentLayout>

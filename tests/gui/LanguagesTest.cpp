@@ -1,6 +1,6 @@
-#include "Languages.h"
-#include "MainWindow.h"
-#include "ParamPanel.h"
+#include "window/Languages.h"
+#include "window/MainWindow.h"
+#include "params/ParamPanel.h"
 #include "Support.h"
 #include <QAbstractButton>
 #include <QAction>

@@ -1,8 +1,8 @@
 // Curves and texts in the panel, by a way to grow that only the tests know.
-#include "CurveEditor.h"
-#include "QtText.h"
-#include "ParamEditor.h"
-#include "ParamPanel.h"
+#include "params/CurveEditor.h"
+#include "window/QtText.h"
+#include "params/ParamEditor.h"
+#include "params/ParamPanel.h"
 #include "WindowFixture.h"
 #include "methods/Pole.h"
 #include "stromar/params/ParamText.h"

@@ -1,8 +1,8 @@
 #include "stromar/params/methods/weberpenn/WeberPennParams.h"
-#include "HelpPictures.h"
-#include "ParamEditor.h"
-#include "ParamPanel.h"
-#include "ParamRow.h"
+#include "params/HelpPictures.h"
+#include "params/ParamEditor.h"
+#include "params/ParamPanel.h"
+#include "params/ParamRow.h"
 #include "Support.h"
 #include <QApplication>
 #include <QCheckBox>

@@ -1,5 +1,5 @@
-#include "PictureDialog.h"
-#include "QtText.h"
+#include "view/PictureDialog.h"
+#include "window/QtText.h"
 #include "WindowFixture.h"
 #include "stromar/util/FileSet.h"
 #include <QCheckBox>

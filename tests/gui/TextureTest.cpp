@@ -1,5 +1,5 @@
-#include "LightPanel.h"
-#include "TextureWorkshop.h"
+#include "view/LightPanel.h"
+#include "library/TextureWorkshop.h"
 #include "WindowFixture.h"
 #include <QComboBox>
 #include <QDoubleSpinBox>

@@ -1,5 +1,5 @@
 #include "Support.h"
-#include "TreeCreatorThread.h"
+#include "work/TreeCreatorThread.h"
 #include "stromar/params/methods/weberpenn/WeberPennParams.h"
 #include "stromar/params/TreeFile.h"
 #include <QSignalSpy>

@@ -1,7 +1,7 @@
 #pragma once
-#include "MainWindow.h"
-#include "ParamEditor.h"
-#include "ParamPanel.h"
+#include "window/MainWindow.h"
+#include "params/ParamEditor.h"
+#include "params/ParamPanel.h"
 #include "Support.h"
 #include <QAbstractButton>
 #include <QAction>

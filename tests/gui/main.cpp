@@ -1,6 +1,6 @@
-#include "Autosave.h"
-#include "Display.h"
-#include "MainWindow.h"
+#include "document/Autosave.h"
+#include "window/Display.h"
+#include "window/MainWindow.h"
 #include "Support.h"
 #include <QApplication>
 #include <QTemporaryDir>

@@ -1,6 +1,6 @@
 #pragma once
 #include "stromar/app/Methods.h"
-#include "stromar/mesh/Twig.h"
+#include "stromar/mesh/twig/Twig.h"
 #include "stromar/model/MeshValues.h"
 
 namespace stromar::test {

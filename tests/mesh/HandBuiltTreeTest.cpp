@@ -1,7 +1,7 @@
 // A tree that no builder made: segments of unequal length, six generations, a fork, leaves on the trunk and on twigs.
 #include "stromar/mesh/MeshBuilder.h"
-#include "stromar/mesh/MeshCheck.h"
-#include "stromar/mesh/Twig.h"
+#include "stromar/mesh/check/MeshCheck.h"
+#include "stromar/mesh/twig/Twig.h"
 #include "stromar/tree/Nearest.h"
 #include "stromar/util/Random.h"
 #include <gtest/gtest.h>

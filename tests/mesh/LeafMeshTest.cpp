@@ -2,7 +2,7 @@
 #include "mesh/Cards.h"
 #include "mesh/SampleTrees.h"
 #include "stromar/params/methods/weberpenn/WeberPennParams.h"
-#include "stromar/mesh/Twig.h"
+#include "stromar/mesh/twig/Twig.h"
 #include <algorithm>
 #include <cmath>
 #include <glm/geometric.hpp>

@@ -1,5 +1,5 @@
 #pragma once
-#include "stromar/mesh/MeshCheck.h"
+#include "stromar/mesh/check/MeshCheck.h"
 #include <string>
 
 namespace stromar::test {

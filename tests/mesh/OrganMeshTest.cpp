@@ -1,6 +1,6 @@
 #include "mesh/MeshMeasures.h"
 #include "mesh/SampleTrees.h"
-#include "stromar/mesh/MeshCheck.h"
+#include "stromar/mesh/check/MeshCheck.h"
 #include <glm/geometric.hpp>
 #include <gtest/gtest.h>
 #include <set>

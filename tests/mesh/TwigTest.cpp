@@ -1,9 +1,9 @@
 #include "stromar/params/methods/weberpenn/WeberPennParams.h"
-#include "stromar/mesh/Twig.h"
+#include "stromar/mesh/twig/Twig.h"
 #include "mesh/MeshMeasures.h"
 #include "mesh/Cards.h"
 #include "mesh/SampleTrees.h"
-#include "stromar/mesh/MeshCheck.h"
+#include "stromar/mesh/check/MeshCheck.h"
 #include <cmath>
 #include <gtest/gtest.h>
 #include <set>

@@ -1,6 +1,6 @@
 #pragma once
 #include "stromar/mesh/Detail.h"
-#include "stromar/mesh/Twig.h"
+#include "stromar/mesh/twig/Twig.h"
 #include "stromar/params/ParamTable.h"
 
 namespace stromar {

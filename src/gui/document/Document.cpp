@@ -1,0 +1,201 @@
+#include "document/Document.h"
+#include "window/QtText.h"
+#include "stromar/texture/Draw.h"
+#include <QFileInfo>
+#include <QUndoCommand>
+#include <algorithm>
+#include <iterator>
+
+namespace stromar {
+
+namespace fs = std::filesystem;
+
+namespace {
+/// The values that name pictures.
+std::vector<ParamRef> picturesIn(const CParams& params) {
+    std::vector<ParamRef> refs;
+    std::ranges::copy_if(allParams(params.block()), std::back_inserter(refs), [](const ParamRef& ref) { return ref.info->picture(); });
+    return refs;
+}
+
+CParams rebased(CParams params, const fs::path& from, const fs::path& to) {
+    if (from == to) return params;
+    for (const ParamRef& ref : picturesIn(params)) ref.setValue(params, rebasedPath(ref.text(params), from, to));
+    return params;
+}
+
+/// Pictures by their whole paths, for a document without a folder.
+CParams withWholePaths(CParams params, const fs::path& folder) {
+    for (const ParamRef& ref : picturesIn(params))
+        if (const std::string picture = ref.text(params); !picture.empty() && !isRecipe(picture) && !folder.empty())
+            ref.setValue(params, (folder / picture).lexically_normal().generic_string());
+    return params;
+}
+} // namespace
+
+/// A step of the history: the values before and after, and the folder that paths in them start at.
+class CEditCommand : public QUndoCommand {
+public:
+    CEditCommand(CDocument& document, const QString& text, CParams after, int gesture, QString subject)
+        : QUndoCommand(text), m_document(document), m_before(document.params()), m_after(std::move(after)),
+          m_folder(document.folder()), m_gesture(gesture), m_subject(std::move(subject)) {}
+
+    void undo() override { m_document.assign(m_before, m_folder); }
+    void redo() override { m_document.assign(m_after, m_folder); }
+    int id() const override { return m_gesture > 0 ? 1 : -1; }
+    bool mergeWith(const QUndoCommand* next) override {
+        const auto* other = static_cast<const CEditCommand*>(next);
+        if (other->m_gesture != m_gesture || other->m_subject != m_subject || other->m_folder != m_folder) return false;
+        m_after = other->m_after;
+        setObsolete(m_after == m_before);
+        return true;
+    }
+
+private:
+    CDocument& m_document;
+    CParams m_before, m_after;
+    fs::path m_folder;
+    int m_gesture;
+    QString m_subject;
+};
+
+/// The step to another file's tree and back.
+class CPresetCommand : public QUndoCommand {
+public:
+    CPresetCommand(CDocument& document, const QString& text, CDocument::PlacePtr after)
+        : QUndoCommand(text), m_document(document), m_before(document.m_place), m_after(std::move(after)),
+          m_params(document.params()), m_preset(m_after->file->params()), m_folder(document.folder()) {}
+
+    void undo() override { m_document.assign(m_before, m_params, m_folder); }
+    void redo() override { m_document.assign(m_after, m_preset, {}); }
+
+private:
+    CDocument& m_document;
+    CDocument::PlacePtr m_before, m_after;
+    CParams m_params, m_preset;
+    fs::path m_folder;
+};
+
+std::string rebasedPath(const std::string& path, const fs::path& from, const fs::path& to) {
+    if (path.empty() || from.empty() || isRecipe(path) || fs::path(path).is_absolute()) return path;
+    std::error_code problem;
+    const fs::path whole = fs::weakly_canonical(fs::absolute(from, problem) / path, problem);
+    if (problem) return path;
+    if (to.empty()) return whole.generic_string();
+    const fs::path relative = fs::relative(whole, fs::absolute(to, problem), problem);
+    return (problem || relative.empty() ? whole : relative).generic_string();
+}
+
+fs::path CDocument::Place::folder() const { return path.isEmpty() ? fs::path() : toPath(path).parent_path(); }
+
+CDocument::CDocument(QObject* parent) : QObject(parent), m_place(newPlace(CTreeFile(), {}, {})) {}
+
+CDocument::PlacePtr CDocument::newPlace(CTreeFile file, const QString& path, const QString& name) {
+    auto place = std::make_shared<Place>(Place{std::make_shared<CTreeFile>(std::move(file)), path, name});
+    std::erase_if(m_places, [](const std::weak_ptr<Place>& known) { return known.expired(); });
+    m_places.push_back(place);
+    return place;
+}
+
+fs::path CDocument::folder() const { return m_place->folder(); }
+
+QString CDocument::displayName() const {
+    if (!path().isEmpty()) return QFileInfo(path()).fileName();
+    return m_place->name.isEmpty() ? tr("new.tree") : m_place->name;
+}
+
+void CDocument::startNew(const ParamBlock& block) { replace(newPlace(CTreeFile(block), {}, {})); }
+
+void CDocument::open(const QString& path) {
+    replace(newPlace(CTreeFile::read(toPath(path)), QFileInfo(path).absoluteFilePath(), {}));
+}
+
+void CDocument::replace(const PlacePtr& place) {
+    m_history.clear();
+    m_place = place;
+    m_params = m_place->file->params();
+    emit nameChanged();
+    emit replaced();
+}
+
+void CDocument::loadPreset(const QString& path) {
+    CTreeFile file = CTreeFile::read(toPath(path));
+    const CParams whole = withWholePaths(file.params(), toPath(QFileInfo(path).absolutePath()));
+    if (whole != file.params()) file = CTreeFile::parse(file.text(whole), path.toStdString());
+    m_history.push(new CPresetCommand(*this, tr("Open preset %1").arg(QFileInfo(path).completeBaseName()),
+                                      newPlace(std::move(file), {}, QFileInfo(path).fileName())));
+}
+
+void CDocument::restore(const QString& path, const CParams& params) {
+    const bool absolute = QFileInfo(path).isAbsolute();
+    CParams wanted = params;
+    try {
+        if (!absolute || !QFileInfo::exists(path)) throw CError("");
+        open(path);
+    } catch (const CError&) { // gone or broken meanwhile: what was kept is still whole
+        replace(newPlace(CTreeFile(), {}, QFileInfo(path).fileName()));
+        if (absolute) wanted = withWholePaths(params, toPath(QFileInfo(path).absolutePath()));
+    }
+    edit(tr("Restore"), [&](CParams& p) { p = wanted; });
+}
+
+void CDocument::keepAgainstFile() {
+    m_place->diverged = true;
+    emit nameChanged();
+}
+
+CParams CDocument::paramsFor(const QString& target) const {
+    return rebased(m_params, folder(), toPath(target).parent_path());
+}
+
+void CDocument::save(const QString& path) {
+    const QString target = QFileInfo(path).absoluteFilePath();
+    const auto file = std::make_shared<CTreeFile>(m_place->file->write(toPath(target), paramsFor(target)));
+    for (const std::weak_ptr<Place>& known : m_places) // another one's file was perhaps written over
+        if (const PlacePtr place = known.lock(); place && place->path == target) place->file = file;
+    m_place->file = file;
+    m_place->path = target;
+    m_place->diverged = false;
+    m_params = file->params();
+    emit nameChanged();
+}
+
+void CDocument::saveCopy(const QString& path, const QString& species) const {
+    CParams params = paramsFor(path);
+    params.text.species = species.toStdString();
+    static_cast<void>(m_place->file->write(toPath(path), params));
+}
+
+void CDocument::edit(const QString& text, const std::function<void(CParams&)>& change, int gesture,
+                     const QString& subject) {
+    CParams after = m_params;
+    change(after);
+    if (after != m_params) m_history.push(new CEditCommand(*this, text, std::move(after), gesture, subject));
+}
+
+void CDocument::setValue(const ParamRef& ref, const ParamValue& value, int gesture) {
+    const QString key = toQString(ref.key());
+    edit(
+        tr("Change %1").arg(key), [&](CParams& p) { ref.setValue(p, value); }, gesture, key);
+}
+
+void CDocument::setValues(const QString& text, const ParamValues& values) {
+    edit(text, [&](CParams& p) {
+        for (const auto& [ref, value] : values) ref.setValue(p, value);
+    });
+}
+
+void CDocument::assign(const CParams& params, const fs::path& from) {
+    m_params = rebased(params, from, folder());
+    emit changed();
+    emit nameChanged();
+}
+
+void CDocument::assign(const PlacePtr& place, const CParams& params, const fs::path& from) {
+    m_place = place;
+    m_params = rebased(params, from, folder());
+    emit nameChanged();
+    emit replaced();
+}
+
+} // namespace stromar

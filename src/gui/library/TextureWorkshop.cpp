@@ -1,0 +1,181 @@
+#include "library/TextureWorkshop.h"
+#include "params/ParamSlider.h"
+#include "window/QtText.h"
+#include <QColorDialog>
+#include <QComboBox>
+#include <QDialogButtonBox>
+#include <QDoubleSpinBox>
+#include <QFileDialog>
+#include <QFormLayout>
+#include <QHBoxLayout>
+#include <QLabel>
+#include <QMessageBox>
+#include <QPainter>
+#include <QPushButton>
+#include <QScrollArea>
+#include <QVBoxLayout>
+#include <cmath>
+
+namespace stromar {
+
+namespace {
+constexpr int kShown = 320, kTile = 160, kSaved = 1024; // pixels
+constexpr int kSteps = 100;                             // of a slider
+constexpr double kManyWhole = 1000;                     // whole numbers beyond have no slider
+
+/// Tiles are shown four times, so that their seams could be seen; cut-out pictures once, on grey.
+QPixmap shown(const TextureMaps& maps, bool tile) {
+    const QImage image(maps.albedo.front().data(), maps.width, maps.height, QImage::Format_RGBA8888);
+    QPixmap whole(kShown, kShown);
+    whole.fill(QColor(200, 206, 212));
+    QPainter painter(&whole);
+    for (int y = 0; y < kShown; y += maps.height)
+        for (int x = 0; x < kShown; x += maps.width) {
+            painter.drawImage(x, y, image);
+            if (!tile) return whole;
+        }
+    return whole;
+}
+} // namespace
+
+CTextureWorkshop::CTextureWorkshop(CRecipe recipe, QWidget* parent)
+    : QDialog(parent), m_recipe(std::move(recipe)), m_scroll(new QScrollArea), m_picture(new QLabel),
+      m_text(new QLabel) {
+    setWindowTitle(tr("Texture Workshop"));
+    auto* kinds = new QComboBox;
+    kinds->setObjectName(QStringLiteral("kind"));
+    for (const std::string_view kind : m_recipe.kinds()) kinds->addItem(trText(kind));
+    kinds->setCurrentIndex(m_recipe.kind());
+    connect(kinds, &QComboBox::currentIndexChanged, this, [this](int kind) {
+        m_recipe.setKind(kind);
+        makeRows();
+        m_redraw.start();
+    });
+    m_picture->setFixedSize(kShown, kShown);
+    m_picture->setObjectName(QStringLiteral("picture"));
+    m_text->setWordWrap(true);
+    m_text->setTextFormat(Qt::PlainText);
+    m_text->setTextInteractionFlags(Qt::TextSelectableByMouse);
+    m_text->setMaximumWidth(kShown);
+    m_scroll->setWidgetResizable(true);
+    m_scroll->setHorizontalScrollBarPolicy(Qt::ScrollBarAlwaysOff);
+    m_scroll->setMinimumWidth(380);
+    auto* buttons = new QDialogButtonBox(QDialogButtonBox::Ok | QDialogButtonBox::Cancel);
+    QPushButton* save = buttons->addButton(tr("Save Pictures…"), QDialogButtonBox::ActionRole);
+    connect(save, &QPushButton::clicked, this, &CTextureWorkshop::savePictures);
+    connect(buttons, &QDialogButtonBox::accepted, this, &QDialog::accept);
+    connect(buttons, &QDialogButtonBox::rejected, this, &QDialog::reject);
+    auto* left = new QVBoxLayout;
+    left->addWidget(m_picture);
+    left->addWidget(m_text);
+    left->addStretch(1);
+    auto* right = new QVBoxLayout;
+    right->addWidget(kinds);
+    right->addWidget(m_scroll, 1);
+    auto* row = new QHBoxLayout;
+    row->addLayout(left);
+    row->addLayout(right, 1);
+    auto* column = new QVBoxLayout(this);
+    column->addLayout(row, 1);
+    column->addWidget(buttons);
+    m_redraw.setSingleShot(true);
+    m_redraw.setInterval(30);
+    connect(&m_redraw, &QTimer::timeout, this, &CTextureWorkshop::draw);
+    makeRows();
+    draw();
+}
+
+void CTextureWorkshop::makeRows() {
+    auto* form = new QWidget;
+    auto* layout = new QFormLayout(form);
+    const std::vector<CRecipe::Row> rows = m_recipe.rows();
+    for (std::size_t i = 0; i < rows.size(); ++i) {
+        QWidget* editor = makeEditor(i);
+        editor->setToolTip(trText(rows[i].help));
+        layout->addRow(trText(rows[i].label), editor);
+    }
+    m_scroll->setWidget(form);
+}
+
+QWidget* CTextureWorkshop::makeEditor(std::size_t row) {
+    return m_recipe.rows()[row].type == CRecipe::Type::Tint ? makeColourEditor(row) : makeNumberEditor(row);
+}
+
+QWidget* CTextureWorkshop::makeNumberEditor(std::size_t i) {
+    const CRecipe::Row row = m_recipe.rows()[i];
+    const bool whole = row.type == CRecipe::Type::Whole;
+    auto* number = new QDoubleSpinBox;
+    number->setObjectName(toQString(row.key));
+    number->setDecimals(whole ? 0 : 3);
+    number->setRange(row.min, row.max);
+    number->setSingleStep(whole ? 1 : (row.max - row.min) / kSteps);
+    number->setKeyboardTracking(false);
+    number->setValue(QString::fromStdString(m_recipe.value(i)).toDouble());
+    connect(number, &QDoubleSpinBox::valueChanged, this,
+            [this, i, number] { set(i, QString::number(number->value(), 'g', 9)); });
+    if (whole && row.max - row.min > kManyWhole) return number;
+    const double step = whole ? 1 : (row.max - row.min) / kSteps;
+    auto* slider = new CParamSlider(static_cast<int>(std::lround((row.max - row.min) / step)));
+    const auto place = [slider, row, step](double value) {
+        const QSignalBlocker quiet(slider);
+        slider->setValue(static_cast<int>(std::lround((value - row.min) / step * CParamSlider::kFinePerStep)));
+    };
+    place(number->value());
+    connect(slider, &QSlider::valueChanged, number, [number, row, step](int position) {
+        number->setValue(row.min + position * step / CParamSlider::kFinePerStep);
+    });
+    connect(number, &QDoubleSpinBox::valueChanged, slider, place);
+    auto* both = new QWidget;
+    auto* layout = new QHBoxLayout(both);
+    layout->setContentsMargins(0, 0, 0, 0);
+    layout->addWidget(slider, 1);
+    layout->addWidget(number);
+    return both;
+}
+
+QWidget* CTextureWorkshop::makeColourEditor(std::size_t i) {
+    auto* button = new QPushButton;
+    button->setObjectName(toQString(m_recipe.rows()[i].key));
+    const auto show = [this, i, button] {
+        QPixmap patch(48, 16);
+        patch.fill(QColor(QString::fromStdString(m_recipe.value(i))));
+        button->setIcon(patch);
+        button->setIconSize(patch.size());
+        button->setText(QString::fromStdString(m_recipe.value(i)));
+    };
+    show();
+    connect(button, &QPushButton::clicked, this, [this, i, show] {
+        const QColor now(QString::fromStdString(m_recipe.value(i)));
+        const QColor chosen = QColorDialog::getColor(now, this, trText(m_recipe.rows()[i].label));
+        if (!chosen.isValid()) return;
+        set(i, chosen.name());
+        show();
+    });
+    return button;
+}
+
+void CTextureWorkshop::set(std::size_t row, const QString& value) {
+    m_recipe.setValue(row, value.toStdString()); // the editors keep to the rows' ranges
+    m_redraw.start();
+}
+
+void CTextureWorkshop::draw() {
+    const bool tile = m_recipe.text().starts_with("bark:");
+    m_picture->setPixmap(shown(m_recipe.draw(tile ? kTile : kShown, CProgress()), tile));
+    m_text->setText(QString::fromStdString(m_recipe.text()));
+}
+
+void CTextureWorkshop::savePictures() {
+    const QString path =
+        QFileDialog::getSaveFileName(this, tr("Save Pictures"), QStringLiteral("texture.png"), tr("Pictures (*.png)"));
+    if (path.isEmpty()) return;
+    try {
+        CFileSet files;
+        writePngs(m_recipe.draw(kSaved, CProgress()), toPath(path), files);
+        files.commit();
+    } catch (const std::exception& e) {
+        QMessageBox::critical(this, tr("Cannot save the pictures"), QString::fromUtf8(e.what()));
+    }
+}
+
+} // namespace stromar

@@ -1,0 +1,136 @@
+#include "library/Thumbnails.h"
+#include "window/QtText.h"
+#include "stromar/app/Export.h"
+#include "stromar/app/Prediction.h"
+#include "stromar/params/TreeFile.h"
+#include "stromar/scene/OsgGeometry.h"
+#include <QCryptographicHash>
+#include <QDir>
+#include <QFileInfo>
+#include <QStandardPaths>
+#include <QTimer>
+
+namespace stromar {
+
+namespace {
+constexpr int kLookVersion = 2;       // rises when the same tree is drawn differently
+constexpr double kFewVertices = 4e5;  // up to here the level of detail may be fine
+
+/// Where the picture of such a tree is kept.
+QString keptFile(const CParams& params, const SurfaceTextures& textures, const QSize& pixels) {
+    QCryptographicHash hash(QCryptographicHash::Sha1);
+    CParams seen = params; // words do not show
+    seen.text.species = seen.text.author = seen.text.description = seen.text.likedSeeds = {};
+    hash.addData(QByteArray::fromStdString(CTreeFile().text(seen)));
+    for (const std::filesystem::path& picture : textures) {
+        const QFileInfo info(fromPath(picture));
+        hash.addData(QStringLiteral("%1 %2 %3")
+                         .arg(fromPath(picture))
+                         .arg(info.size())
+                         .arg(info.lastModified().toMSecsSinceEpoch())
+                         .toUtf8());
+    }
+    hash.addData(QStringLiteral("%1 %2x%3").arg(kLookVersion).arg(pixels.width()).arg(pixels.height()).toUtf8());
+    const QDir folder(QStandardPaths::writableLocation(QStandardPaths::CacheLocation) + QStringLiteral("/thumbnails"));
+    folder.mkpath(QStringLiteral("."));
+    return folder.filePath(QString::fromLatin1(hash.result().toHex()) + QStringLiteral(".png"));
+}
+
+std::shared_ptr<const ViewModel> grow(const CParams& params, const CProgress& progress) {
+    const bool small = predictSize(params, detailOf(Model::Full, 1)).vertices < kFewVertices;
+    CTreeCreator creator;
+    makePictures(params, progress);
+    auto view = std::make_shared<ViewModel>();
+    view->model = creator.create(params, detailOf(Model::Full, small ? 1 : 3), progress);
+    view->model->visitMeshes([&](const std::shared_ptr<const CMesh>& mesh, int generation) {
+        view->parts.push_back({makeViewGeometry(*mesh), mesh->surface, generation});
+    });
+    return view;
+}
+} // namespace
+
+CThumbnails::CThumbnails(QObject* parent) : QObject(parent) {
+    qRegisterMetaType<std::shared_ptr<const ViewModel>>();
+    connect(this, &CThumbnails::grown, this, &CThumbnails::draw, Qt::QueuedConnection);
+    m_thread = std::jthread([this](const std::stop_token& stop) { work(stop); });
+}
+
+CThumbnails::~CThumbnails() {
+    m_thread.request_stop();
+    {
+        const std::lock_guard lock(m_mutex);
+        m_progress.cancel();
+    }
+    m_wake.notify_all();
+    m_thread.join();
+}
+
+void CThumbnails::request(const QString& id, const CParams& params, const std::filesystem::path& folder,
+                          const QSize& pixels, Keep keep) {
+    Task task{++m_lastNumber, id, QString(), texturesOf(params, folder), params, pixels};
+    if (keep == Keep::OnDisk) task.file = keptFile(params, task.textures, pixels);
+    if (const QImage kept = task.file.isEmpty() ? QImage() : QImage(task.file); !kept.isNull()) {
+        QTimer::singleShot(0, this, [this, id, kept] { emit ready(id, kept); });
+        return;
+    }
+    m_drawing.push_back(task);
+    {
+        const std::lock_guard lock(m_mutex);
+        m_waiting.push_back(std::move(task));
+    }
+    m_wake.notify_one();
+}
+
+void CThumbnails::drop(const QString& idStart) {
+    const auto dropped = [&](const Task& task) { return task.id.startsWith(idStart); };
+    std::erase_if(m_drawing, dropped);
+    const std::lock_guard lock(m_mutex);
+    std::erase_if(m_waiting, dropped);
+    if (m_growing.startsWith(idStart)) m_progress.cancel();
+}
+
+void CThumbnails::work(const std::stop_token& stop) {
+    for (;;) {
+        Task task;
+        CProgress progress;
+        {
+            std::unique_lock lock(m_mutex);
+            m_wake.wait(lock, stop, [this] { return !m_waiting.empty(); });
+            if (stop.stop_requested()) return;
+            task = std::move(m_waiting.front());
+            m_waiting.pop_front();
+            m_growing = task.id;
+            m_progress = CProgress(1); // the tree in the window comes first
+            progress = m_progress;
+        }
+        try {
+            emit grown(task.number, grow(task.params, progress), {});
+        } catch (const CCancelled&) {
+            // Dropped, or the end.
+        } catch (const std::exception& e) {
+            emit grown(task.number, nullptr, QString::fromUtf8(e.what()));
+        }
+        const std::lock_guard lock(m_mutex);
+        m_growing.clear();
+    }
+}
+
+void CThumbnails::draw(quint64 number, const std::shared_ptr<const ViewModel>& view, const QString& why) {
+    const auto task = std::ranges::find(m_drawing, number, &Task::number);
+    if (task == m_drawing.end()) return; // dropped
+    const Task found = std::move(*task);
+    m_drawing.erase(task);
+    if (!view) {
+        emit failed(found.id, why);
+        return;
+    }
+    const QImage image = m_painter.paint(view->parts, found.textures, found.pixels, ViewLook());
+    if (image.isNull()) {
+        emit failed(found.id, tr("There is no OpenGL to draw it."));
+        return;
+    }
+    if (!found.file.isEmpty()) image.save(found.file);
+    emit ready(found.id, image);
+}
+
+} // namespace stromar

@@ -1,0 +1,347 @@
+#include "params/ParamPanel.h"
+#include "params/ParamEditor.h"
+#include "params/ParamRow.h"
+#include "window/QtText.h"
+#include "stromar/texture/Draw.h"
+#include <QAbstractButton>
+#include <QApplication>
+#include <QFrame>
+#include <QHBoxLayout>
+#include <QLabel>
+#include <QLineEdit>
+#include <QMenu>
+#include <QScrollArea>
+#include <QSettings>
+#include <QStyleOptionFocusRect>
+#include <QStyleOptionTab>
+#include <QStylePainter>
+#include <QTabBar>
+#include <QToolButton>
+#include <algorithm>
+
+namespace stromar {
+
+namespace {
+/// Tabs at the side with upright text: all eight are seen at once in a narrow panel.
+class CSideTabBar : public QTabBar {
+protected:
+    QSize tabSizeHint(int) const override {
+        int widest = 0;
+        for (int i = 0; i < count(); ++i) widest = std::max(widest, fontMetrics().horizontalAdvance(tabText(i)));
+        return {widest + fontMetrics().height(), 2 * fontMetrics().height()};
+    }
+    void paintEvent(QPaintEvent*) override {
+        QStylePainter painter(this);
+        for (int i = 0; i < count(); ++i) {
+            QStyleOptionTab option;
+            initStyleOption(&option, i);
+            painter.drawControl(QStyle::CE_TabBarTabShape, option);
+            const QRect text = tabRect(i).adjusted(fontMetrics().height() / 2, 0, 0, 0);
+            painter.drawItemText(text, Qt::AlignVCenter | Qt::AlignLeft, palette(), isTabEnabled(i), tabText(i),
+                                 QPalette::WindowText);
+            if (i == currentIndex() && hasFocus()) {
+                QStyleOptionFocusRect focus;
+                focus.initFrom(this);
+                focus.rect = tabRect(i).adjusted(3, 3, -3, -3);
+                painter.drawPrimitive(QStyle::PE_FrameFocusRect, focus);
+            }
+        }
+    }
+};
+
+class CSideTabs : public QTabWidget {
+public:
+    CSideTabs() {
+        setTabBar(new CSideTabBar);
+        setTabPosition(QTabWidget::West);
+    }
+};
+
+/// A heading that folds what stands below it.
+class CFoldButton : public QAbstractButton {
+public:
+    explicit CFoldButton(const QString& text) {
+        setText(text);
+        setAccessibleName(text);
+        setCheckable(true);
+        setFocusPolicy(Qt::TabFocus);
+        QFont bold = font();
+        bold.setBold(true);
+        setFont(bold);
+    }
+    QSize sizeHint() const override {
+        return {fontMetrics().horizontalAdvance(text()) + 40, fontMetrics().height() + 12};
+    }
+
+protected:
+    void paintEvent(QPaintEvent*) override {
+        QStylePainter painter(this);
+        QStyleOption arrow;
+        arrow.initFrom(this);
+        arrow.rect = QRect(4, height() / 2 - 3, 10, 10);
+        painter.drawPrimitive(isChecked() ? QStyle::PE_IndicatorArrowDown : QStyle::PE_IndicatorArrowRight, arrow);
+        const QRect place = rect().adjusted(20, 6, 0, 0);
+        painter.drawText(place, Qt::AlignVCenter | Qt::AlignLeft, text());
+        const int end = 26 + fontMetrics().horizontalAdvance(text());
+        painter.setPen(palette().color(QPalette::Mid));
+        painter.drawLine(end, place.center().y() + 1, width(), place.center().y() + 1);
+        if (!hasFocus()) return;
+        QStyleOptionFocusRect focus;
+        focus.initFrom(this);
+        focus.rect = rect().adjusted(0, 5, -1, 0);
+        painter.drawPrimitive(QStyle::PE_FrameFocusRect, focus);
+    }
+};
+
+constexpr int kTouchMs = 80;
+constexpr const char* kLockedKey = "panel/locked";
+QString foldedKey(const QString& name) { return QStringLiteral("panel/folded/") + name; }
+} // namespace
+
+CParamPanel::CParamPanel(QWidget* parent) : QWidget(parent), m_filter(new QLineEdit), m_tabs(new CSideTabs) {
+    m_filter->setPlaceholderText(tr("Find a parameter"));
+    m_filter->setAccessibleName(m_filter->placeholderText());
+    m_filter->setClearButtonEnabled(true);
+    m_tabs->setAccessibleName(tr("Parameters"));
+    auto* column = new QVBoxLayout(this);
+    column->setContentsMargins(0, 4, 0, 0);
+    column->addWidget(m_filter);
+    column->addWidget(m_tabs, 1);
+
+    connect(m_filter, &QLineEdit::textChanged, this, &CParamPanel::updateVisibility);
+    connect(qApp, &QApplication::focusChanged, &m_touch, qOverload<>(&QTimer::start));
+    connect(&m_touch, &QTimer::timeout, this, &CParamPanel::updateTouched);
+    m_touch.setSingleShot(true);
+    m_touch.setInterval(kTouchMs);
+    updateVisibility();
+    const CParams defaults;
+    showParams(defaults, defaults);
+}
+
+void CParamPanel::showBlock(const ParamBlock& block) {
+    if (m_block == &block) return;
+    m_block = &block;
+    m_hovered = nullptr;
+    m_rows.clear();
+    m_lines.clear();
+    m_sections.clear();
+    m_groups.clear();
+    while (m_tabs->count() > 0) {
+        QWidget* tab = m_tabs->widget(0);
+        m_tabs->removeTab(0);
+        tab->deleteLater();
+    }
+    for (const ParamPage& page : pagesOf(block)) addTab(page);
+    updateVisibility();
+}
+
+void CParamPanel::addTab(const ParamPage& shown) {
+    auto* page = new QWidget;
+    m_page = new QVBoxLayout(page);
+    m_page->setContentsMargins(6, 4, 8, 8);
+    m_page->setSpacing(3);
+    auto* scroll = new QScrollArea;
+    scroll->setWidget(page);
+    scroll->setWidgetResizable(true);
+    scroll->setFrameShape(QFrame::NoFrame);
+    scroll->setHorizontalScrollBarPolicy(Qt::ScrollBarAlwaysOff);
+    m_tabs->addTab(scroll, groupTitle(shown.group, shown.level));
+    m_groups.emplace_back(shown.group, shown.level);
+    const auto isVariation = [&](const ParamRef& ref) {
+        return std::ranges::any_of(shown.rows, [&](const ParamRef& r) { return variationOf(*r.info) == ref.info; });
+    };
+    std::string_view section;
+    for (const ParamRef& ref : shown.rows) {
+        if (ref.info->unused() || !ref.info->shown || isVariation(ref)) continue;
+        if (ref.info->section != section) addSection(ref.info->section);
+        section = ref.info->section;
+        if (ref.info->kind() == ParamKind::Text && !ref.info->block)
+            addText(ref);
+        else
+            addRow(ref);
+    }
+    finishTab();
+}
+
+/// One column for all labels of a tab.
+void CParamPanel::finishTab() {
+    m_page->addStretch(1);
+    int widest = 0;
+    const auto ofPage = m_page->parentWidget()->findChildren<CParamRow*>();
+    for (const CParamRow* row : ofPage) widest = std::max(widest, row->labelWidth());
+    for (CParamRow* row : ofPage) row->setLabelWidth(widest);
+    auto* scroll = qobject_cast<QScrollArea*>(m_tabs->widget(m_tabs->count() - 1));
+    scroll->setMinimumWidth(m_page->parentWidget()->minimumSizeHint().width() + 20);
+}
+
+void CParamPanel::addSection(std::string_view title) {
+    auto* heading = new CFoldButton(trText(title));
+    const int tab = m_tabs->count() - 1;
+    const QString name = QStringLiteral("%1/%2").arg(tab).arg(toQString(title));
+    heading->setObjectName(name);
+    heading->setChecked(!QSettings().value(foldedKey(name)).toBool());
+    connect(heading, &QAbstractButton::toggled, this, [this, name](bool open) {
+        QSettings().setValue(foldedKey(name), !open);
+        updateVisibility();
+    });
+    m_page->addWidget(heading);
+    m_sections.push_back({heading, tab, {}});
+}
+
+void CParamPanel::addRow(const ParamRef& ref) {
+    auto* row = new CParamRow(ref);
+    row->setLocked(QSettings().value(QLatin1String(kLockedKey)).toStringList().contains(toQString(ref.key())));
+    row->installEventFilter(this);
+    m_page->addWidget(row);
+    m_sections.back().rows.push_back(row);
+    m_rows.push_back(row);
+    connect(row, &CParamRow::edited, this, &CParamPanel::edited);
+    connect(row, &CParamRow::assigned, this, &CParamPanel::assigned);
+    connect(row, &CParamRow::released, this, &CParamPanel::released);
+    connect(row, &CParamRow::lockToggled, this, [this, ref](bool locked) { setLocked(ref, locked); });
+}
+
+/// A line of text.
+void CParamPanel::addText(const ParamRef& ref) {
+    auto* line = new QLineEdit;
+    line->setObjectName(toQString(ref.key()));
+    line->setAccessibleName(trText(ref.info->label));
+    auto* row = new QWidget;
+    row->setToolTip(trText(ref.info->help));
+    auto* layout = new QHBoxLayout(row);
+    layout->setContentsMargins(20, 0, 0, 0);
+    auto* label = new QLabel(trText(ref.info->label));
+    label->setMinimumWidth(100);
+    layout->addWidget(label);
+    layout->addWidget(ref.info->picture() ? makePathEditor(ref, line) : line, 1);
+    m_page->addWidget(row);
+    m_sections.back().rows.push_back(row);
+    m_lines.emplace_back(ref, line);
+    connect(line, &QLineEdit::editingFinished, this, [this, ref, line] {
+        if (line->isModified()) emit edited(ref, line->text().toStdString(), 0);
+        line->setModified(false);
+    });
+}
+
+QWidget* CParamPanel::makePathEditor(const ParamRef& ref, QLineEdit* line) {
+    line->setPlaceholderText(tr("built in"));
+    line->setClearButtonEnabled(true);
+    auto* row = new QWidget;
+    auto* layout = new QHBoxLayout(row);
+    layout->setContentsMargins(0, 0, 0, 0);
+    auto* choose = new QToolButton;
+    choose->setText(tr("Load…"));
+    choose->setToolTip(tr("Choose a picture"));
+    layout->addWidget(line, 1);
+    layout->addWidget(choose);
+    connect(choose, &QToolButton::clicked, this, [this, ref] { emit pathWanted(ref); });
+    auto* drawn = new QToolButton;
+    drawn->setText(tr("Draw"));
+    drawn->setToolTip(tr("A picture that Stromar draws; the words behind its name can be changed"));
+    drawn->setPopupMode(QToolButton::InstantPopup);
+    auto* menu = new QMenu(drawn);
+    const std::string start = std::string(ref.info->recipes) + ":";
+    for (const std::string& recipe : plainRecipes(ref.info->recipes))
+        menu->addAction(trText(std::string_view(recipe).substr(start.size())), this,
+                        [this, ref, recipe] { emit edited(ref, recipe, 0); });
+    menu->addSeparator();
+    menu->addAction(tr("Texture Workshop…"), this, [this, ref] { emit workshopWanted(ref); });
+    drawn->setMenu(menu);
+    layout->addWidget(drawn);
+    return row;
+}
+
+void CParamPanel::showParams(const CParams& params, const CParams& saved) {
+    showBlock(params.block());
+    for (CParamRow* row : m_rows) row->show(params, saved);
+    for (const auto& [text, line] : m_lines)
+        if (const QString value = toQString(text.text(params)); line->text() != value) {
+            line->setText(value);
+            line->setCursorPosition(0);
+        }
+}
+
+CParamRow* CParamPanel::row(const ParamRef& ref) const {
+    const auto found = std::ranges::find_if(m_rows, [&](const CParamRow* row) {
+        return std::ranges::any_of(row->editors(), [&](const CParamEditor* e) { return e->ref() == ref; });
+    });
+    return found == m_rows.end() ? nullptr : *found;
+}
+
+CParamEditor* CParamPanel::editor(const ParamRef& ref) const {
+    const CParamRow* owner = row(ref);
+    if (!owner) return nullptr;
+    return *std::ranges::find_if(owner->editors(), [&](const CParamEditor* e) { return e->ref() == ref; });
+}
+
+bool CParamPanel::held() const {
+    return std::ranges::any_of(
+        m_rows, [](const CParamRow* row) { return std::ranges::any_of(row->editors(), &CParamEditor::held); });
+}
+
+bool CParamPanel::locked(const ParamRef& ref) const {
+    const CParamRow* owner = row(ref);
+    return owner && owner->locked();
+}
+
+void CParamPanel::setLocked(const ParamRef& ref, bool locked) {
+    row(ref)->setLocked(locked);
+    QStringList keys;
+    for (const CParamRow* one : m_rows)
+        if (one->locked()) keys << toQString(one->ref().key());
+    QSettings().setValue(QLatin1String(kLockedKey), keys);
+}
+
+/// The filter reaches across all tabs: tabs without a hit disappear, folded sections open.
+void CParamPanel::updateVisibility() {
+    const QStringList words = m_filter->text().split(QLatin1Char(' '), Qt::SkipEmptyParts);
+    std::vector<bool> hasHit(std::size_t(m_tabs->count()), words.empty());
+    for (const Section& section : m_sections) {
+        bool any = false;
+        for (QWidget* widget : section.rows) {
+            const auto* row = qobject_cast<CParamRow*>(widget);
+            const bool hit = words.empty() || (row && row->matches(words, m_tabs->tabText(section.tab)));
+            widget->setVisible(hit && (section.heading->isChecked() || !words.empty()));
+            any = any || hit;
+        }
+        section.heading->setVisible(any);
+        if (any) hasHit[std::size_t(section.tab)] = true;
+    }
+    for (int tab = 0; tab < m_tabs->count(); ++tab) m_tabs->setTabVisible(tab, hasHit[std::size_t(tab)]);
+}
+
+int CParamPanel::tabOf(Group group, int level) const {
+    const auto found = std::ranges::find(m_groups, std::pair(group, group == Group::Branches ? level : 0));
+    return static_cast<int>(found - m_groups.begin());
+}
+
+void CParamPanel::showGeneration(int generation) {
+    const int level = std::min(generation, kParamLevels - 1);
+    m_tabs->setCurrentIndex(level == 0 ? tabOf(Group::Trunk) : tabOf(Group::Branches, level));
+}
+
+void CParamPanel::showLeaves() { m_tabs->setCurrentIndex(tabOf(Group::Leaves)); }
+
+void CParamPanel::showParam(const ParamRef& ref) {
+    m_tabs->setCurrentIndex(tabOf(ref.group(), ref.level));
+    if (QWidget* first = editor(ref)->findChild<QWidget*>()) first->setFocus();
+}
+
+bool CParamPanel::eventFilter(QObject* watched, QEvent* event) {
+    if (event->type() == QEvent::Enter || event->type() == QEvent::Leave) {
+        auto* row = static_cast<CParamRow*>(watched);
+        m_hovered = event->type() == QEvent::Enter ? row : m_hovered == row ? nullptr : m_hovered;
+        m_touch.start();
+    }
+    return QWidget::eventFilter(watched, event);
+}
+
+void CParamPanel::updateTouched() {
+    const QWidget* focus = QApplication::focusWidget();
+    const auto holdsFocus = [focus](const CParamRow* row) { return focus && row->isAncestorOf(focus); };
+    const auto focused = std::ranges::find_if(m_rows, holdsFocus);
+    const CParamRow* row = m_hovered ? m_hovered : focused == m_rows.end() ? nullptr : *focused;
+    emit touched(row ? std::optional(row->ref()) : std::nullopt);
+}
+
+} // namespace stromar

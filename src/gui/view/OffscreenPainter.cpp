@@ -1,0 +1,56 @@
+#include "view/OffscreenPainter.h"
+#include "window/Display.h"
+#include <QOpenGLFramebufferObject>
+
+namespace stromar {
+
+COffscreenPainter::COffscreenPainter() : m_renderer(m_scene) {}
+
+COffscreenPainter::~COffscreenPainter() {
+    if (!m_context || !m_context->makeCurrent(&m_surface)) return;
+    m_renderer.detach();
+    m_context->doneCurrent();
+}
+
+bool COffscreenPainter::start() {
+    if (m_context) return m_renderer.attached();
+    if (QString why; !display::available(why)) return false;
+    m_surface.setFormat(display::surfaceFormat(0));
+    m_surface.create();
+    m_context = std::make_unique<QOpenGLContext>();
+    m_context->setFormat(display::surfaceFormat(0));
+    if (!m_context->create() || !m_context->makeCurrent(&m_surface)) return false;
+    m_renderer.attach(display::bestSamples());
+    return true;
+}
+
+QImage COffscreenPainter::paint(const std::vector<ViewPart>& parts, const SurfaceTextures& textures,
+                                const QSize& pixels, const ViewLook& look) {
+    if (!start() || !m_context->makeCurrent(&m_surface)) return {};
+    m_scene.show(parts);
+    m_scene.setLook(look);
+    for (const Surface surface : kSurfaces) {
+        const auto i = static_cast<std::size_t>(surface);
+        if (m_textures[i] != textures[i]) m_scene.setTexture(surface, textures[i].string());
+    }
+    m_textures = textures;
+    CCamera camera;
+    camera.lookFrom(0, 5);
+    const osg::BoundingBox box = m_scene.bounds();
+    if (box.valid())
+        camera.frame(osg::BoundingBoxd(osg::Vec3d(box._min), osg::Vec3d(box._max)),
+                     double(pixels.width()) / pixels.height());
+    QOpenGLFramebufferObjectFormat format;
+    format.setAttachment(QOpenGLFramebufferObject::CombinedDepthStencil);
+    format.setSamples(display::bestSamples());
+    QImage image;
+    {
+        QOpenGLFramebufferObject buffer(pixels, format);
+        m_renderer.draw(buffer.handle(), pixels.width(), pixels.height(), camera);
+        image = buffer.toImage();
+    }
+    m_context->doneCurrent();
+    return image;
+}
+
+} // namespace stromar

@@ -1,0 +1,240 @@
+#include "view/ViewController.h"
+#include "params/ParamPanel.h"
+#include "view/PictureDialog.h"
+#include "window/QtText.h"
+#include "window/Settings.h"
+#include "stromar/params/ParamText.h"
+#include "stromar/tree/Nearest.h"
+#include <QFileInfo>
+#include <QLocale>
+#include <QMessageBox>
+#include <QProgressDialog>
+#include <QSaveFile>
+#include <QTabWidget>
+#include <algorithm>
+
+namespace stromar {
+
+namespace {
+constexpr int kTurnPoints = 12; // of a drawn turn of a helix
+
+osg::Vec3d toOsg(const glm::dvec3& v) { return {v.x, v.y, v.z}; }
+
+/// The centre line of every path of a stem.
+std::vector<std::vector<osg::Vec3d>> linesOf(const CGeneration& all, const CStem& stem) {
+    std::vector<std::vector<osg::Vec3d>> lines;
+    for (std::uint32_t p = stem.firstPath; p < stem.firstPath + stem.pathCount; ++p) {
+        const CPath& path = all.paths[p];
+        std::vector<osg::Vec3d>& line = lines.emplace_back();
+        for (std::uint32_t s = path.firstSegment; s < path.firstSegment + path.segmentCount; ++s) {
+            const int steps = all.segments[s].helixRadius != 0 ? kTurnPoints : 1;
+            for (int i = 0; i < steps; ++i) line.push_back(toOsg(all.segments[s].centre(double(i) / steps)));
+        }
+        line.push_back(toOsg(all.segments[path.firstSegment + path.segmentCount - 1].centre(1)));
+    }
+    return lines;
+}
+
+/// All of it or, when that fails, none: then the old file stays.
+bool writeImage(const QImage& image, const QString& path) {
+    QSaveFile file(path);
+    const QByteArray format = QFileInfo(path).suffix().toLatin1();
+    return file.open(QIODevice::WriteOnly) && image.save(&file, format.constData()) && file.commit();
+}
+} // namespace
+
+CViewController::CViewController(CViewport& viewport, CParamPanel& panel, CDocument& document, QObject* parent)
+    : QObject(parent), m_viewport(viewport), m_panel(panel), m_document(document) {
+    connect(&m_panel, &CParamPanel::touched, this, &CViewController::onTouched);
+    connect(&m_panel.tabs(), &QTabWidget::currentChanged, this, [this](int tab) {
+        m_guide = nullptr;
+        for (const Guide& guide : methodOf(m_document.params()).guides)
+            if (!guide.group.name.empty() && tab == m_panel.tabOf(guide.group)) m_guide = &guide;
+        updateOverlay();
+    });
+    connect(&m_viewport, &CViewport::picked, this, &CViewController::onPicked);
+    connect(&m_viewport, &CViewport::guideDragged, this, &CViewController::onDragged);
+    connect(&m_viewport, &CViewport::guideReleased, this, [this] {
+        m_dragging = false;
+        emit released();
+    });
+}
+
+void CViewController::show(const std::shared_ptr<const ViewModel>& view) {
+    m_view = view;
+    m_viewport.show(view->parts);
+    updateSelection();
+}
+
+int CViewController::generationOf(const ParamRef& ref) const {
+    const TreeMethod& method = methodOf(m_document.params());
+    return method.generationOf ? method.generationOf(ref, m_document.params()) : ViewPart::kNone;
+}
+
+const Guide* CViewController::guideOf(const ParamRef& ref) const {
+    for (const Guide& guide : methodOf(m_document.params()).guides)
+        if (guide.belongsTo(ref)) return &guide;
+    return nullptr;
+}
+
+void CViewController::onTouched(const std::optional<ParamRef>& ref) {
+    m_viewport.tint(ref ? generationOf(*ref) : ViewPart::kNone);
+    // Guides stay while the mouse goes to their handles, until another value is touched.
+    if (!ref || guideOf(*ref) == m_guide) return;
+    m_guide = guideOf(*ref);
+    updateOverlay();
+}
+
+void CViewController::onDragged(std::size_t handle, const glm::dvec2& to, int gesture) {
+    if (!m_guide) return;
+    m_dragging = true;
+    const GuideHandle& dragged = m_guide->handles[handle];
+    const double scale = m_viewport.overlay().model().scaleTree;
+    const QString text = trText(dragged.text);
+    m_document.edit(
+        tr("Drag %1").arg(text), [&](CParams& params) { dragged.drag(params, scale, to); }, gesture, text);
+}
+
+void CViewController::onPicked(const std::optional<ViewHit>& hit) {
+    m_selected.reset();
+    if (hit && m_view) {
+        const CTree& tree = *m_view->model->tree;
+        const glm::dvec3 point(hit->point.x(), hit->point.y(), hit->point.z());
+        if (hit->generation < ViewPart::kLeaves) {
+            m_panel.tabs().setCurrentIndex(m_panel.tabOf(Group::Blossom));
+        } else if (hit->generation == ViewPart::kLeaves) {
+            if (const auto leaf = nearestLeaf(tree, point)) m_selected = Selected{ViewPart::kLeaves, *leaf};
+            m_panel.showLeaves();
+        } else {
+            const auto generation = static_cast<std::size_t>(hit->generation);
+            if (const auto stem = nearestStem(tree, generation, point))
+                m_selected = Selected{hit->generation, tree.generation(generation).stems[*stem].id};
+            m_panel.showGeneration(hit->generation);
+        }
+    }
+    updateSelection();
+}
+
+void CViewController::clearSelection() {
+    m_selected.reset();
+    updateSelection();
+}
+
+void CViewController::updateSelection() {
+    CViewOverlay::Model& model = m_viewport.overlay().model();
+    model.selection.clear();
+    model.selectionText.clear();
+    if (m_selected && m_view && m_selected->generation == ViewPart::kLeaves)
+        describeLeaf(m_selected->id);
+    else if (m_selected && m_view &&
+             static_cast<std::size_t>(m_selected->generation) < m_view->model->tree->generationCount()) {
+        const auto generation = static_cast<std::size_t>(m_selected->generation);
+        const auto& stems = m_view->model->tree->generation(generation).stems;
+        const auto stem = std::ranges::find(stems, m_selected->id, &CStem::id);
+        if (stem != stems.end()) describeStem(generation, *stem, static_cast<std::size_t>(stem - stems.begin()));
+    }
+    updateOverlay();
+}
+
+void CViewController::describeStem(std::size_t generation, const CStem& stem, std::size_t number) {
+    const CTree& tree = *m_view->model->tree;
+    const CGeneration& all = tree.generation(generation);
+    CViewOverlay::Model& model = m_viewport.overlay().model();
+    model.selection = linesOf(all, stem);
+    QStringList rows{
+        tr("%1, stem %2 of %3").arg(levelTitle(int(generation))).arg(number + 1).arg(all.stems.size()),
+        tr("Length %1, radius %2").arg(lengthText(stem.length), lengthText(stem.radius))};
+    if (stem.parent >= 0)
+        rows << tr("On %1, stem %2, at %3")
+                    .arg(levelTitle(int(generation) - 1))
+                    .arg(stem.parent + 1)
+                    .arg(lengthText(stem.offset));
+    if (stem.pathCount > 1) rows << tr("Split into %n path(s)", nullptr, static_cast<int>(stem.pathCount));
+    model.selectionText = rows.join(QLatin1Char('\n'));
+}
+
+void CViewController::describeLeaf(std::size_t number) {
+    const CTree& tree = *m_view->model->tree;
+    if (number >= tree.leaves().size()) return;
+    const CLeaf& leaf = tree.leaves()[number];
+    CViewOverlay::Model& model = m_viewport.overlay().model();
+    model.selection = {{toOsg(leaf.position), toOsg(leaf.position + leaf.length * leaf.axis)}};
+    model.selectionText =
+        tr("Leaf %1 of %2\nLength %3, width %4\nOn %5, stem %6")
+            .arg(number + 1)
+            .arg(tree.leaves().size())
+            .arg(lengthText(leaf.length), lengthText(leaf.width), levelTitle(int(leaf.generation)))
+            .arg(leaf.stem + 1);
+}
+
+QStringList CViewController::statistics() const {
+    if (!m_statistics || !m_view) return {};
+    const TreeModel& tree = *m_view->model;
+    const QLocale numbers;
+    const auto whole = [&](std::size_t n) { return numbers.toString(qulonglong(n)); };
+    const osg::BoundingBox box = m_viewport.scene().bounds();
+    QStringList rows{toQString(m_document.params().text.species)};
+    if (box.valid())
+        rows << tr("Height %1, width %2")
+                    .arg(lengthText(box.zMax()),
+                         lengthText(std::max(box.xMax() - box.xMin(), box.yMax() - box.yMin())));
+    for (std::size_t g = 0; g < tree.tree->generationCount(); ++g)
+        rows << tr("%1: %2 stems, %3 triangles")
+                    .arg(levelTitle(int(g)), whole(tree.tree->generation(g).stems.size()),
+                         whole(tree.stems[g]->triangleCount()));
+    rows
+        << tr("Leaves: %1, %2 triangles").arg(whole(tree.tree->leaves().size()), whole(tree.leaves()->triangleCount()));
+    rows << tr("Structure %1 ms, mesh %2 ms")
+                .arg(numbers.toString(tree.milliseconds.structure, 'f', 1),
+                     numbers.toString(tree.milliseconds.smooth + tree.milliseconds.mesh, 'f', 1));
+    return rows;
+}
+
+void CViewController::updateOverlay() {
+    CViewOverlay::Model& model = m_viewport.overlay().model();
+    model.params = m_document.params();
+    model.guide = m_guide;
+    model.statistics = statistics();
+    if (m_view) model.scaleTree = m_view->model->tree->height();
+    const ViewLook& look = m_viewport.look();
+    model.person = look.ground ? std::optional(m_viewport.scene().personAt()) : std::nullopt;
+    model.personText = lengthText(CViewScene::kPersonHeight);
+    m_viewport.overlay().update();
+}
+
+void CViewController::setLook(const std::function<void(ViewLook&)>& change) {
+    ViewLook look = m_viewport.look();
+    change(look);
+    m_viewport.setLook(look);
+    updateOverlay();
+}
+
+void CViewController::setStatistics(bool on) {
+    m_statistics = on;
+    updateOverlay();
+}
+
+void CViewController::savePicture(QWidget* parent) {
+    CPictureDialog dialog(m_viewport.size() * m_viewport.devicePixelRatioF(), parent);
+    if (dialog.exec() != QDialog::Accepted) return;
+    const PictureOptions wanted = dialog.options();
+    ViewLook look = m_viewport.look();
+    if (wanted.transparent) look.backdrop = Backdrop::Nothing;
+    QProgressDialog progress(tr("Writing pictures"), tr("Cancel"), 0, wanted.frames, parent);
+    progress.setWindowModality(Qt::WindowModal);
+    CCamera camera = m_viewport.camera();
+    int written = 0;
+    for (; written < wanted.frames && !progress.wasCanceled(); ++written) {
+        const QString file = wanted.fileOf(written);
+        if (!writeImage(m_viewport.picture(wanted.size, look, camera), file)) {
+            QMessageBox::critical(parent, tr("Cannot save the picture"), tr("%1 cannot be written.").arg(file));
+            return;
+        }
+        camera.turn(360.0 / wanted.frames, 0);
+        progress.setValue(written + 1);
+    }
+    emit notice(wanted.frames == 1 ? tr("Saved %1").arg(wanted.path)
+                                   : tr("Saved %n frame(s) of a turntable", nullptr, written));
+}
+
+} // namespace stromar

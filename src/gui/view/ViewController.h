@@ -1,0 +1,61 @@
+#pragma once
+#include "document/Document.h"
+#include "work/TreeCreatorThread.h"
+#include "view/Viewport.h"
+#include <QObject>
+
+namespace stromar {
+
+class CParamPanel;
+
+/// What one sees of what one edits: brings viewport, panel and document together. Tints the generation of the value in
+/// hand, draws the guides of crown and envelope, tells about the stem or leaf that was clicked.
+class CViewController : public QObject {
+    Q_OBJECT
+public:
+    CViewController(CViewport& viewport, CParamPanel& panel, CDocument& document, QObject* parent = nullptr);
+
+    void show(const std::shared_ptr<const ViewModel>& view);
+    /// After a change of the values or of the unit.
+    void updateOverlay();
+    /// Switches of the look.
+    void setLook(const std::function<void(ViewLook&)>& change);
+    void setStatistics(bool on);
+    void clearSelection();
+    bool hasSelection() const { return m_selected.has_value(); }
+    /// Whether a handle is held.
+    bool held() const { return m_dragging; }
+    /// Asks for size and file, and writes a picture or the frames of a turntable.
+    void savePicture(QWidget* parent);
+
+signals:
+    void released();
+    void notice(const QString& text);
+
+private:
+    /// A stem or a leaf, by what stays the same when the tree grows anew.
+    struct Selected {
+        int generation;   ///< ViewPart::kLeaves for a leaf
+        std::uint64_t id; ///< of the stem; of a leaf its number
+    };
+
+    void onTouched(const std::optional<ParamRef>& ref);
+    void onPicked(const std::optional<ViewHit>& hit);
+    void onDragged(std::size_t handle, const glm::dvec2& to, int gesture);
+    void describeStem(std::size_t generation, const CStem& stem, std::size_t number);
+    void describeLeaf(std::size_t number);
+    void updateSelection();
+    QStringList statistics() const;
+    int generationOf(const ParamRef& ref) const;
+    const Guide* guideOf(const ParamRef& ref) const;
+
+    CViewport& m_viewport;
+    CParamPanel& m_panel;
+    CDocument& m_document;
+    std::shared_ptr<const ViewModel> m_view;
+    std::optional<Selected> m_selected;
+    const Guide* m_guide = nullptr;
+    bool m_statistics = false, m_dragging = false;
+};
+
+} // namespace stromar

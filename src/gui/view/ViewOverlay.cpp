@@ -1,0 +1,217 @@
+#include "view/ViewOverlay.h"
+#include "window/QtText.h"
+#include <QPainter>
+#include <QPainterPath>
+#include <algorithm>
+#include <cmath>
+
+namespace stromar {
+
+namespace {
+constexpr double kHandleRadius = 6, kGrip = 11; // pixels
+constexpr double kAxisReach = 34, kAxisBall = 8, kAxisMargin = 52;
+constexpr int kRingPoints = 48;
+constexpr double kSteep = 0.94; // of a view that looks down or up: its sine
+const QColor kAccent(255, 150, 40);
+const QColor kGuide(255, 176, 64);
+
+/// Rows of text on a plate that is readable before a light and a dark ground.
+void drawPlate(QPainter& painter, const QPointF& corner, Qt::Corner which, const QStringList& rows,
+               const QColor& ink = Qt::white) {
+    const QFontMetricsF metrics(painter.font());
+    double wide = 0;
+    for (const QString& row : rows) wide = std::max(wide, metrics.horizontalAdvance(row));
+    QRectF plate(corner, QSizeF(wide + 14, metrics.height() * double(rows.size()) + 8));
+    if (which == Qt::TopRightCorner || which == Qt::BottomRightCorner) plate.moveRight(corner.x());
+    if (which == Qt::BottomLeftCorner || which == Qt::BottomRightCorner) plate.moveBottom(corner.y());
+    painter.setPen(Qt::NoPen);
+    painter.setBrush(QColor(24, 26, 28, 150));
+    painter.drawRoundedRect(plate, 4, 4);
+    painter.setPen(ink);
+    for (qsizetype i = 0; i < rows.size(); ++i)
+        painter.drawText(QPointF(plate.left() + 7, plate.top() + 4 + metrics.ascent() + metrics.height() * double(i)),
+                         rows[i]);
+}
+} // namespace
+
+/// One of the six ends of the axis cross.
+struct CViewOverlay::AxisEnd {
+    QPointF at;
+    double depth; ///< larger is nearer
+    QColor colour;
+    QString name;      ///< empty at the negative end
+    double yaw, pitch; ///< the view from there
+};
+
+CViewOverlay::CViewOverlay(const CCamera& camera, QWidget* parent) : QWidget(parent), m_camera(camera) {
+    setAttribute(Qt::WA_TransparentForMouseEvents);
+    setFocusPolicy(Qt::NoFocus);
+}
+
+osg::Vec2d CViewOverlay::toView(const QPointF& at) const {
+    return {2 * at.x() / std::max(1, width()) - 1, 1 - 2 * at.y() / std::max(1, height())};
+}
+
+std::optional<QPointF> CViewOverlay::toWidget(const osg::Vec3d& point) const {
+    const osg::Vec3d place = m_camera.project(point, aspect());
+    if (place.z() < 0) return {};
+    return QPointF((place.x() + 1) / 2 * width(), (1 - place.y()) / 2 * height());
+}
+
+glm::dvec2 CViewOverlay::guidePoint(std::size_t handle, const QPointF& at) const {
+    const auto [from, direction] = m_camera.rayAt(toView(at), aspect());
+    const double height = m_model.guide->handles[handle].place(m_model.params, m_model.scaleTree).y;
+    if (std::abs(m_camera.forward().z()) > kSteep) { // the level plane at its height
+        const osg::Vec3d point = from - direction * ((from.z() - height) / direction.z());
+        return {std::hypot(point.x(), point.y()), height};
+    }
+    // The upright plane through the trunk's axis that faces the eye.
+    osg::Vec3d ahead = m_camera.forward();
+    ahead.z() = 0;
+    ahead.normalize();
+    const osg::Vec3d point = from - direction * ((from * ahead) / (direction * ahead));
+    return {std::hypot(point.x(), point.y()), std::max(point.z(), 0.0)};
+}
+
+QPointF CViewOverlay::handlePlace(std::size_t handle) const {
+    const glm::dvec2 at = m_model.guide->handles[handle].place(m_model.params, m_model.scaleTree);
+    osg::Vec3d aside = m_camera.right();
+    aside.z() = 0;
+    aside.normalize();
+    return toWidget(aside * at.x + osg::Vec3d(0, 0, at.y)).value_or(QPointF(-1000, -1000));
+}
+
+std::optional<std::size_t> CViewOverlay::handleAt(const QPointF& at) const {
+    for (std::size_t i = 0; m_model.guide && i < m_model.guide->handles.size(); ++i)
+        if (QLineF(handlePlace(i), at).length() < kGrip) return i;
+    return {};
+}
+
+void CViewOverlay::setHotHandle(std::optional<std::size_t> handle) {
+    if (handle == m_hot) return;
+    m_hot = handle;
+    update();
+}
+
+std::vector<CViewOverlay::AxisEnd> CViewOverlay::axisEnds() const {
+    const QPointF middle(kAxisMargin, height() - kAxisMargin);
+    const osg::Vec3d axes[] = {{1, 0, 0}, {0, 1, 0}, {0, 0, 1}};
+    const QColor colours[] = {QColor(214, 76, 76), QColor(104, 168, 60), QColor(74, 128, 216)};
+    const char* names[] = {"X", "Y", "Z"};
+    const std::pair<double, double> views[][2] = {{{90, 0}, {-90, 0}}, {{180, 0}, {0, 0}}, {{0, 90}, {0, -90}}};
+    std::vector<AxisEnd> ends;
+    for (int axis = 0; axis < 3; ++axis)
+        for (const int side : {0, 1}) {
+            const osg::Vec3d to = axes[axis] * (side == 0 ? 1 : -1);
+            ends.push_back({middle + kAxisReach * QPointF(to * m_camera.right(), -(to * m_camera.up())),
+                            -(to * m_camera.forward()), colours[axis],
+                            side == 0 ? QString::fromLatin1(names[axis]) : QString(), views[axis][side].first,
+                            views[axis][side].second});
+        }
+    std::ranges::sort(ends, {}, &AxisEnd::depth);
+    return ends;
+}
+
+std::optional<std::pair<double, double>> CViewOverlay::axisAt(const QPointF& at) const {
+    const std::vector<AxisEnd> ends = axisEnds();
+    const auto found = std::find_if(ends.rbegin(), ends.rend(), // the nearest is drawn last
+                                    [&](const AxisEnd& e) { return QLineF(e.at, at).length() <= kAxisBall + 1; });
+    if (found == ends.rend()) return {};
+    return std::pair(found->yaw, found->pitch);
+}
+
+void CViewOverlay::drawLine(QPainter& painter, const std::vector<osg::Vec3d>& points) const {
+    QPolygonF line;
+    for (const osg::Vec3d& point : points)
+        if (const auto at = toWidget(point)) line << *at;
+    painter.drawPolyline(line);
+}
+
+/// Two meridians square to the view, and rings.
+void CViewOverlay::paintGuide(QPainter& painter) const {
+    if (!m_model.guide) return;
+    const std::vector<glm::dvec2> profile = m_model.guide->profile(m_model.params, m_model.scaleTree);
+    if (profile.empty()) return;
+    const double yaw = std::atan2(m_camera.right().y(), m_camera.right().x());
+    const auto at = [](const glm::dvec2& p, double angle) {
+        return osg::Vec3d(p.x * std::cos(angle), p.x * std::sin(angle), p.y);
+    };
+    painter.setPen(QPen(kGuide, 1.8));
+    for (const double angle : {yaw, yaw + osg::PI}) {
+        std::vector<osg::Vec3d> meridian;
+        for (const glm::dvec2& p : profile) meridian.push_back(at(p, angle));
+        drawLine(painter, meridian);
+    }
+    painter.setPen(QPen(QColor(kGuide.red(), kGuide.green(), kGuide.blue(), 110), 1.2));
+    for (std::size_t i = 8; i < profile.size(); i += 8) {
+        std::vector<osg::Vec3d> ring;
+        for (int k = 0; k <= kRingPoints; ++k) ring.push_back(at(profile[i], 2 * osg::PI * k / kRingPoints));
+        drawLine(painter, ring);
+    }
+}
+
+void CViewOverlay::paintHandles(QPainter& painter) const {
+    for (std::size_t i = 0; m_model.guide && i < m_model.guide->handles.size(); ++i) {
+        const QPointF at = handlePlace(i);
+        const bool hot = m_hot == i;
+        painter.setPen(QPen(QColor(40, 30, 10), 1.4));
+        painter.setBrush(hot ? QColor(Qt::white) : kGuide);
+        painter.drawEllipse(at, kHandleRadius + (hot ? 1.5 : 0), kHandleRadius + (hot ? 1.5 : 0));
+        if (hot) drawPlate(painter, at + QPointF(14, -10), Qt::TopLeftCorner, {trText(m_model.guide->handles[i].text)});
+    }
+}
+
+void CViewOverlay::paintSelection(QPainter& painter) const {
+    for (const auto& [colour, wide] : {std::pair(QColor(0, 0, 0, 120), 5.0), {kAccent, 2.6}}) {
+        painter.setPen(QPen(colour, wide, Qt::SolidLine, Qt::RoundCap, Qt::RoundJoin));
+        for (const auto& line : m_model.selection) drawLine(painter, line);
+    }
+}
+
+void CViewOverlay::paintAxes(QPainter& painter) const {
+    const QPointF middle(kAxisMargin, height() - kAxisMargin);
+    QFont small = font();
+    small.setBold(true);
+    small.setPixelSize(10);
+    painter.setFont(small);
+    for (const AxisEnd& end : axisEnds()) {
+        const bool positive = !end.name.isEmpty();
+        QColor fill = end.colour;
+        if (positive) {
+            painter.setPen(QPen(end.colour, 2.2));
+            painter.drawLine(middle, end.at);
+        } else
+            fill.setAlpha(90);
+        painter.setPen(QPen(end.colour, 1.4));
+        painter.setBrush(fill);
+        painter.drawEllipse(end.at, kAxisBall, kAxisBall);
+        painter.setPen(Qt::white);
+        painter.drawText(QRectF(end.at - QPointF(kAxisBall, kAxisBall), QSizeF(2 * kAxisBall, 2 * kAxisBall)),
+                         Qt::AlignCenter, end.name);
+    }
+    painter.setFont(font());
+}
+
+void CViewOverlay::paintWords(QPainter& painter) const {
+    if (!m_model.statistics.isEmpty()) drawPlate(painter, {8, 8}, Qt::TopLeftCorner, m_model.statistics);
+    if (m_model.person)
+        if (const auto at = toWidget(*m_model.person)) {
+            const double wide = fontMetrics().horizontalAdvance(m_model.personText) + 14;
+            drawPlate(painter, *at - QPointF(wide / 2, 6), Qt::BottomLeftCorner, {m_model.personText});
+        }
+    if (!m_model.selectionText.isEmpty())
+        drawPlate(painter, {width() - 8.0, height() - 8.0}, Qt::BottomRightCorner,
+                  m_model.selectionText.split(QLatin1Char('\n')), kAccent.lighter(150));
+}
+
+void CViewOverlay::paintEvent(QPaintEvent*) {
+    QPainter painter(this);
+    painter.setRenderHint(QPainter::Antialiasing);
+    paintSelection(painter);
+    paintGuide(painter);
+    paintHandles(painter);
+    paintAxes(painter);
+    paintWords(painter);
+}
+
+} // namespace stromar

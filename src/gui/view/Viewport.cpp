@@ -1,0 +1,220 @@
+#include "view/Viewport.h"
+#include "window/Display.h"
+#include "document/Gesture.h"
+#include <QMouseEvent>
+#include <QOpenGLContext>
+#include <QOpenGLFramebufferObject>
+#include <cmath>
+#include <utility>
+
+namespace stromar {
+
+namespace {
+constexpr std::chrono::milliseconds kSettle{200};
+constexpr double kClickPixels = 4; // a drag is longer
+constexpr double kDegreesPerPixel = 0.35;
+constexpr double kZoomPerPixel = 0.006, kZoomPerNotch = 0.14;
+} // namespace
+
+CViewport::CViewport(QWidget* parent)
+    : QOpenGLWidget(parent), m_renderer(m_scene), m_overlay(new CViewOverlay(m_camera, this)),
+      m_navigation(&navigationTable().front()) {
+    setFormat(display::surfaceFormat(display::bestSamples()));
+    setFocusPolicy(Qt::StrongFocus);
+    setMouseTracking(true);
+    setMinimumSize(160, 160);
+    setAccessibleName(tr("Picture of the tree"));
+    m_settle.setSingleShot(true);
+    connect(&m_settle, &QTimer::timeout, this, [this] {
+        m_scene.renewShadows();
+        update();
+    });
+}
+
+CViewport::~CViewport() {
+    disconnect(m_contextDies); // else ~QOpenGLWidget calls into what is already destroyed
+    release();
+}
+
+void CViewport::release() {
+    if (!m_renderer.attached()) return;
+    makeCurrent();
+    m_renderer.detach();
+    doneCurrent();
+}
+
+void CViewport::initializeGL() {
+    m_lost = false;
+    m_renderer.attach(display::bestSamples());
+    disconnect(m_contextDies);
+    m_contextDies = connect(context(), &QOpenGLContext::aboutToBeDestroyed, this, [this] { release(); });
+}
+
+void CViewport::resizeGL(int, int) { m_overlay->setGeometry(rect()); }
+
+void CViewport::paintGL() {
+    if (!context()->isValid()) {
+        if (!std::exchange(m_lost, true)) emit contextLost();
+        return;
+    }
+    const QSize pixels = (QSizeF(size()) * devicePixelRatioF()).toSize();
+    m_renderer.draw(defaultFramebufferObject(), pixels.width(), pixels.height(), m_camera);
+    ++m_frames;
+    emit drawn();
+}
+
+void CViewport::changed() {
+    m_overlay->update();
+    update();
+}
+
+void CViewport::show(const std::vector<ViewPart>& parts) {
+    m_scene.show(parts, m_settle.isActive() ? CViewScene::Shadows::Kept : CViewScene::Shadows::New);
+    m_settle.start(kSettle);
+    changed();
+}
+
+QString CViewport::setTexture(Surface surface, const QString& file) {
+    update();
+    return QString::fromStdString(m_scene.setTexture(surface, file.toStdString()));
+}
+
+void CViewport::setLook(const ViewLook& look) {
+    m_scene.setLook(look);
+    changed();
+}
+
+void CViewport::tint(int generation) {
+    if (generation == m_scene.tinted()) return;
+    m_scene.tint(generation);
+    update();
+}
+
+void CViewport::setTrackball(bool on) {
+    m_trackball = on;
+    if (!on) m_camera.straighten();
+    changed();
+}
+
+void CViewport::setOrthographic(bool on) {
+    m_camera.setOrthographic(on);
+    changed();
+}
+
+void CViewport::recentre() {
+    m_camera.lookFrom(0, 5);
+    frame();
+}
+
+void CViewport::frame() {
+    osg::BoundingBox box = m_scene.bounds();
+    if (!box.valid()) box = osg::BoundingBox(-1, -1, 0, 1, 1, 2);
+    m_camera.frame(osg::BoundingBoxd(osg::Vec3d(box._min), osg::Vec3d(box._max)), m_overlay->aspect());
+    changed();
+}
+
+void CViewport::lookFrom(double yaw, double pitch) {
+    m_camera.lookFrom(yaw, pitch);
+    frame();
+}
+
+QImage CViewport::picture(const QSize& pixels, const ViewLook& look, const CCamera& camera) {
+    if (!m_renderer.attached()) return {};
+    makeCurrent();
+    QOpenGLFramebufferObjectFormat format;
+    format.setAttachment(QOpenGLFramebufferObject::CombinedDepthStencil);
+    format.setSamples(display::bestSamples());
+    QOpenGLFramebufferObject buffer(pixels, format);
+    QImage image;
+    if (buffer.isValid()) {
+        m_scene.renewShadows();
+        const ViewLook before = m_scene.look();
+        const int tinted = m_scene.tinted();
+        m_scene.setLook(look);
+        m_scene.tint(ViewPart::kNone);
+        m_renderer.draw(buffer.handle(), pixels.width(), pixels.height(), camera);
+        image = buffer.toImage();
+        m_scene.setLook(before);
+        m_scene.tint(tinted);
+    }
+    doneCurrent();
+    return image;
+}
+
+void CViewport::mousePressEvent(QMouseEvent* event) {
+    if (m_handle) return; // another button does not let go of it
+    const QPointF at = event->position();
+    m_pressed = m_last = at;
+    m_click = event->buttons() == Qt::LeftButton;
+    m_handle = m_click ? m_overlay->handleAt(at) : std::nullopt;
+    if (m_handle) m_gesture = nextGesture();
+}
+
+void CViewport::mouseMoveEvent(QMouseEvent* event) {
+    const QPointF at = event->position();
+    if (event->buttons() == Qt::NoButton) {
+        m_overlay->setHotHandle(m_overlay->handleAt(at));
+        return;
+    }
+    if (m_handle) {
+        emit guideDragged(*m_handle, m_overlay->guidePoint(*m_handle, at), m_gesture);
+        return;
+    }
+    if (m_click && QLineF(m_pressed, at).length() < kClickPixels) return;
+    m_click = false;
+    moveView(motionOf(*m_navigation, event->buttons(), event->modifiers()), m_last, at);
+    m_last = at;
+}
+
+void CViewport::mouseReleaseEvent(QMouseEvent* event) {
+    if (event->button() != Qt::LeftButton) return;
+    if (m_handle) {
+        m_handle.reset();
+        emit guideReleased();
+    } else if (m_click)
+        pick(event->position());
+    m_click = false;
+}
+
+void CViewport::mouseDoubleClickEvent(QMouseEvent* event) { mousePressEvent(event); }
+
+void CViewport::hideEvent(QHideEvent* event) {
+    if (std::exchange(m_handle, {})) emit guideReleased();
+    QOpenGLWidget::hideEvent(event);
+}
+
+void CViewport::leaveEvent(QEvent*) { m_overlay->setHotHandle({}); }
+
+void CViewport::moveView(ViewMotion motion, const QPointF& from, const QPointF& to) {
+    const QPointF by = to - from;
+    if (motion == ViewMotion::Turn && m_trackball)
+        m_camera.roll(m_overlay->toView(from), m_overlay->toView(to));
+    else if (motion == ViewMotion::Turn)
+        m_camera.turn(-by.x() * kDegreesPerPixel, by.y() * kDegreesPerPixel);
+    else if (motion == ViewMotion::Pan)
+        m_camera.pan(m_overlay->toView(to) - m_overlay->toView(from), m_overlay->aspect());
+    else if (motion == ViewMotion::Zoom)
+        m_camera.zoom(std::exp(by.y() * kZoomPerPixel));
+    if (motion != ViewMotion::None) changed();
+}
+
+/// Towards what lies under the mouse.
+void CViewport::wheelEvent(QWheelEvent* event) {
+    const QPoint turned = event->angleDelta();
+    const double notches = (turned.y() != 0 ? turned.y() : turned.x()) / 120.0;
+    if (notches == 0) return;
+    event->accept();
+    const osg::Vec2d place = m_overlay->toView(event->position());
+    const double before = m_camera.halfHeight();
+    m_camera.zoom(std::exp(-notches * kZoomPerNotch));
+    m_camera.pan(place * (m_camera.halfHeight() == 0 ? 0 : 1 - before / m_camera.halfHeight()), m_overlay->aspect());
+    changed();
+}
+
+void CViewport::pick(const QPointF& at) {
+    if (const auto axis = m_overlay->axisAt(at)) return lookFrom(axis->first, axis->second);
+    const auto [from, direction] = m_camera.rayAt(m_overlay->toView(at), m_overlay->aspect());
+    emit picked(m_scene.pick(from, direction));
+}
+
+} // namespace stromar

@@ -1,0 +1,89 @@
+#pragma once
+#include "view/Navigation.h"
+#include "view/ViewOverlay.h"
+#include "stromar/scene/SceneRenderer.h"
+#include <QOpenGLWidget>
+#include <QTimer>
+
+namespace stromar {
+
+/// Shows the tree. The mouse moves the view as the table of mouse maps says; a click picks. Draws only when something
+/// changed.
+class CViewport : public QOpenGLWidget {
+    Q_OBJECT
+public:
+    explicit CViewport(QWidget* parent = nullptr);
+    ~CViewport() override;
+
+    /// Replaces the tree; the view stays.
+    void show(const std::vector<ViewPart>& parts);
+    using QOpenGLWidget::show;
+    /// Empty on success, else what is wrong with the picture.
+    QString setTexture(Surface surface, const QString& file);
+    void setLook(const ViewLook& look);
+    const ViewLook& look() const { return m_scene.look(); }
+    void tint(int generation);
+    int tinted() const { return m_scene.tinted(); }
+    void setNavigation(const Navigation& navigation) { m_navigation = &navigation; }
+    /// Free turning instead of turning with z upright.
+    void setTrackball(bool on);
+    void setOrthographic(bool on);
+
+    const CCamera& camera() const { return m_camera; }
+    const CViewScene& scene() const { return m_scene; }
+    CViewOverlay& overlay() { return *m_overlay; }
+    /// The whole tree from the front.
+    void recentre();
+    /// The whole tree, from where it is seen.
+    void frame();
+    /// Degrees: 0 the front, 90 the right; 90 from above.
+    void lookFrom(double yaw, double pitch);
+    /// The tree with its backdrop, without the overlay. Null when there is no OpenGL.
+    QImage picture(const QSize& pixels, const ViewLook& look, const CCamera& camera);
+    int framesDrawn() const { return m_frames; }
+    /// Whether shadows still have to follow the tree.
+    bool settling() const { return m_settle.isActive(); }
+
+signals:
+    void drawn();
+    void contextLost();
+    void picked(const std::optional<stromar::ViewHit>& hit);
+    /// A handle was dragged; all changes of one drag have the same gesture.
+    void guideDragged(std::size_t handle, const glm::dvec2& to, int gesture);
+    void guideReleased();
+
+protected:
+    void initializeGL() override;
+    void resizeGL(int width, int height) override;
+    void paintGL() override;
+    void mousePressEvent(QMouseEvent* event) override;
+    void mouseReleaseEvent(QMouseEvent* event) override;
+    void mouseMoveEvent(QMouseEvent* event) override;
+    void mouseDoubleClickEvent(QMouseEvent* event) override;
+    void wheelEvent(QWheelEvent* event) override;
+    void leaveEvent(QEvent* event) override;
+    void hideEvent(QHideEvent* event) override;
+
+private:
+    void release();
+    void moveView(ViewMotion motion, const QPointF& from, const QPointF& to);
+    void pick(const QPointF& at);
+    void changed();
+
+    CViewScene m_scene;
+    CCamera m_camera;
+    CSceneRenderer m_renderer;
+    CViewOverlay* m_overlay;
+    const Navigation* m_navigation;
+    QMetaObject::Connection m_contextDies;
+    QTimer m_settle; ///< runs while the tree changes: shadows follow when it rests
+    QPointF m_pressed, m_last;
+    std::optional<std::size_t> m_handle; ///< that is being dragged
+    int m_gesture = 0;
+    bool m_click = false; ///< the mouse has not moved since a button went down
+    bool m_trackball = false;
+    bool m_lost = false;
+    int m_frames = 0;
+};
+
+} // namespace stromar

@@ -1,0 +1,113 @@
+#include "window/Commands.h"
+#include "window/MainWindow.h"
+
+namespace stromar {
+
+namespace {
+using W = CMainWindow;
+using Kind = Command::Kind;
+
+// clang-format off
+constexpr Command kCommands[] = {
+    {"new", Menu::File, QT_TRANSLATE_NOOP("Commands", "&New"), "Ctrl+N", "new",
+     QT_TRANSLATE_NOOP("Commands", "Start with a plain tree"), [](W& w, bool) { w.startNew(); }, true},
+    {"open", Menu::File, QT_TRANSLATE_NOOP("Commands", "&Open…"), "Ctrl+O", "open",
+     QT_TRANSLATE_NOOP("Commands", "Open a .tree file"), [](W& w, bool) { w.chooseAndOpen(); }, true},
+    {"save", Menu::File, QT_TRANSLATE_NOOP("Commands", "&Save"), "Ctrl+S", "save",
+     QT_TRANSLATE_NOOP("Commands", "Save the tree"), [](W& w, bool) { w.saveAgain(); }, true},
+    {"saveAs", Menu::File, QT_TRANSLATE_NOOP("Commands", "Save &As…"), "Ctrl+Shift+S", "",
+     QT_TRANSLATE_NOOP("Commands", "Save the tree in another file"), [](W& w, bool) { w.chooseAndSave(); }},
+    {"savePreset", Menu::File, QT_TRANSLATE_NOOP("Commands", "Save as &Preset…"), "Ctrl+Shift+P", "",
+     QT_TRANSLATE_NOOP("Commands", "Keep the tree among your own presets"), [](W& w, bool) { w.savePreset(); }},
+    {"export", Menu::File, QT_TRANSLATE_NOOP("Commands", "&Export…"), "Ctrl+E", "export",
+     QT_TRANSLATE_NOOP("Commands", "Write the tree for another program"), [](W& w, bool) { w.chooseAndExport(); }, true, true},
+    {"picture", Menu::File, QT_TRANSLATE_NOOP("Commands", "Save P&icture…"), "Ctrl+P", "picture",
+     QT_TRANSLATE_NOOP("Commands", "A picture of the tree, or the frames of a turntable"), [](W& w, bool) { w.view().savePicture(&w); }},
+    {"loadBark", Menu::File, QT_TRANSLATE_NOOP("Commands", "Load &Bark Texture…"), "Ctrl+Shift+B", "",
+     QT_TRANSLATE_NOOP("Commands", "Choose the picture on the stems"), [](W& w, bool) { w.chooseTexture("BarkTexture"); }, false, true},
+    {"loadLeaf", Menu::File, QT_TRANSLATE_NOOP("Commands", "Load &Leaf Texture…"), "Ctrl+Shift+L", "",
+     QT_TRANSLATE_NOOP("Commands", "Choose the picture on the leaves"), [](W& w, bool) { w.chooseTexture("LeafTexture"); }},
+    {"quit", Menu::File, QT_TRANSLATE_NOOP("Commands", "&Quit"), "Ctrl+Q", "",
+     QT_TRANSLATE_NOOP("Commands", "Leave Stromar"), [](W& w, bool) { w.close(); }, false, true},
+
+    {"undo", Menu::Edit, QT_TRANSLATE_NOOP("Commands", "&Undo"), "Ctrl+Z", "undo",
+     QT_TRANSLATE_NOOP("Commands", "Take the last change back"), [](W& w, bool) { w.document().history().undo(); }, true},
+    {"redo", Menu::Edit, QT_TRANSLATE_NOOP("Commands", "&Redo"), "Ctrl+Shift+Z", "redo",
+     QT_TRANSLATE_NOOP("Commands", "Make the change again"), [](W& w, bool) { w.document().history().redo(); }, true},
+    {"find", Menu::Edit, QT_TRANSLATE_NOOP("Commands", "&Find Parameter"), "Ctrl+F", "",
+     QT_TRANSLATE_NOOP("Commands", "Look for a parameter by its name"), [](W& w, bool) { w.findParameter(); }, false, true},
+    {"preferences", Menu::Edit, QT_TRANSLATE_NOOP("Commands", "&Preferences…"), "Ctrl+,", "",
+     QT_TRANSLATE_NOOP("Commands", "Theme, language, mouse, units"), [](W& w, bool) { w.showPreferences(); }, false, true},
+
+    {"randomSeed", Menu::Tree, QT_TRANSLATE_NOOP("Commands", "&Another Seed"), "Ctrl+R", "dice",
+     QT_TRANSLATE_NOOP("Commands", "Another tree of the same kind"), [](W& w, bool) { w.throwDice(); }, true},
+    {"generate", Menu::Tree, QT_TRANSLATE_NOOP("Commands", "&Generate"), "F5", "generate",
+     QT_TRANSLATE_NOOP("Commands", "Build the tree again from scratch"), [](W& w, bool) { w.generate(); }, true},
+    {"fullModel", Menu::Tree, QT_TRANSLATE_NOOP("Commands", "&Full Model"), "F6", "full",
+     QT_TRANSLATE_NOOP("Commands", "Show the full model now"), [](W& w, bool) { w.showFullModel(); }, true},
+    {"stop", Menu::Tree, QT_TRANSLATE_NOOP("Commands", "&Stop Growing"), "Esc", "",
+     QT_TRANSLATE_NOOP("Commands", "Give up the tree that is growing, and let go of what is selected"), [](W& w, bool) { w.stop(); }},
+
+    {"recentre", Menu::View, QT_TRANSLATE_NOOP("Commands", "&Recentre"), "Space", "recentre",
+     QT_TRANSLATE_NOOP("Commands", "See the whole tree from the front"), [](W& w, bool) { w.viewport().recentre(); }, true},
+    {"frame", Menu::View, QT_TRANSLATE_NOOP("Commands", "&Frame the Tree"), "F", "",
+     QT_TRANSLATE_NOOP("Commands", "See the whole tree from where you are"), [](W& w, bool) { w.viewport().frame(); }},
+    {"front", Menu::View, QT_TRANSLATE_NOOP("Commands", "From the Fr&ont"), "1", "",
+     QT_TRANSLATE_NOOP("Commands", "Look along the Y axis"), [](W& w, bool) { w.viewport().lookFrom(0, 0); }},
+    {"side", Menu::View, QT_TRANSLATE_NOOP("Commands", "From the S&ide"), "3", "",
+     QT_TRANSLATE_NOOP("Commands", "Look along the X axis"), [](W& w, bool) { w.viewport().lookFrom(90, 0); }},
+    {"top", Menu::View, QT_TRANSLATE_NOOP("Commands", "From A&bove"), "7", "",
+     QT_TRANSLATE_NOOP("Commands", "Look down"), [](W& w, bool) { w.viewport().lookFrom(0, 90); }},
+    {"orthographic", Menu::View, QT_TRANSLATE_NOOP("Commands", "Ort&hographic"), "5", "",
+     QT_TRANSLATE_NOOP("Commands", "Without perspective"), [](W& w, bool on) { w.viewport().setOrthographic(on); }, false, false, Kind::KeptSwitch},
+    {"trackball", Menu::View, QT_TRANSLATE_NOOP("Commands", "Turn &Freely"), "T", "",
+     QT_TRANSLATE_NOOP("Commands", "Roll the tree in all directions instead of keeping it upright"), [](W& w, bool on) { w.viewport().setTrackball(on); }, false, false, Kind::KeptSwitch},
+    {"wired", Menu::View, QT_TRANSLATE_NOOP("Commands", "&Wired"), "W", "wired",
+     QT_TRANSLATE_NOOP("Commands", "Show the wire frame"), [](W& w, bool on) { w.setWireframe(on ? Wireframe::Only : Wireframe::Off, "wiresOver"); }, true, true, Kind::Switch},
+    {"wiresOver", Menu::View, QT_TRANSLATE_NOOP("Commands", "Wireframe &over the Tree"), "Shift+W", "",
+     QT_TRANSLATE_NOOP("Commands", "Show the wire frame on the shaded tree"), [](W& w, bool on) { w.setWireframe(on ? Wireframe::Over : Wireframe::Off, "wired"); }, false, false, Kind::Switch},
+    {"bare", Menu::View, QT_TRANSLATE_NOOP("Commands", "&Bare"), "B", "bare",
+     QT_TRANSLATE_NOOP("Commands", "Hide the leaves"), [](W& w, bool on) { w.view().setLook([on](ViewLook& look) { look.leaves = !on; }); }, true, false, Kind::Switch},
+    {"ground", Menu::View, QT_TRANSLATE_NOOP("Commands", "&Grid and Person"), "G", "ground",
+     QT_TRANSLATE_NOOP("Commands", "Show a grid of metres and a person beside the tree"), [](W& w, bool on) { w.view().setLook([on](ViewLook& look) { look.ground = on; }); }, true, false, Kind::KeptSwitch},
+    {"statistics", Menu::View, QT_TRANSLATE_NOOP("Commands", "&Statistics"), "I", "",
+     QT_TRANSLATE_NOOP("Commands", "Show sizes and counts in the picture"), [](W& w, bool on) { w.view().setStatistics(on); }, false, false, Kind::KeptSwitch},
+    {"backdropSky", Menu::View, QT_TRANSLATE_NOOP("Commands", "Before the S&ky"), "Ctrl+1", "",
+     QT_TRANSLATE_NOOP("Commands", "Sky and ground behind the tree"), [](W& w, bool) { w.view().setLook([](ViewLook& look) { look.backdrop = Backdrop::Sky; }); }, false, true, Kind::KeptSwitch, "backdrop"},
+    {"backdropLight", Menu::View, QT_TRANSLATE_NOOP("Commands", "Before &Light Grey"), "Ctrl+2", "",
+     QT_TRANSLATE_NOOP("Commands", "A light, plain backdrop"), [](W& w, bool) { w.view().setLook([](ViewLook& look) { look.backdrop = Backdrop::Light; }); }, false, false, Kind::KeptSwitch, "backdrop"},
+    {"backdropDark", Menu::View, QT_TRANSLATE_NOOP("Commands", "Before &Dark Grey"), "Ctrl+3", "",
+     QT_TRANSLATE_NOOP("Commands", "A dark, plain backdrop"), [](W& w, bool) { w.view().setLook([](ViewLook& look) { look.backdrop = Backdrop::Dark; }); }, false, false, Kind::KeptSwitch, "backdrop"},
+    {"shadingLit", Menu::View, QT_TRANSLATE_NOOP("Commands", "&Lit"), "Alt+1", "",
+     QT_TRANSLATE_NOOP("Commands", "The tree in the light"), [](W& w, bool) { w.view().setLook([](ViewLook& look) { look.shading = Shading::Lit; }); }, false, true, Kind::Switch, "shading"},
+    {"shadingMaterial", Menu::View, QT_TRANSLATE_NOOP("Commands", "&Material Alone"), "Alt+2", "",
+     QT_TRANSLATE_NOOP("Commands", "The pictures without light"), [](W& w, bool) { w.view().setLook([](ViewLook& look) { look.shading = Shading::Material; }); }, false, false, Kind::Switch, "shading"},
+    {"shadingOcclusion", Menu::View, QT_TRANSLATE_NOOP("Commands", "O&cclusion Alone"), "Alt+3", "",
+     QT_TRANSLATE_NOOP("Commands", "How much of the sky each place sees"), [](W& w, bool) { w.view().setLook([](ViewLook& look) { look.shading = Shading::Occlusion; }); }, false, false, Kind::Switch, "shading"},
+    {"shadingNormals", Menu::View, QT_TRANSLATE_NOOP("Commands", "&Normals Alone"), "Alt+4", "",
+     QT_TRANSLATE_NOOP("Commands", "Where each place faces, as a colour"), [](W& w, bool) { w.view().setLook([](ViewLook& look) { look.shading = Shading::Normals; }); }, false, false, Kind::Switch, "shading"},
+
+    {"resetLayout", Menu::Window, QT_TRANSLATE_NOOP("Commands", "&Reset Layout"), "Ctrl+Shift+R", "",
+     QT_TRANSLATE_NOOP("Commands", "Put all docks back to where they were at first"), [](W& w, bool) { w.resetLayout(); }, false, true},
+
+    {"manual", Menu::Help, QT_TRANSLATE_NOOP("Commands", "&Manual"), "F1", "",
+     QT_TRANSLATE_NOOP("Commands", "Read how Stromar works"), [](W& w, bool) { w.showManual(); }},
+    {"shortcuts", Menu::Help, QT_TRANSLATE_NOOP("Commands", "Mouse and &Keys"), "F2", "",
+     QT_TRANSLATE_NOOP("Commands", "How to move about, and all shortcuts"), [](W& w, bool) { w.showShortcuts(); }},
+    {"about", Menu::Help, QT_TRANSLATE_NOOP("Commands", "&About Stromar"), "Shift+F1", "",
+     QT_TRANSLATE_NOOP("Commands", "Version and origin"), [](W& w, bool) { w.showAbout(); }},
+};
+// clang-format on
+} // namespace
+
+std::span<const Command> commandTable() { return kCommands; }
+
+const char* menuTitle(Menu menu) {
+    constexpr const char* kTitles[] = {
+        QT_TRANSLATE_NOOP("Commands", "&File"),   QT_TRANSLATE_NOOP("Commands", "&Edit"),
+        QT_TRANSLATE_NOOP("Commands", "&Tree"),   QT_TRANSLATE_NOOP("Commands", "&View"),
+        QT_TRANSLATE_NOOP("Commands", "&Window"), QT_TRANSLATE_NOOP("Commands", "&Help")};
+    return kTitles[static_cast<std::size_t>(menu)];
+}
+
+} // namespace stromar

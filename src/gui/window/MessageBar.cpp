@@ -1,0 +1,52 @@
+#include "window/MessageBar.h"
+#include <QHBoxLayout>
+#include <QLabel>
+#include <QPushButton>
+#include <QToolButton>
+
+namespace stromar {
+
+CMessageBar::CMessageBar(QWidget* parent) : QFrame(parent), m_text(new QLabel), m_row(new QHBoxLayout(this)) {
+    setFrameShape(QFrame::StyledPanel);
+    setAutoFillBackground(true);
+    setBackgroundRole(QPalette::ToolTipBase);
+    m_text->setForegroundRole(QPalette::ToolTipText);
+    m_text->setWordWrap(true);
+    m_text->setTextInteractionFlags(Qt::TextSelectableByMouse);
+    m_row->addWidget(m_text, 1);
+    hide();
+}
+
+QString CMessageBar::text() const { return m_text->text(); }
+
+void CMessageBar::ask(const QString& about, const QString& text, const std::vector<Choice>& choices) {
+    for (QWidget* button : m_buttons) button->deleteLater();
+    m_buttons.clear();
+    m_about = about;
+    m_text->setText(text);
+    for (const Choice& choice : choices) {
+        auto* button = new QPushButton(choice.text);
+        connect(button, &QPushButton::clicked, this, [this, run = choice.run, about] {
+            dismiss(about);
+            run();
+        });
+        m_row->addWidget(button);
+        m_buttons.push_back(button);
+    }
+    auto* close = new QToolButton;
+    close->setText(QStringLiteral("✕"));
+    close->setAutoRaise(true);
+    close->setAccessibleName(tr("Dismiss"));
+    connect(close, &QToolButton::clicked, this, [this, about] { dismiss(about); });
+    m_row->addWidget(close);
+    m_buttons.push_back(close);
+    show();
+}
+
+void CMessageBar::dismiss(const QString& about) {
+    if (m_about != about) return;
+    m_about.clear();
+    hide();
+}
+
+} // namespace stromar

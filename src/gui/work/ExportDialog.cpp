@@ -1,0 +1,168 @@
+#include "work/ExportDialog.h"
+#include "window/QtText.h"
+#include "stromar/app/Export.h"
+#include <QComboBox>
+#include <QDialogButtonBox>
+#include <QDir>
+#include <QDoubleSpinBox>
+#include <QFileDialog>
+#include <QFileInfo>
+#include <QFormLayout>
+#include <QLabel>
+#include <QLineEdit>
+#include <QLocale>
+#include <QMessageBox>
+#include <QPushButton>
+#include <QSettings>
+#include <QSpinBox>
+#include <QVBoxLayout>
+#include <algorithm>
+
+namespace stromar {
+
+namespace {
+constexpr const char *kFormatKey = "export/format", *kFolderKey = "export/folder";
+
+QString keyOf(const ExportChoice& choice) { return QStringLiteral("export/") + toQString(choice.key); }
+} // namespace
+
+CExportDialog::CExportDialog(const QString& name, double fullVertices, QWidget* parent)
+    : QDialog(parent), m_fullVertices(fullVertices), m_format(new QComboBox), m_path(new QLineEdit),
+      m_losses(new QLabel), m_size(new QLabel), m_conflict(new QLabel) {
+    setWindowTitle(tr("Export"));
+    auto* form = new QFormLayout;
+    addFormats(*form);
+    for (const ExportChoice& choice : exportChoices()) addChoice(choice, *form);
+    addPlace(*form, name);
+    form->addRow(tr("Lost in this format"), m_losses);
+    form->addRow(tr("Size, about"), m_size);
+    for (QLabel* label : {m_losses, m_conflict}) label->setWordWrap(true);
+    m_conflict->setObjectName(QStringLiteral("conflict"));
+    auto* buttons = new QDialogButtonBox(QDialogButtonBox::Cancel);
+    m_export = buttons->addButton(tr("Export"), QDialogButtonBox::AcceptRole);
+    connect(buttons, &QDialogButtonBox::accepted, this, &CExportDialog::accept);
+    connect(buttons, &QDialogButtonBox::rejected, this, &QDialog::reject);
+    auto* whole = new QVBoxLayout(this);
+    whole->addLayout(form);
+    whole->addWidget(m_conflict);
+    whole->addStretch();
+    whole->addWidget(buttons);
+    setMinimumWidth(520);
+    update();
+}
+
+QString CExportDialog::path() const { return QDir::fromNativeSeparators(m_path->text().trimmed()); }
+
+const Format& CExportDialog::format() const {
+    return formatTable()[static_cast<std::size_t>(std::max(0, m_format->currentIndex()))];
+}
+
+void CExportDialog::addFormats(QFormLayout& form) {
+    m_format->setObjectName(QStringLiteral("format"));
+    for (const Format& format : formatTable())
+        m_format->addItem(QStringLiteral("%1 (%2)").arg(trText(format.name), toQString(format.ending)),
+                          toQString(format.ending));
+    m_format->setCurrentIndex(std::max(0, m_format->findData(QSettings().value(QLatin1String(kFormatKey)))));
+    connect(m_format, &QComboBox::currentIndexChanged, this, [this] {
+        const QFileInfo old(path());
+        m_path->setText(QDir(old.path()).filePath(old.completeBaseName()) + m_format->currentData().toString());
+        update();
+    });
+    form.addRow(tr("Format"), m_format);
+}
+
+/// An editor for a row of the table, with the value of the last time.
+void CExportDialog::addChoice(const ExportChoice& choice, QFormLayout& form) {
+    QWidget* editor = nullptr;
+    const QVariant last = QSettings().value(keyOf(choice));
+    if (choice.number) {
+        auto* box = new QDoubleSpinBox;
+        box->setDecimals(4);
+        box->setRange(choice.range.min, choice.range.max);
+        box->setStepType(QAbstractSpinBox::AdaptiveDecimalStepType);
+        box->setValue(last.isValid() ? last.toDouble() : m_options.*choice.number);
+        m_options.*choice.number = box->value();
+        connect(box, &QDoubleSpinBox::valueChanged, this, [this, &choice](double value) {
+            m_options.*choice.number = value;
+            update();
+        });
+        editor = box;
+    } else if (choice.words.empty()) {
+        auto* box = new QSpinBox;
+        box->setRange(static_cast<int>(choice.range.min), static_cast<int>(choice.range.max));
+        box->setValue(last.toInt());
+        m_options.*choice.field = box->value();
+        connect(box, &QSpinBox::valueChanged, this, [this, &choice](int value) {
+            m_options.*choice.field = value;
+            update();
+        });
+        editor = box;
+    } else {
+        auto* box = new QComboBox;
+        for (const std::string_view name : choice.names) box->addItem(trText(name));
+        box->setCurrentIndex(std::clamp(last.toInt(), 0, box->count() - 1));
+        m_options.*choice.field = box->currentIndex();
+        connect(box, &QComboBox::currentIndexChanged, this, [this, &choice](int value) {
+            m_options.*choice.field = value;
+            update();
+        });
+        editor = box;
+    }
+    editor->setObjectName(toQString(choice.key));
+    editor->setToolTip(trText(choice.help));
+    form.addRow(trText(choice.label), editor);
+}
+
+void CExportDialog::addPlace(QFormLayout& form, const QString& name) {
+    const QString folder = QSettings().value(QLatin1String(kFolderKey), QDir::homePath()).toString();
+    m_path->setObjectName(QStringLiteral("path"));
+    m_path->setText(QDir(folder).filePath(name) + m_format->currentData().toString());
+    auto* button = new QPushButton(tr("Browse…"));
+    connect(button, &QPushButton::clicked, this, &CExportDialog::browse);
+    connect(m_path, &QLineEdit::textChanged, this, &CExportDialog::update);
+    auto* row = new QHBoxLayout;
+    row->addWidget(m_path);
+    row->addWidget(button);
+    form.addRow(tr("File"), row);
+}
+
+void CExportDialog::browse() {
+    const QString chosen = QFileDialog::getSaveFileName(this, tr("Where to export"), path(), {}, nullptr,
+                                                        QFileDialog::DontConfirmOverwrite);
+    if (chosen.isEmpty()) return;
+    m_path->setText(chosen);
+    if (const Format* format = formatOf(toPath(chosen)))
+        m_format->setCurrentIndex(m_format->findData(toQString(format->ending)));
+    else
+        m_path->setText(chosen + m_format->currentData().toString());
+}
+
+void CExportDialog::update() {
+    if (!m_export) return;
+    const std::string_view conflict = conflictOf(m_options, format());
+    const bool wrongEnding = formatOf(toPath(path())) != &format();
+    m_losses->setText(trText(format().losses));
+    m_size->setText(
+        QLocale().formattedDataSize(static_cast<qint64>(estimatedBytes(m_fullVertices, m_options, format()))));
+    m_conflict->setText(!conflict.empty() ? trText(conflict).replace(QLatin1String("%1"), toQString(format().ending))
+                        : wrongEnding     ? tr("The file's name has to end in %1").arg(toQString(format().ending))
+                                          : QString());
+    m_export->setEnabled(m_conflict->text().isEmpty());
+}
+
+void CExportDialog::accept() {
+    const QFileInfo file(path());
+    if (file.exists() &&
+        QMessageBox::question(this, tr("Export"), tr("%1 is there already. Replace it?").arg(file.fileName())) !=
+            QMessageBox::Yes)
+        return;
+    QSettings settings;
+    settings.setValue(QLatin1String(kFormatKey), m_format->currentData());
+    settings.setValue(QLatin1String(kFolderKey), file.absolutePath());
+    for (const ExportChoice& choice : exportChoices())
+        settings.setValue(keyOf(choice),
+                          choice.number ? QVariant(m_options.*choice.number) : QVariant(m_options.*choice.field));
+    QDialog::accept();
+}
+
+} // namespace stromar

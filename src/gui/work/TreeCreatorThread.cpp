@@ -1,0 +1,113 @@
+#include "work/TreeCreatorThread.h"
+#include "stromar/app/Pictures.h"
+#include "stromar/scene/OsgGeometry.h"
+#include <algorithm>
+
+namespace stromar {
+
+namespace {
+/// When steps follow each other faster than trees grow, cancelling each would show nothing at all: a simple model may
+/// finish when the last picture is older than this.
+constexpr std::chrono::milliseconds kPictureAge{120};
+} // namespace
+
+CTreeCreatorThread::CTreeCreatorThread(std::unique_ptr<CTreeCreator> creator, QObject* parent)
+    : QThread(parent), m_creator(std::move(creator)), m_lastResult(Clock::now()) {
+    qRegisterMetaType<std::shared_ptr<const ViewModel>>();
+    start();
+}
+
+CTreeCreatorThread::~CTreeCreatorThread() {
+    {
+        const std::lock_guard lock(m_mutex);
+        m_quit = true;
+        if (m_running) m_running->cancel();
+    }
+    m_wake.notify_one();
+    wait();
+}
+
+void CTreeCreatorThread::request(const CParams& params, const Detail& detail, bool anew, const SizeLimits& limits) {
+    {
+        const std::lock_guard lock(m_mutex);
+        m_wanted = Request{params, &detail, limits, anew || (m_wanted && m_wanted->anew)};
+        if (m_running && !mayFinish()) m_running->cancel();
+    }
+    m_wake.notify_one();
+}
+
+void CTreeCreatorThread::cancel() {
+    const std::lock_guard lock(m_mutex);
+    m_wanted.reset();
+    if (m_running) m_running->cancel();
+}
+
+void CTreeCreatorThread::setThreads(int threads) {
+    const std::lock_guard lock(m_mutex);
+    m_threads = threads;
+}
+
+bool CTreeCreatorThread::mayFinish() const { return m_runningSimple && Clock::now() - m_lastResult > kPictureAge; }
+
+std::optional<double> CTreeCreatorThread::progress() const {
+    const std::lock_guard lock(m_mutex);
+    return m_running ? std::optional(m_running->done()) : std::nullopt;
+}
+
+std::optional<CTreeCreatorThread::Request> CTreeCreatorThread::nextRequest() {
+    std::unique_lock lock(m_mutex);
+    m_running.reset();
+    m_wake.wait(lock, [this] { return m_wanted || m_quit; });
+    if (m_quit) return {};
+    std::optional<Request> request = std::move(m_wanted);
+    m_wanted.reset();
+    m_running = CProgress(m_threads);
+    m_runningSimple = request->detail->model == Model::Simple;
+    return request;
+}
+
+void CTreeCreatorThread::run() {
+    while (const std::optional<Request> request = nextRequest()) {
+        CProgress progress;
+        {
+            const std::lock_guard lock(m_mutex);
+            progress = *m_running;
+        }
+        try {
+            const auto view = create(*request, progress);
+            {
+                const std::lock_guard lock(m_mutex);
+                m_lastResult = Clock::now();
+            }
+            emit created(view);
+            // The tree does not wait for its bark. Leaves in small follow a dragged month: no newer step cancels them.
+            makePictures(request->params, CProgress(progress.threads()), Drawn::Preview);
+            emit picturesMade();
+            makePictures(request->params, progress);
+            emit picturesMade();
+        } catch (const CCancelled&) {
+            // The next request says what to do instead.
+        } catch (const std::exception& e) {
+            emit failed(QString::fromUtf8(e.what()));
+        }
+    }
+}
+
+std::shared_ptr<const ViewModel> CTreeCreatorThread::create(const Request& request, const CProgress& progress) {
+    if (request.anew) m_creator->forget();
+    m_creator->setLimits(request.limits);
+    auto view = std::make_shared<ViewModel>();
+    view->model = m_creator->create(request.params, *request.detail, progress);
+    std::vector<std::pair<std::shared_ptr<const CMesh>, ViewPart>> parts;
+    view->model->visitMeshes([&](const std::shared_ptr<const CMesh>& mesh, int generation) {
+        progress.poll();
+        const auto known = std::ranges::find(m_parts, mesh, [](const auto& part) { return part.first; });
+        parts.emplace_back(mesh, known != m_parts.end() ? known->second
+                                                        : ViewPart{makeViewGeometry(*mesh), mesh->surface, generation});
+        view->parts.push_back(parts.back().second);
+    });
+    m_parts = std::move(parts);
+    return view;
+}
+
+} // namespace stromar

@@ -1,0 +1,181 @@
+#include "stromar/mesh/check/MeshCheck.h"
+#include <algorithm>
+#include <cmath>
+#include <glm/geometric.hpp>
+#include <numeric>
+#include <tuple>
+
+namespace stromar {
+
+namespace {
+constexpr MeshCheck kChecks[] = {
+    {"bad numbers", &MeshFaults::badNumbers},    {"bad normals", &MeshFaults::badNormals},
+    {"bad indices", &MeshFaults::badIndices},    {"unused vertices", &MeshFaults::unused},
+    {"flat triangles", &MeshFaults::flat},       {"open surfaces", &MeshFaults::open},
+    {"tangled surfaces", &MeshFaults::tangled},  {"tilted normals", &MeshFaults::tilted},
+    {"floating collars", &MeshFaults::floating}, {"buried collars", &MeshFaults::buried},
+};
+
+/// A part of a mesh that is one surface.
+struct Part {
+    std::size_t firstVertex, vertexCount, firstIndex, indexCount;
+};
+
+bool isNumber(const glm::vec3& v) { return std::isfinite(v.x) && std::isfinite(v.y) && std::isfinite(v.z); }
+
+void checkVertices(const CMesh& mesh, MeshFaults& faults) {
+    for (std::size_t v = 0; v < mesh.vertexCount(); ++v) {
+        const glm::vec2 at = mesh.texCoords[v];
+        const bool numbers =
+            isNumber(mesh.positions[v]) && isNumber(mesh.normals[v]) && std::isfinite(at.x) && std::isfinite(at.y);
+        if (!numbers) ++faults.badNumbers;
+        if (numbers && std::abs(glm::length(glm::dvec3(mesh.normals[v])) - 1) > 1e-3) ++faults.badNormals;
+    }
+}
+
+void checkTriangle(const CMesh& mesh, const std::uint32_t* corners, MeshFaults& faults) {
+    const glm::dvec3 a(mesh.positions[corners[0]]), b(mesh.positions[corners[1]]), c(mesh.positions[corners[2]]);
+    const glm::dvec3 face = glm::cross(b - a, c - a);
+    if (!(glm::length(face) > 0)) {
+        ++faults.flat;
+        return;
+    }
+    const auto tilted = [&](int i) { return glm::dot(face, glm::dvec3(mesh.normals[corners[i]])) <= 0; };
+    if (tilted(0) || tilted(1) || tilted(2)) ++faults.tilted;
+}
+
+/// False when an index lies outside.
+bool checkTriangles(const CMesh& mesh, const Part& part, MeshFaults& faults) {
+    std::vector<bool> used(part.vertexCount, false);
+    const std::size_t bad = faults.badIndices;
+    for (std::size_t i = part.firstIndex; i < part.firstIndex + part.indexCount; i += 3) {
+        const std::uint32_t* corners = &mesh.indices[i];
+        const auto inside = [&](int c) {
+            return corners[c] >= part.firstVertex && corners[c] - part.firstVertex < part.vertexCount;
+        };
+        if (!inside(0) || !inside(1) || !inside(2)) {
+            ++faults.badIndices;
+            continue;
+        }
+        for (int c = 0; c < 3; ++c) used[corners[c] - part.firstVertex] = true;
+        checkTriangle(mesh, corners, faults);
+    }
+    faults.unused += static_cast<std::size_t>(std::ranges::count(used, false));
+    return faults.badIndices == bad;
+}
+
+/// For each vertex the number of its position.
+std::vector<std::uint32_t> weld(const CMesh& mesh, const Part& part) {
+    std::vector<std::uint32_t> order(part.vertexCount), number(part.vertexCount);
+    std::iota(order.begin(), order.end(), 0u);
+    const auto place = [&](std::uint32_t v) {
+        const glm::vec3& p = mesh.positions[part.firstVertex + v];
+        return std::tuple(p.x, p.y, p.z);
+    };
+    std::ranges::sort(order, {}, place);
+    std::uint32_t count = 0;
+    for (std::size_t i = 0; i < order.size(); ++i) {
+        if (i > 0 && place(order[i]) != place(order[i - 1])) ++count;
+        number[order[i]] = count;
+    }
+    return number;
+}
+
+void checkEdges(const CMesh& mesh, const Part& part, MeshFaults& faults) {
+    const std::vector<std::uint32_t> number = weld(mesh, part);
+    std::vector<std::pair<std::uint32_t, std::uint32_t>> edges;
+    edges.reserve(part.indexCount);
+    for (std::size_t i = 0; i < part.indexCount; ++i) {
+        const std::size_t next = i % 3 == 2 ? i - 2 : i + 1;
+        edges.emplace_back(number[mesh.indices[part.firstIndex + i] - part.firstVertex],
+                           number[mesh.indices[part.firstIndex + next] - part.firstVertex]);
+    }
+    std::ranges::sort(edges);
+    if (std::ranges::adjacent_find(edges) != edges.end()) ++faults.tangled;
+    const auto hasTwin = [&](const auto& edge) {
+        return std::ranges::binary_search(edges, std::pair(edge.second, edge.first));
+    };
+    if (!std::ranges::all_of(edges, hasTwin)) ++faults.open;
+}
+
+/// The nearest point of a triangle (Ericson, Real-Time Collision Detection, 5.1.5).
+glm::dvec3 nearestOf(const glm::dvec3& p, const glm::dvec3& a, const glm::dvec3& b, const glm::dvec3& c) {
+    const glm::dvec3 ab = b - a, ac = c - a, ap = p - a;
+    const double d1 = glm::dot(ab, ap), d2 = glm::dot(ac, ap);
+    if (d1 <= 0 && d2 <= 0) return a;
+    const glm::dvec3 bp = p - b;
+    const double d3 = glm::dot(ab, bp), d4 = glm::dot(ac, bp);
+    if (d3 >= 0 && d4 <= d3) return b;
+    const double vc = d1 * d4 - d3 * d2;
+    if (vc <= 0 && d1 >= 0 && d3 <= 0) return a + d1 / (d1 - d3) * ab;
+    const glm::dvec3 cp = p - c;
+    const double d5 = glm::dot(ab, cp), d6 = glm::dot(ac, cp);
+    if (d6 >= 0 && d5 <= d6) return c;
+    const double vb = d5 * d2 - d1 * d6;
+    if (vb <= 0 && d2 >= 0 && d6 <= 0) return a + d2 / (d2 - d6) * ac;
+    const double va = d3 * d6 - d5 * d4;
+    if (va <= 0 && d4 - d3 >= 0 && d5 - d6 >= 0) return b + (d4 - d3) / (d4 - d3 + d5 - d6) * (c - b);
+    return a + ab * (vb / (va + vb + vc)) + ac * (vc / (va + vb + vc));
+}
+
+/// How far a point lies outside a surface, metres; negative inside.
+double heightAbove(const CMesh& mesh, const Tube& tube, const glm::dvec3& p) {
+    double best = std::numeric_limits<double>::infinity(), height = 0;
+    for (std::size_t i = tube.firstIndex; i < tube.firstIndex + tube.indexCount(); i += 3) {
+        const auto corner = [&](std::size_t c) { return glm::dvec3(mesh.positions[mesh.indices[i + c]]); };
+        const glm::dvec3 a = corner(0), b = corner(1), c = corner(2), away = p - nearestOf(p, a, b, c);
+        const double squared = glm::dot(away, away);
+        if (squared >= best) continue;
+        best = squared;
+        height = std::copysign(std::sqrt(squared), glm::dot(away, glm::cross(b - a, c - a)));
+    }
+    return height;
+}
+
+void checkCollar(const CTree& tree, int generation, const StemMesh& stems, const Tube& tube, const StemMesh& parents,
+                 MeshFaults& faults) {
+    const CStem& stem = tree.generation(static_cast<std::size_t>(generation)).stems[tube.stem];
+    const CStem& parent =
+        tree.generation(static_cast<std::size_t>(generation - 1)).stems[static_cast<std::size_t>(stem.parent)];
+    const std::int32_t wood = parents.plan.tubeOfPath[parent.firstPath + stem.path];
+    if (tube.collarRings == 0 || wood < 0) return;
+    ++faults.collars;
+    double highest = 0, deepest = 0;
+    for (std::uint32_t i = 0; i < tube.points; ++i) {
+        const double height = heightAbove(*parents.mesh, parents.plan.tubes[static_cast<std::size_t>(wood)],
+                                          glm::dvec3(stems.mesh->positions[tube.firstVertex + i]));
+        highest = std::max(highest, height);
+        deepest = std::min(deepest, height);
+    }
+    const glm::dvec3 at = glm::abs(glm::dvec3(stems.mesh->positions[tube.firstVertex]));
+    const double rounding = 1e-6 * std::max({at.x, at.y, at.z});
+    if (highest > kMaxFloating * stem.radius + rounding) ++faults.floating;
+    if (deepest < -kMaxBuried * stem.radius - rounding) ++faults.buried;
+}
+} // namespace
+
+bool MeshFaults::sound() const {
+    return std::ranges::all_of(kChecks, [&](const MeshCheck& check) { return this->*check.count == 0; });
+}
+
+std::span<const MeshCheck> meshChecks() { return kChecks; }
+
+MeshFaults checkStems(const CTree& tree, int generation, const StemMesh& stems, const StemMesh* parents) {
+    MeshFaults faults{stems.plan.tubes.size(), stems.mesh->vertexCount(), stems.mesh->triangleCount()};
+    checkVertices(*stems.mesh, faults);
+    for (const Tube& tube : stems.plan.tubes) {
+        const Part part{tube.firstVertex, tube.vertexCount(), tube.firstIndex, tube.indexCount()};
+        if (checkTriangles(*stems.mesh, part, faults)) checkEdges(*stems.mesh, part, faults);
+        if (parents) checkCollar(tree, generation, stems, tube, *parents, faults);
+    }
+    return faults;
+}
+
+MeshFaults checkLeaves(const CMesh& leaves) {
+    MeshFaults faults{0, leaves.vertexCount(), leaves.triangleCount()};
+    checkVertices(leaves, faults);
+    checkTriangles(leaves, {0, leaves.vertexCount(), 0, leaves.indices.size()}, faults);
+    return faults;
+}
+
+} // namespace stromar

@@ -1,0 +1,72 @@
+#include "stem/FrontNormals.h"
+#include <glm/geometric.hpp>
+
+namespace stromar {
+
+namespace {
+constexpr int kPasses = 8;
+constexpr float kMargin = 0.02f; // cosine
+constexpr float kEffort = 0.05f; // more than needed with every pass: faces that work against each other
+
+/// The triangles of a tube; its rings' first and last vertices, at the seam of the bark, share a normal.
+class CRingNormals {
+public:
+    CRingNormals(CMesh& mesh, const MeshPlan& plan, const Tube& tube)
+        : m_mesh(mesh), m_plan(plan), m_tube(tube), m_end(tube.firstIndex + tube.indexCount()) {}
+
+    /// Whether some had to be turned: further from the face, the greater `effort` is.
+    bool turnOnce(float effort) {
+        m_effort = effort;
+        bool turned = false;
+        for (std::size_t t = m_tube.firstIndex; t < m_end; t += 3) turned |= turnAt(&m_mesh.indices[t]);
+        return turned;
+    }
+
+    void closeSeam() {
+        std::uint32_t first = m_tube.firstVertex;
+        const auto close = [&](std::uint32_t points) {
+            glm::vec3 &a = m_mesh.normals[first], &b = m_mesh.normals[first + points];
+            if (a != b) a = b = glm::normalize(a + b);
+            first += points + 1;
+        };
+        for (std::uint32_t r = 0; r < m_tube.collarRings; ++r) close(m_tube.points);
+        for (std::uint32_t r = 0; r + (m_tube.pointed ? 1 : 0) < m_tube.ringCount; ++r)
+            close(m_plan.ringsOf(m_tube)[r].points);
+    }
+
+private:
+    bool turnAt(const std::uint32_t* corners) {
+        const glm::vec3& a = m_mesh.positions[corners[0]];
+        const glm::vec3 face = glm::cross(m_mesh.positions[corners[1]] - a, m_mesh.positions[corners[2]] - a);
+        const float area = glm::length(face);
+        if (!(area > 0)) return false;
+        bool turned = false;
+        for (int c = 0; c < 3; ++c) turned |= turn(m_mesh.normals[corners[c]], face / area);
+        return turned;
+    }
+
+    bool turn(glm::vec3& normal, const glm::vec3& face) const {
+        const float cosine = glm::dot(normal, face);
+        if (cosine >= kMargin / 2) return false;
+        normal = glm::normalize(normal + (kMargin - cosine + m_effort) * face);
+        return true;
+    }
+
+    CMesh& m_mesh;
+    const MeshPlan& m_plan;
+    const Tube& m_tube;
+    std::size_t m_end;
+    float m_effort = 0;
+};
+} // namespace
+
+bool turnNormalsToFront(CMesh& mesh, const MeshPlan& plan, const Tube& tube) {
+    CRingNormals normals(mesh, plan, tube);
+    for (int pass = 0; pass < kPasses; ++pass) {
+        if (!normals.turnOnce(kEffort * static_cast<float>(pass))) return true;
+        normals.closeSeam();
+    }
+    return false;
+}
+
+} // namespace stromar

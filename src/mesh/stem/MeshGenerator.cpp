@@ -1,0 +1,55 @@
+#include "stem/TubeWriter.h"
+#include "stromar/mesh/MeshBuilder.h"
+#include "stromar/util/Parallel.h"
+
+namespace stromar {
+
+namespace {
+constexpr std::size_t kTubeGrain = 128;
+} // namespace
+
+std::shared_ptr<const CMesh> meshOfStems(const CTree& tree, int generation, const MeshPlan& plan, const MeshParams& params,
+                                         const CProgress& progress) {
+    const auto mesh = allocateMesh(generation == 0 ? "trunk" : "branches " + std::to_string(generation), Surface::Bark,
+                                   plan.vertexCount, plan.indexCount);
+    const CStemSurface surface(tree, generation, params);
+    parallelFor(
+        plan.tubes.size(), kTubeGrain,
+        [&](std::size_t begin, std::size_t end) {
+            CPointGenerator points(tree.generation(static_cast<std::size_t>(generation)), plan, surface);
+            for (std::size_t t = begin; t < end; ++t) {
+                const Tube& tube = plan.tubes[t];
+                writeTube(plan, tube, points, *mesh);
+            }
+        },
+        progress);
+    return mesh;
+}
+
+StemMesh emptyStemMesh(const CTree& tree, int generation) {
+    const CGeneration& own = tree.generation(static_cast<std::size_t>(generation));
+    StemMesh empty;
+    empty.plan.tubeOfPath.assign(own.paths.size(), -1);
+    empty.plan.stemIsChosen.assign(own.stems.size(), true);
+    empty.mesh = allocateMesh("branches " + std::to_string(generation), Surface::Bark, 0, 0);
+    return empty;
+}
+
+std::vector<const MeshPlan*> plansOf(std::span<const StemMesh> stems) {
+    std::vector<const MeshPlan*> plans;
+    for (const StemMesh& own : stems) plans.push_back(&own.plan);
+    return plans;
+}
+
+std::vector<StemMesh> meshAllStems(const CTree& tree, const MeshParams& params, const Detail& detail,
+                                   const CProgress& progress) {
+    std::vector<StemMesh> all;
+    for (int g = 0; g < static_cast<int>(tree.generationCount()); ++g) {
+        StemMesh own{planRings(tree, g, params, detail, all.empty() ? nullptr : &all.back(), progress), nullptr};
+        own.mesh = meshOfStems(tree, g, own.plan, params, progress);
+        all.push_back(std::move(own));
+    }
+    return all;
+}
+
+} // namespace stromar

@@ -1,0 +1,108 @@
+#include "stem/TubeWriter.h"
+#include "stem/FrontNormals.h"
+
+namespace stromar {
+
+namespace {
+/// Writes the triangles of one tube; vertices lie ring by ring, the collar's first, then the tip or upper lid, then the
+/// lower lid.
+class CTriangleWriter {
+public:
+    CTriangleWriter(std::uint32_t* out, std::uint32_t first, std::uint32_t points)
+        : m_out(out), m_next(first), m_points(points) {}
+
+    /// Up to a ring of as many points, or of half as many.
+    void addWall(std::uint32_t above) {
+        for (std::uint32_t i = 0; i < above; ++i) {
+            const std::uint32_t b = m_next + m_points + 1 + i;
+            if (above == m_points) {
+                const std::uint32_t a = m_next + i;
+                add(a, a + 1, b + 1);
+                add(a, b + 1, b);
+            } else {
+                const std::uint32_t a = m_next + 2 * i;
+                add(a, a + 1, b);
+                add(a + 1, b + 1, b);
+                add(a + 1, a + 2, b + 1);
+            }
+        }
+        m_next += m_points + 1;
+        m_points = above;
+    }
+    void addCone() {
+        for (std::uint32_t i = 0; i < m_points; ++i) add(m_next + i, m_next + i + 1, m_next + m_points + 1 + i);
+        m_next += 2 * m_points + 1;
+    }
+    void skipRing() { m_next += m_points + 1; }
+    void addLid(bool base, std::uint32_t points, bool middle) {
+        m_points = points;
+        const std::uint32_t first = middle ? 1 : 0, count = middle ? m_points : m_points - 2;
+        for (std::uint32_t i = 0; i < count; ++i) {
+            const std::uint32_t b = middle ? i : i + 1, c = (b + 1) % m_points;
+            if (base)
+                add(m_next, m_next + first + c, m_next + first + b);
+            else
+                add(m_next, m_next + first + b, m_next + first + c);
+        }
+        m_next += m_points + first;
+    }
+
+private:
+    void add(std::uint32_t a, std::uint32_t b, std::uint32_t c) {
+        *m_out++ = a;
+        *m_out++ = b;
+        *m_out++ = c;
+    }
+    std::uint32_t* m_out;
+    std::uint32_t m_next, m_points;
+};
+
+} // namespace
+
+bool writeTube(const MeshPlan& plan, const Tube& tube, CPointGenerator& points, CMesh& mesh) {
+    VertexSink sink = sinkAt(mesh, tube.firstVertex);
+    CTriangleWriter triangles(mesh.indices.data() + tube.firstIndex, tube.firstVertex, tube.points);
+    const Ring* rings = plan.ringsOf(tube);
+    points.startTube(tube);
+    for (std::uint32_t r = 0; r < tube.collarRings; ++r) {
+        points.addCollarRing(r, sink);
+        triangles.addWall(tube.points);
+    }
+    const std::uint32_t full = tube.ringCount - (tube.pointed ? 1 : 0);
+    for (std::uint32_t r = 0; r < full; ++r) {
+        points.addRing(r, sink);
+        if (r + 1 < full) triangles.addWall(rings[r + 1].points);
+    }
+    if (tube.pointed) {
+        points.addTip(sink);
+        triangles.addCone();
+    } else {
+        triangles.skipRing();
+        points.addLid(false, sink);
+        triangles.addLid(false, rings[full - 1].points, tube.middleOfLid(false));
+    }
+    points.addLid(true, sink);
+    triangles.addLid(true, tube.points, tube.middleOfLid(true));
+    return turnNormalsToFront(mesh, plan, tube);
+}
+
+void measure(const MeshPlan& plan, Tube& tube) {
+    const Ring* rings = plan.ringsOf(tube);
+    const std::uint32_t full = tube.ringCount - (tube.pointed ? 1 : 0), last = rings[full - 1].points;
+    tube.vertices = tube.collarRings * (tube.points + 1);
+    tube.indices = tube.collarRings * wallIndices(tube.points, tube.points);
+    for (std::uint32_t r = 0; r < full; ++r) {
+        tube.vertices += rings[r].points + 1;
+        if (r + 1 < full) tube.indices += wallIndices(rings[r].points, rings[r + 1].points);
+    }
+    const auto addLid = [&](std::uint32_t points, bool middle) {
+        tube.vertices += points + (middle ? 1 : 0);
+        tube.indices += 3 * std::size_t{middle ? points : points - 2};
+    };
+    addLid(tube.points, tube.middleOfLid(true));
+    if (!tube.pointed) return addLid(last, tube.middleOfLid(false));
+    tube.vertices += last; // one tip for each side of the cone
+    tube.indices += 3 * std::size_t{last};
+}
+
+} // namespace stromar

@@ -1,0 +1,225 @@
+#include "stromar/mesh/twig/Twig.h"
+#include "foliage/Foliage.h"
+#include "foliage/LeafBlade.h"
+#include "twig/StraightStem.h"
+#include "stem/TubeWriter.h"
+#include <algorithm>
+#include <cmath>
+#include <numbers>
+#include <optional>
+
+namespace stromar {
+
+namespace {
+constexpr double kFewestLeaves = 6; // of a stem at most; shorter ones have half of them
+constexpr double kLongest = 32;     // stem as long as can be, in leaves' lengths; most have half of that
+constexpr double kFlat = 0.35;       // spread out of the plane over that in it
+constexpr double kMaxTilt = 0.9;    // radians between a leaf that is seen best and one in the picture
+constexpr double kShowsBack = -0.25; // of a normal's z
+constexpr double kMargin = 0.02;     // of the card, around what it shows
+constexpr int kCells = 128;          // of the grid that measures what leaves cover, on a side
+constexpr double kPi = std::numbers::pi;
+
+/// What is known of the stems that bear leaves.
+struct Bearers {
+    std::vector<std::uint32_t> leaves; ///< of each stem
+    double count = 0, total = 0;       ///< stems with leaves; their leaves
+    double stemLength = 0;             ///< mean, metres
+};
+
+Bearers bearersOf(const CTree& tree, const CGeneration& last, double share) {
+    Bearers bearers{std::vector<std::uint32_t>(last.stems.size(), 0)};
+    forEachPresent(tree, Organ::Leaf, share, [&](std::size_t, const CLeaf& leaf) {
+        if (leaf.generation != cardGeneration(tree)) return;
+        ++bearers.leaves[leaf.stem];
+        bearers.total += 1;
+    });
+    for (std::size_t s = 0; s < last.stems.size(); ++s) {
+        if (bearers.leaves[s] == 0) continue;
+        bearers.count += 1;
+        bearers.stemLength += last.stems[s].length;
+    }
+    bearers.stemLength /= std::max(1.0, bearers.count);
+    return bearers;
+}
+
+/// The stem that is nearest to the mean by its leaves and its length, rather one without clones.
+std::uint32_t typicalStem(const CGeneration& last, const Bearers& bearers) {
+    std::optional<double> least;
+    std::uint32_t best = 0;
+    for (std::uint32_t s = 0; s < last.stems.size(); ++s) {
+        if (bearers.leaves[s] == 0) continue;
+        const CStem& stem = last.stems[s];
+        const double off = std::abs(bearers.leaves[s] * bearers.count / bearers.total - 1) +
+                           std::abs(stem.length / bearers.stemLength - 1) + (stem.pathCount - 1);
+        if (least && off >= *least) continue;
+        least = off;
+        best = s;
+    }
+    return best;
+}
+
+std::vector<const CLeaf*> leavesOf(const CTree& tree, std::uint32_t chosen, double share) {
+    std::vector<const CLeaf*> leaves;
+    forEachPresent(tree, Organ::Leaf, share, [&](std::size_t, const CLeaf& leaf) {
+        if (leaf.generation == cardGeneration(tree) && leaf.stem == chosen) leaves.push_back(&leaf);
+    });
+    return leaves;
+}
+
+/// The leaves' places across the stem: how far they spread along which direction.
+struct Spread {
+    double turn; ///< of the direction in which they spread least
+    bool flat;
+};
+
+Spread spreadOf(const CStraightStem& stem, const std::vector<const CLeaf*>& leaves, double size) {
+    double xx = 0, xy = 0, yy = 0, frontX = 0, frontY = 0;
+    for (const CLeaf* leaf : leaves) {
+        const Frame& f = stem.segments()[stem.segmentAt(stem.nearest(leaf->position))].frame;
+        const auto add = [&](const glm::dvec3& way) {
+            const double x = glm::dot(way, f[0]), y = glm::dot(way, f[1]);
+            xx += x * x;
+            xy += x * y;
+            yy += y * y;
+        };
+        const glm::dvec3 right = glm::cross(leaf->axis, leaf->normal);
+        add(size * leaf->length * leaf->axis);
+        add(0.5 * size * leaf->width * right);
+        frontX += glm::dot(leaf->normal, f[0]);
+        frontY += glm::dot(leaf->normal, f[1]);
+    }
+    const double widest = 0.5 * std::atan2(2 * xy, xx - yy), mean = (xx + yy) / 2,
+                 apart = std::hypot((xx - yy) / 2, xy);
+    const double turn = widest + kPi / 2;
+    const bool behind = std::cos(turn) * frontX + std::sin(turn) * frontY < 0; // most leaves would show their backs
+    return {behind ? turn + kPi : turn, std::sqrt(std::max(0.0, mean - apart)) < kFlat * std::sqrt(mean + apart)};
+}
+
+/// A normal turned about its leaf's axis until the leaf is no longer seen edge-on, as in a pressed twig.
+glm::dvec3 pressed(const glm::dvec3& axis, const glm::dvec3& normal) {
+    const glm::dvec3 viewer(0, 0, 1), flat = viewer - axis.z * axis; // the normal that shows most of it
+    const double most = glm::length(flat), side = normal.z < kShowsBack ? -1 : 1;
+    if (most < 0.1) return normal;
+    const glm::dvec3 best = side / most * flat;
+    const double angle = std::acos(glm::clamp(glm::dot(normal, best), -1.0, 1.0));
+    if (angle <= kMaxTilt) return normal;
+    const glm::dvec3 across = glm::cross(axis, best);
+    const double tilt = glm::dot(normal, across) < 0 ? -kMaxTilt : kMaxTilt;
+    return std::cos(tilt) * best + std::sin(tilt) * across;
+}
+
+std::shared_ptr<const CMesh> straightLeaves(const CStraightStem& stem, const std::vector<const CLeaf*>& leaves,
+                                            const LeafBlade& blade, double size) {
+    const std::size_t points = blade.points.size(), corners = blade.indices.size();
+    const auto mesh = allocateMesh("leaves", Surface::Leaf, points * leaves.size(), corners * leaves.size());
+    std::uint32_t* index = mesh->indices.data();
+    for (std::size_t i = 0; i < leaves.size(); ++i) {
+        CLeaf leaf = *leaves[i];
+        const double y = stem.nearest(leaf.position);
+        const glm::dmat3 toCard = glm::transpose(stem.frameOf(stem.segmentAt(y)));
+        leaf.position = toCard * (leaf.position - stem.pointAt(y)) + glm::dvec3(0, y, 0);
+        leaf.axis = toCard * leaf.axis;
+        leaf.normal = pressed(leaf.axis, toCard * leaf.normal);
+        const CBladePlacer placer(leaf, size);
+        VertexSink sink = sinkAt(*mesh, points * i);
+        for (const LeafBlade::Point& point : blade.points)
+            sink.add(leaf.position + placer.offset(point), placer.normal(point), point.texCoord.x, point.texCoord.y,
+                     255);
+        for (const std::uint32_t corner : blade.indices) *index++ = static_cast<std::uint32_t>(points * i) + corner;
+    }
+    return mesh;
+}
+
+/// The half of the wood that is seen.
+std::shared_ptr<const CMesh> straightWood(const CStraightStem& stem, double minRadius) {
+    constexpr std::uint32_t kAcross = 5;
+    const std::span<const CSegment> segments = stem.segments();
+    const auto rings = static_cast<std::uint32_t>(segments.size()) + 1;
+    const auto mesh =
+        allocateMesh("wood", Surface::Bark, std::size_t{rings} * kAcross, std::size_t{rings - 1} * (kAcross - 1) * 6);
+    VertexSink sink = sinkAt(*mesh, 0);
+    std::uint32_t* index = mesh->indices.data();
+    for (std::uint32_t r = 0; r < rings; ++r) {
+        const CSegment& segment = segments[std::min<std::size_t>(r, segments.size() - 1)];
+        const bool tip = r == segments.size();
+        const double radius = std::max(minRadius, tip ? segment.radiusEnd : segment.radiusBase);
+        for (std::uint32_t i = 0; i < kAcross; ++i) {
+            const double angle = kPi * (1 - double(i) / (kAcross - 1));
+            const glm::dvec3 out(std::cos(angle), 0, std::sin(angle));
+            sink.add(radius * out + glm::dvec3(0, tip ? segment.end() : segment.start, 0), out, 0.5, 0.5, 255);
+            if (r == 0 || i == 0) continue;
+            const std::uint32_t here = r * kAcross + i, below = here - kAcross;
+            for (const std::uint32_t corner : {below - 1, below, here, below - 1, here, here - 1}) *index++ = corner;
+        }
+    }
+    return mesh;
+}
+
+/// The part of the card that lies behind some triangle.
+double coverage(const Twig& twig, const CMesh& mesh) {
+    std::vector<bool> covered(kCells * kCells);
+    const auto cell = [&](const glm::vec3& p) {
+        return (glm::dvec2(p) - twig.low) / (twig.high - twig.low) * double(kCells);
+    };
+    for (std::size_t t = 0; t < mesh.indices.size(); t += 3) {
+        const glm::dvec2 a = cell(mesh.positions[mesh.indices[t]]), b = cell(mesh.positions[mesh.indices[t + 1]]) - a,
+                         c = cell(mesh.positions[mesh.indices[t + 2]]) - a;
+        const double twice = b.x * c.y - b.y * c.x;
+        if (std::abs(twice) < 1e-9) continue;
+        const auto [x0, x1] = std::minmax({0.0, b.x, c.x});
+        const auto [y0, y1] = std::minmax({0.0, b.y, c.y});
+        for (int y = static_cast<int>(a.y + y0); y <= static_cast<int>(a.y + y1); ++y)
+            for (int x = static_cast<int>(a.x + x0); x <= static_cast<int>(a.x + x1); ++x) {
+                const glm::dvec2 p = glm::dvec2(x + 0.5, y + 0.5) - a;
+                const double u = (p.x * c.y - p.y * c.x) / twice, v = (b.x * p.y - b.y * p.x) / twice;
+                if (u >= 0 && v >= 0 && u + v <= 1) covered[static_cast<std::size_t>(y * kCells + x)] = true;
+            }
+    }
+    return double(std::ranges::count(covered, true)) / double(covered.size());
+}
+
+/// A card as wide to the left as to the right, so that it turns about its stem.
+void frame(Twig& twig) {
+    const Bounds leaves = twig.leaves->bounds(), wood = twig.wood->bounds();
+    const glm::vec3 low = glm::min(leaves.min, wood.min), high = glm::max(leaves.max, wood.max);
+    const double half = std::max(std::abs(low.x), std::abs(high.x));
+    const glm::dvec2 margin = kMargin * glm::dvec2(2 * half, double(high.y) - low.y);
+    twig.low = glm::dvec2(-half, low.y) - margin;
+    twig.high = glm::dvec2(half, high.y) + margin;
+}
+} // namespace
+
+bool suitsCards(const BearerBound& bearers, const SeasonShare& season) {
+    return season.size > 0 && bearers.leaves * season.share >= kFewestLeaves &&
+           bearers.length <= kLongest * bearers.leafLength;
+}
+
+std::shared_ptr<const Twig> typicalTwig(const CTree& tree, const MeshParams& params, const CProgress& progress) {
+    const SeasonShare season = params.seasonOf(Organ::Leaf);
+    const CGeneration& last = tree.generation(cardGeneration(tree));
+    const Bearers bearers = bearersOf(tree, last, season.share);
+    if (bearers.count == 0) return nullptr;
+    progress.poll();
+    const std::uint32_t chosen = typicalStem(last, bearers);
+    const std::vector<const CLeaf*> leaves = leavesOf(tree, chosen, season.share);
+    const Spread spread = spreadOf(CStraightStem(last, last.stems[chosen], 0), leaves, season.size);
+    const CStraightStem stem(last, last.stems[chosen], spread.turn);
+    const LeafBlade blade = makeBlade(params.leaf, detailOf(Model::Full, 3));
+    auto twig = std::make_shared<Twig>();
+    twig->leaves = straightLeaves(stem, leaves, blade, season.size);
+    twig->wood = straightWood(stem, params.minRadius);
+    twig->length = stem.length();
+    twig->turn = spread.turn;
+    twig->flat = spread.flat;
+    for (std::size_t i = 1; i < stem.segments().size(); ++i)
+        twig->bend += std::acos(
+            glm::clamp(glm::dot(stem.segments()[i - 1].frame[2], stem.segments()[i].frame[2]), -1.0, 1.0));
+    frame(*twig);
+    twig->leafArea = twig->leaves->area() / double(leaves.size());
+    twig->allLeafArea = bearers.total * twig->leafArea;
+    twig->shownArea = coverage(*twig, *twig->leaves) * twig->cardArea();
+    return twig;
+}
+
+} // namespace stromar

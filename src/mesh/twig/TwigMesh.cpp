@@ -1,0 +1,198 @@
+#include "foliage/Foliage.h"
+#include "twig/StraightStem.h"
+#include "stem/TubeWriter.h"
+#include "stromar/mesh/twig/Twig.h"
+#include "stromar/util/Parallel.h"
+#include <cmath>
+#include <numbers>
+
+namespace stromar {
+
+namespace {
+constexpr std::size_t kGrain = 512;
+constexpr double kBendPerRow = 0.5; // radians
+constexpr int kMaxRows = 4;
+constexpr double kMinGrowth = 0.7; // of areas
+constexpr double kMaxCut = 2;       // length of a stem over that of its card
+constexpr double kMaxBent = 0.3;    // cosine between a normal and the triangles around it
+constexpr double kMaxGrowth = kMaxLeafGrowth * kMaxLeafGrowth;
+
+/// How the stems' cards are made.
+struct CardPlan {
+    std::vector<std::uint32_t> stems;  ///< that get one
+    std::vector<std::uint32_t> leaves; ///< of all stems of the generation
+    std::uint32_t planes, rows;
+    double each; ///< for how many stems a card stands
+
+    std::size_t verticesOfCard() const { return std::size_t{planes} * (rows + 1) * 2; }
+    std::size_t indicesOfCard() const { return std::size_t{planes} * rows * 6; }
+};
+
+CardPlan planCards(const CTree& tree, const Twig& twig, double share, const Detail& detail) {
+    CardPlan plan{};
+    plan.leaves.assign(tree.generation(cardGeneration(tree)).stems.size(), 0);
+    double total = 0;
+    forEachPresent(tree, Organ::Leaf, share, [&](std::size_t, const CLeaf& leaf) {
+        if (leaf.generation != cardGeneration(tree)) return;
+        ++plan.leaves[leaf.stem];
+        total += 1;
+    });
+    std::vector<std::uint32_t> bearers;
+    for (std::uint32_t s = 0; s < plan.leaves.size(); ++s)
+        if (plan.leaves[s] > 0) bearers.push_back(s);
+    const double budget = std::min(double(detail.leafBudget), std::ceil(total * detail.share));
+    const double perStem = budget / std::max(1.0, double(bearers.size()));
+    const double planes = twig.flat || perStem < detail.twigPlanes ? 1 : detail.twigPlanes;
+    const double wanted = std::clamp(std::ceil(twig.bend / kBendPerRow), 1.0, double(kMaxRows));
+    plan.planes = static_cast<std::uint32_t>(planes);
+    plan.rows = static_cast<std::uint32_t>(std::clamp(std::floor(perStem / planes), 1.0, wanted));
+    const auto most = static_cast<std::size_t>(budget) / (plan.planes * plan.rows);
+    const std::size_t count = std::min(bearers.size(), most);
+    for (std::size_t i = 0; i < count; ++i) plan.stems.push_back(bearers[evenly(i, count, bearers.size())]);
+    plan.each = count > 0 ? double(bearers.size()) / double(count) : 1;
+    return plan;
+}
+
+/// Writes the cards of stems, one after the other.
+class CCardWriter {
+public:
+    CCardWriter(const CTree& tree, const Twig& twig, const CardPlan& plan, const Rounding& rounding, CMesh& mesh)
+        : m_generation(tree.generation(cardGeneration(tree))), m_twig(twig), m_plan(plan), m_rounding(rounding),
+          m_mesh(mesh), m_rows(plan.rows + 1), m_points(2 * m_rows.size()) {
+        for (std::uint32_t row = 0; row < plan.rows; ++row)
+            for (const std::uint32_t corner : {0u, 1u, 3u, 0u, 3u, 2u}) m_corners.push_back(2 * row + corner);
+    }
+
+    void write(std::size_t card) {
+        const std::uint32_t s = m_plan.stems[card];
+        const CStraightStem stem(m_generation, m_generation.stems[s], m_twig.turn);
+        setSize(stem, m_plan.each * m_plan.leaves[s] * m_twig.leafArea);
+        auto first = static_cast<std::uint32_t>(card * m_plan.verticesOfCard());
+        VertexSink sink = sinkAt(m_mesh, first);
+        std::uint32_t* index = m_mesh.indices.data() + card * m_plan.indicesOfCard();
+        for (std::uint32_t plane = 0; plane < m_plan.planes; ++plane) {
+            placeRows(stem, std::numbers::pi * plane / m_plan.planes);
+            if (m_plan.rows == 1 || !facePoints()) {
+                straighten(stem, std::numbers::pi * plane / m_plan.planes);
+                facePoints();
+            }
+            for (std::size_t i = 0; i < m_points.size(); ++i)
+                sink.add(m_points[i].place, normalOf(m_points[i]), double(i % 2), double(i / 2) / m_plan.rows, 255);
+            for (const std::uint32_t corner : m_corners) *index++ = first + corner;
+            first += static_cast<std::uint32_t>(m_points.size());
+        }
+    }
+
+private:
+    struct Row {
+        glm::dvec3 middle, right;
+    };
+    struct Point {
+        glm::dvec3 place, front;
+        double least; ///< cosine to `front` of a normal that looks out of all triangles around
+    };
+
+    /// How far the card reaches, so that it shows an area of leaves.
+    void setSize(const CStraightStem& stem, double leafArea) {
+        const double longer = stem.length() / m_twig.length;
+        const double growth =
+            std::clamp(leafArea / (m_plan.planes * m_twig.shownArea * longer), kMinGrowth, kMaxGrowth);
+        m_along = longer * std::pow(growth, 0.25); // rather wider than longer: the crown keeps its size
+        m_across = std::pow(growth, 0.75);
+        double chords = 0;
+        for (std::uint32_t row = 1; row <= m_plan.rows; ++row)
+            chords += glm::distance(stem.pointAt(yOf(row - 1)), stem.pointAt(yOf(row)));
+        m_across *= std::min(kMaxCut, (yOf(m_plan.rows) - yOf(0)) / std::max(1e-9, chords));
+    }
+
+    double yOf(std::uint32_t row) const {
+        return m_along * (m_twig.low.y + double(row) / m_plan.rows * (m_twig.high.y - m_twig.low.y));
+    }
+
+    void placeRows(const CStraightStem& stem, double turn) {
+        for (std::uint32_t row = 0; row <= m_plan.rows; ++row) {
+            const Frame frame = stem.frameOf(stem.segmentAt(yOf(row)));
+            m_rows[row] = {stem.pointAt(yOf(row)), std::cos(turn) * frame[0] + std::sin(turn) * frame[2]};
+        }
+    }
+
+    /// A flat card from the first row to the last.
+    void straighten(const CStraightStem& stem, double turn) {
+        const Frame middle = stem.frameOf(stem.segments().size() / 2);
+        const glm::dvec3 low = m_rows.front().middle, way = m_rows.back().middle - low;
+        const double length = glm::length(way);
+        const glm::dvec3 along = length > 1e-9 ? way / length : middle[1];
+        const Frame turned = transported({middle[2], middle[0], middle[1]}, along); // front, right, along
+        const glm::dvec3 right = std::cos(turn) * turned[1] + std::sin(turn) * turned[0];
+        const double reach = std::max(length, yOf(m_plan.rows) - yOf(0)) / m_plan.rows;
+        for (std::uint32_t row = 0; row <= m_plan.rows; ++row) m_rows[row] = {low + row * reach * along, right};
+    }
+
+    /// Places the points and finds where they look; false when the card is too bent for that.
+    bool facePoints() {
+        for (std::size_t i = 0; i < m_points.size(); ++i) {
+            const double u = double(i % 2), x = m_across * (m_twig.low.x + u * (m_twig.high.x - m_twig.low.x));
+            m_points[i] = {m_rows[i / 2].middle + x * m_rows[i / 2].right, glm::dvec3(0), 1};
+        }
+        forEachTriangle([](Point& point, const glm::dvec3& front) { point.front += front; });
+        for (Point& point : m_points) point.front /= std::max(1e-12, glm::length(point.front));
+        forEachTriangle([](Point& point, const glm::dvec3& front) {
+            point.least = std::min(point.least, glm::dot(point.front, front));
+        });
+        bool good = true;
+        for (Point& point : m_points) {
+            good = good && point.least > kMaxBent;
+            point.least = std::min(0.99, 0.05 + std::sqrt(std::max(0.0, 1 - point.least * point.least)));
+        }
+        return good;
+    }
+
+    template <typename Visit>
+    void forEachTriangle(Visit&& visit) {
+        for (std::size_t c = 0; c < m_corners.size(); c += 3) {
+            Point *p = &m_points[m_corners[c]], *q = &m_points[m_corners[c + 1]], *r = &m_points[m_corners[c + 2]];
+            const glm::dvec3 across = glm::cross(q->place - p->place, r->place - p->place);
+            const glm::dvec3 front = across / std::max(1e-30, glm::length(across));
+            for (Point* point : {p, q, r}) visit(*point, front);
+        }
+    }
+
+    glm::dvec3 normalOf(const Point& point) const {
+        Rounding rounding = m_rounding;
+        rounding.least = std::max(rounding.least, point.least);
+        return rounding.turned(point.front, point.place);
+    }
+
+    const CGeneration& m_generation;
+    const Twig& m_twig;
+    const CardPlan& m_plan;
+    const Rounding& m_rounding;
+    CMesh& m_mesh;
+    double m_along = 1, m_across = 1;
+    std::vector<std::uint32_t> m_corners; ///< of the triangles of one plane
+    std::vector<Row> m_rows;              ///< of the plane that is being written
+    std::vector<Point> m_points;          ///< two of each row
+};
+} // namespace
+
+std::size_t maxVerticesOfCard(const Detail& detail) {
+    return 2 * static_cast<std::size_t>(detail.twigPlanes * (kMaxRows + 1));
+}
+
+std::shared_ptr<const CMesh> meshOfTwigs(const CTree& tree, const Twig& twig, const MeshParams& params,
+                                         const Detail& detail, const CProgress& progress) {
+    const CardPlan plan = planCards(tree, twig, params.seasonOf(Organ::Leaf).share, detail);
+    const Rounding rounding = roundingOf(tree.leaves(), params.leaf);
+    const std::size_t count = plan.stems.size();
+    const auto mesh = allocateMesh("twigs", Surface::Twig, plan.verticesOfCard() * count, plan.indicesOfCard() * count);
+    parallelFor(
+        count, kGrain,
+        [&](std::size_t begin, std::size_t end) {
+            CCardWriter writer(tree, twig, plan, rounding, *mesh);
+            for (std::size_t card = begin; card < end; ++card) writer.write(card);
+        },
+        progress);
+    return mesh;
+}
+
+} // namespace stromar
