@@ -63,9 +63,10 @@ TEST_P(OldFile, GrowsTheSameTree) {
         expectGeneration(model->tree->generation(g), wanted.at("generations")[g], "generation " + std::to_string(g));
     EXPECT_EQ(model->tree->leaves().size(), wanted.at("leaves"));
     const Bounds bounds = boundsOf(*model);
-    for (int axis = 0; axis < 3; ++axis) {
-        expectNear(bounds.min[axis], wanted.at("bounds").at("min")[axis], "low bound");
-        expectNear(bounds.max[axis], wanted.at("bounds").at("max")[axis], "high bound");
+    for (std::size_t i = 0; i < 3; ++i) {
+        const auto axis = static_cast<glm::length_t>(i);
+        expectNear(bounds.min[axis], wanted.at("bounds").at("min")[i], "low bound");
+        expectNear(bounds.max[axis], wanted.at("bounds").at("max")[i], "high bound");
     }
 }
 

@@ -8,6 +8,7 @@
 #include <QFileInfo>
 #include <QLocale>
 #include <QMessageBox>
+#include <QPainter>
 #include <QProgressDialog>
 #include <QSaveFile>
 #include <QTabWidget>
@@ -35,11 +36,20 @@ std::vector<std::vector<osg::Vec3d>> linesOf(const CGeneration& all, const CStem
     return lines;
 }
 
+QImage onWhite(const QImage& image) {
+    QImage opaque(image.size(), QImage::Format_RGB32);
+    opaque.fill(Qt::white);
+    QPainter(&opaque).drawImage(0, 0, image);
+    return opaque;
+}
+
 /// All of it or, when that fails, none: then the old file stays.
 bool writeImage(const QImage& image, const QString& path) {
     QSaveFile file(path);
-    const QByteArray format = QFileInfo(path).suffix().toLatin1();
-    return file.open(QIODevice::WriteOnly) && image.save(&file, format.constData()) && file.commit();
+    const QByteArray format = QFileInfo(path).suffix().toLower().toLatin1();
+    const bool opaque = format.startsWith("jp"); // has no alpha: what is transparent becomes white
+    const QImage written = opaque && image.hasAlphaChannel() ? onWhite(image) : image;
+    return file.open(QIODevice::WriteOnly) && written.save(&file, format.constData()) && file.commit();
 }
 } // namespace
 
