@@ -76,9 +76,10 @@ struct ParamField {
     Type type;
     bool perLevel;
     std::size_t bytes;
+    std::string_view member; ///< tells it from all others
     const void* (*at)(const CParams&, int level);
 
-    constexpr bool operator==(const ParamField& other) const { return at == other.at; }
+    constexpr bool operator==(const ParamField& other) const { return member == other.member; }
 };
 
 template <typename Block, typename Value, Value Block::*Member>
@@ -94,11 +95,16 @@ constexpr ParamField::Type typeOf() {
     if constexpr (std::is_same_v<Value, CCurve>) return Type::Curve;
     if constexpr (std::is_same_v<Value, std::string>) return Type::Text;
 }
+/// Its letters, because sanitizers make addresses of functions unknown to the compiler.
+template <auto Member>
+constexpr std::string_view memberName() {
+    return __PRETTY_FUNCTION__;
+}
 template <auto Member>
 struct FieldOf;
 template <typename Block, typename Value, Value Block::*Member>
 struct FieldOf<Member> {
-    static constexpr ParamField value{typeOf<Value>(), BlockPlace<Block>::kPerLevel, sizeof(Value),
+    static constexpr ParamField value{typeOf<Value>(), BlockPlace<Block>::kPerLevel, sizeof(Value), memberName<Member>(),
                                       &memberIn<Block, Value, Member>};
 };
 template <auto Member>
