@@ -61,7 +61,7 @@ CMainWindow::CMainWindow(const SizeLimits& limits, std::shared_ptr<CDocument> do
       m_thumbnails(new CThumbnails(this)), m_viewport(new CViewport), m_panel(new CParamPanel),
       m_presets(new CPresetBrowser(*m_thumbnails)), m_variants(new CVariants(*m_thumbnails)), m_bar(new CMessageBar),
       m_viewController(new CViewController(*m_viewport, *m_panel, *m_document, this)),
-      m_autosave(std::make_unique<CAutosave>(CAutosave::standardFolder())), m_limits(limits),
+      m_autosave(std::make_unique<CAutosave>(CAutosave::standardFolder())), m_limits(limits), m_givenMemory(limits.bytes),
       m_thread(std::make_unique<CTreeCreatorThread>(std::make_unique<CTreeCreator>(true, limits))) {
     initResources();
     setAcceptDrops(true);
@@ -458,8 +458,7 @@ void CMainWindow::onSetting(const QString& key) {
     if (key == QLatin1String("navigation")) m_viewport->setNavigation(navigationNamed(settings.text("navigation")));
     if (key == QLatin1String("threads")) m_thread->setThreads(settings.number("threads"));
     if (key == QLatin1String("fullModelDelay")) m_pause.setInterval(settings.number("fullModelDelay"));
-    if (const int gigabytes = settings.number("maxMemory"); key == QLatin1String("maxMemory"))
-        m_limits.bytes = gigabytes > 0 ? 1e9 * gigabytes : SizeLimits::defaultMemory();
+    if (key == QLatin1String("maxMemory")) setMaxMemory(settings.number("maxMemory"));
     if (key == QLatin1String("autosave")) m_autosave->setInterval(settings.number("autosave"));
     if (key == QLatin1String("theme")) applyTheme(settings.text("theme"));
     if (key != QLatin1String("language") && key != QLatin1String("units")) return;
@@ -468,6 +467,9 @@ void CMainWindow::onSetting(const QString& key) {
     else
         emit rebuildWanted();
 }
+
+/// Gigabytes; 0 is what the window was made with.
+void CMainWindow::setMaxMemory(int gigabytes) { m_limits.bytes = gigabytes > 0 ? 1e9 * gigabytes : m_givenMemory; }
 
 void CMainWindow::onFileChanged() {
     const QString path = m_document->path();

@@ -122,6 +122,7 @@ private:
     void onCreated(const std::shared_ptr<const ViewModel>& view);
     void onFailed(const QString& why);
     void onSetting(const QString& key);
+    void setMaxMemory(int gigabytes);
     void onFileChanged();
     void onContextLost();
     void request(Model model, bool anew = false);
@@ -172,6 +173,7 @@ private:
     QByteArray m_firstLayout;
     std::optional<Model> m_only;
     SizeLimits m_limits;
+    double m_givenMemory; ///< bytes; the limit where the user sets none
     CParams m_allowed; ///< may grow although they are large
     CParams m_fitting; ///< the last values that were not too large
     bool m_recentreNext = true;
