@@ -101,7 +101,7 @@ void exportModels(const std::vector<std::shared_ptr<const TreeModel>>& lods, con
     std::vector<Meshes> meshes;
     std::size_t vertices = 0;
     for (const auto& lod : lods) {
-        meshes.push_back(lod->meshes());
+        meshes.push_back(lod->meshes(progress));
         if (meshes.back().empty()) throw CError("the tree is empty, there is nothing to export");
         vertices += lod->vertexCount();
     }

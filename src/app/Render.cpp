@@ -2,7 +2,6 @@
 #include "stromar/app/Pictures.h"
 #ifdef STROMAR_WITH_OSG
 #include "stromar/scene/Headless.h"
-#include "stromar/scene/OsgGeometry.h"
 #endif
 
 namespace stromar {
@@ -34,11 +33,7 @@ Pixels renderPicture(const TreeModel& model, const std::filesystem::path& treeFo
                      const CProgress& progress) {
     makePictures(model, treeFolder, progress);
     CViewScene scene;
-    std::vector<ViewPart> parts;
-    model.visitMeshes([&](const std::shared_ptr<const CMesh>& mesh, int generation) {
-        progress.poll();
-        parts.push_back({makeViewGeometry(*mesh), mesh->surface, generation});
-    });
+    const std::vector<ViewPart> parts = viewPartsOf(model, {}, progress);
     if (parts.empty()) throw CError("the tree is empty, there is nothing to show");
     scene.show(parts);
     for (const ViewPart& part : parts) {

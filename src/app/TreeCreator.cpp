@@ -30,18 +30,142 @@ bool meshIsStale(const CParams& made, const CParams& wanted, int generation) {
     return invalid.stage <= Stage::Mesh && invalid.generation <= generation;
 }
 
-/// The mesh that was made before, if it still shows `source` with these values, else a new one.
-template <typename Made, typename Drawn, typename Make>
-std::shared_ptr<const CMesh> reuseOrMake(Made& made, int generation, const std::shared_ptr<const void>& source,
-                                         const CParams& params, Drawn drawn, Make&& make) {
-    if (!made.stems.mesh || made.source != source || made.drawn != drawn ||
-        meshIsStale(made.params, params, generation)) {
-        made = {}; // first the memory of the old mesh
-        made = {source, make(), params, drawn};
-    }
-    return made.stems.mesh;
-}
 } // namespace
+
+/// Makes one model of the creator's tree, out of what was made before where it is still true.
+class CTreeCreator::CModelMaker {
+public:
+    CModelMaker(CTreeCreator& creator, const CParams& params, const Detail& detail, const CProgress& progress)
+        : m_tree(*creator.m_tree), m_builder(*creator.m_builder), m_growth(creator.m_growth),
+          m_made(creator.m_made[static_cast<std::size_t>(&detail - detailTable().data())]), m_params(params),
+          m_mesh(meshParamsOf(params)), m_detail(detail), m_progress(progress),
+          m_model(std::make_shared<TreeModel>()) {
+        m_model->params = params;
+        m_model->detail = &detail;
+    }
+
+    std::shared_ptr<const TreeModel> make(CStopwatch& watch) {
+        m_model->milliseconds.structure = watch.lap();
+        m_progress.report(0.5);
+        chooseTwig();
+        m_model->milliseconds.structure += watch.lap();
+        m_made.stems.resize(m_tree.generationCount());
+        for (std::size_t g = 0; g < m_tree.generationCount(); ++g) {
+            makeStems(g, watch);
+            m_progress.report(0.5 + 0.4 * double(g + 1) / double(m_tree.generationCount()));
+        }
+        OrganArrays organs;
+        for (const Organ organ : kOrgans) organs[static_cast<std::size_t>(organ)] = growOrgans(organ);
+        keepTree(organs);
+        m_model->milliseconds.structure += watch.lap();
+        for (const Organ organ : kOrgans) m_model->organs[static_cast<std::size_t>(organ)] = meshOrgans(organ);
+        if (m_model->twig)
+            m_model->cards = meshOfTwigs(m_tree, *m_made.leafCounts, *m_model->twig, m_mesh, m_detail, m_progress);
+        auto& ms = m_model->milliseconds;
+        ms.mesh += watch.lap();
+        ms.total = ms.structure + ms.smooth + ms.mesh;
+        return m_model;
+    }
+
+private:
+    std::uint32_t except() const { return m_model->twig ? cardGeneration(m_tree) : kNoGeneration; }
+
+    void chooseTwig() {
+        m_made.leafCounts.reset();
+        if (!mayShowCards(m_params, m_detail)) return;
+        m_made.leafCounts = m_builder.growOrgans(m_params, m_tree, Organ::Leaf, OrganDemand::none(), m_progress);
+        const auto stem = typicalStem(m_tree, *m_made.leafCounts, m_mesh);
+        if (!stem) return;
+        const std::size_t last = cardGeneration(m_tree);
+        std::vector<bool> chosen(m_tree.generation(last).stems.size(), false);
+        chosen[*stem] = true;
+        OrganDemand itsLeaves{.chosenStems = true};
+        itsLeaves.stems.resize(last + 1, nullptr);
+        itsLeaves.stems[last] = &chosen;
+        const auto leaves = m_builder.growOrgans(m_params, m_tree, Organ::Leaf, itsLeaves, m_progress);
+        m_model->twig = twigOf(m_tree, *leaves, *stem, m_mesh);
+    }
+
+    void makeStems(std::size_t g, CStopwatch& watch) {
+        MadeStems& made = m_made.stems[g];
+        const int generation = static_cast<int>(g);
+        const auto& source = m_tree.generations()[g];
+        const bool last = g + 1 == m_tree.generationCount();
+        const Drawn drawn = g == except()                           ? Drawn::AsCards
+                            : isSparse(m_tree, generation, m_detail) ? Drawn::Part
+                                                                     : Drawn::All;
+        if (!made.stems.mesh || made.source != source || made.drawn != drawn ||
+            meshIsStale(made.params, m_params, generation)) {
+            made = {}; // first the memory of the old mesh
+            made = {source, meshStems(g, drawn, watch), m_params, drawn};
+        } else if (made.last && !last)
+            made.stems.plan = planStems(g);
+        made.last = last;
+        made.stems.plan.collarPoints = {}; // only the mesh needed them
+        if (last) made.stems.plan.rings = {}, made.stems.plan.tubes = {};
+        m_model->stems.push_back(made.stems.mesh);
+        m_plans.push_back(&made.stems.plan);
+        m_model->milliseconds.mesh += watch.lap();
+    }
+
+    StemMesh meshStems(std::size_t g, Drawn drawn, CStopwatch& watch) {
+        const int generation = static_cast<int>(g);
+        if (drawn == Drawn::AsCards) return emptyStemMesh(m_tree, generation);
+        StemMesh stems{planStems(g), nullptr};
+        m_model->milliseconds.smooth += watch.lap();
+        stems.mesh = meshOfStems(m_tree, generation, stems.plan, m_mesh, m_progress);
+        return stems;
+    }
+
+    MeshPlan planStems(std::size_t g) const {
+        const StemMesh* parents = g > 0 ? &m_made.stems[g - 1].stems : nullptr;
+        return planRings(m_tree, static_cast<int>(g), m_mesh, m_detail, parents, m_progress);
+    }
+
+    std::shared_ptr<const COrgans> growOrgans(Organ organ) {
+        MadeOrgans& made = m_made.organs[static_cast<std::size_t>(organ)];
+        const OrganDemand demand = demandOf(m_detail, m_plans, organ == Organ::Leaf ? except() : kNoGeneration);
+        const Meshes bearers = demand.chosenStems ? m_model->stems : Meshes();
+        if (!made.organs || made.growth != m_growth || made.bearers != bearers) {
+            made = {}; // first the memory of the old ones
+            made.organs = m_builder.growOrgans(m_params, m_tree, organ, demand, m_progress);
+            made.growth = m_growth;
+            made.bearers = bearers;
+        }
+        return made.organs;
+    }
+
+    /// The tree with what is grown on it: the same object as long as nothing of it changes.
+    void keepTree(const OrganArrays& organs) {
+        const auto same = [&](Organ organ) { return m_made.tree->organs(organ) == organs[static_cast<std::size_t>(organ)]; };
+        if (!m_made.tree || m_made.grownOn != &m_tree || !std::ranges::all_of(kOrgans, same)) {
+            m_made.tree = std::make_shared<const CTree>(m_tree.withOrgans(organs));
+            m_made.grownOn = &m_tree;
+        }
+        m_model->tree = m_made.tree;
+    }
+
+    std::shared_ptr<const COrganMesh> meshOrgans(Organ organ) {
+        MadeOrgans& made = m_made.organs[static_cast<std::size_t>(organ)];
+        if (!made.mesh || meshIsStale(made.params, m_params, Invalidation::kLeaves)) {
+            made.mesh = meshOfOrgans(*m_model->tree, organ, m_plans, m_mesh, m_detail, m_progress,
+                                     organ == Organ::Leaf ? except() : kNoGeneration);
+            made.params = m_params;
+        }
+        return made.mesh;
+    }
+
+    const CTree& m_tree;
+    const ITreeBuilder& m_builder;
+    std::uint64_t m_growth;
+    MadeModel& m_made;
+    const CParams& m_params;
+    MeshParams m_mesh;
+    const Detail& m_detail;
+    const CProgress& m_progress;
+    std::shared_ptr<TreeModel> m_model;
+    std::vector<const MeshPlan*> m_plans;
+};
 
 CTreeCreator::CTreeCreator(bool varied, const SizeLimits& limits)
     : m_varied(varied), m_limits(limits), m_made(detailTable().size()) {}
@@ -54,56 +178,9 @@ void CTreeCreator::forget() {
 std::shared_ptr<const TreeModel> CTreeCreator::create(const CParams& params, const Detail& detail,
                                                       const CProgress& progress) {
     refuseTooLarge(params, detail);
-    auto model = std::make_shared<TreeModel>();
     CStopwatch watch;
     updateTree(params, progress);
-    model->params = params;
-    model->detail = &detail;
-    model->tree = m_tree;
-    model->milliseconds.structure = watch.lap();
-    progress.report(0.5);
-
-    const MeshParams mesh = meshParamsOf(params);
-    if (mayShowCards(params, detail)) model->twig = typicalTwig(*m_tree, mesh, progress);
-    MadeMeshes& made = m_made[static_cast<std::size_t>(&detail - detailTable().data())];
-    const int generations = static_cast<int>(m_tree->generationCount());
-    made.resize(m_tree->generationCount() + kOrgans.size() + 1);
-    std::vector<const MeshPlan*> plans;
-    for (int g = 0; g < generations; ++g) {
-        const auto slot = static_cast<std::size_t>(g);
-        const bool onCards = model->twig && slot == cardGeneration(*m_tree);
-        const Drawn drawn = onCards ? Drawn::AsCards : isSparse(*m_tree, g, detail) ? Drawn::Part : Drawn::All;
-        model->stems.push_back(reuseOrMake(made[slot], g, m_tree->generations()[slot], params, drawn, [&] {
-            if (onCards) return emptyStemMesh(*m_tree, g);
-            const StemMesh* parents = g > 0 ? &made[slot - 1].stems : nullptr;
-            StemMesh stems{planRings(*m_tree, g, mesh, detail, parents, progress), nullptr};
-            model->milliseconds.smooth += watch.lap();
-            stems.mesh = meshOfStems(*m_tree, g, stems.plan, mesh, progress);
-            return stems;
-        }));
-        plans.push_back(&made[slot].stems.plan);
-        model->milliseconds.mesh += watch.lap();
-        progress.report(0.5 + 0.4 * (g + 1) / generations);
-    }
-    for (const Organ organ : kOrgans) {
-        const auto i = static_cast<std::size_t>(organ);
-        const bool onCards = model->twig && organ == Organ::Leaf;
-        model->organs[i] =
-            reuseOrMake(made[m_tree->generationCount() + i], Invalidation::kLeaves, m_tree->shared(organ), params,
-                        onCards ? Drawn::AsCards : Drawn::All, [&] {
-                            return StemMesh{{}, meshOfOrgans(*m_tree, organ, plans, mesh, detail, progress,
-                                                             onCards ? cardGeneration(*m_tree) : kNoGeneration)};
-                        });
-    }
-    if (model->twig)
-        model->cards = reuseOrMake(made.back(), Invalidation::kLeaves, m_tree->shared(Organ::Leaf), params,
-                                   Drawn::AsCards, [&] {
-                                       return StemMesh{{}, meshOfTwigs(*m_tree, *model->twig, mesh, detail, progress)};
-                                   });
-    else
-        made.back() = {};
-    model->milliseconds.mesh += watch.lap();
-    model->milliseconds.total = model->milliseconds.structure + model->milliseconds.smooth + model->milliseconds.mesh;
+    auto model = CModelMaker(*this, params, detail, progress).make(watch);
     progress.report(1);
     return model;
 }
@@ -122,6 +199,7 @@ void CTreeCreator::updateTree(const CParams& params, const CProgress& progress) 
     const auto tree = m_builder->build(params, m_tree.get(), first, progress);
     const bool same = m_tree && invalid.stage > Stage::Structure && tree->base() == m_tree->base();
     if (!same) m_tree = tree;
+    if (invalid.stage == Stage::Structure) ++m_growth;
     m_treeParams = params;
     dropStaleMeshes();
 }
@@ -133,16 +211,16 @@ void CTreeCreator::chooseBuilder(const CParams& params) {
     m_tree.reset();
 }
 
-/// Frees the meshes of generations that are gone, so that no level of detail keeps an old tree in memory.
+/// Frees what shows generations and organs that are gone, so that no level of detail keeps an old tree in memory.
 void CTreeCreator::dropStaleMeshes() {
-    for (MadeMeshes& made : m_made)
-        for (MadeMesh& mesh : made) {
-            const auto& generations = m_tree->generations();
-            const auto shown = [&](const auto& part) { return part == mesh.source; };
-            const bool alive = std::ranges::any_of(generations, shown) ||
-                               std::ranges::any_of(kOrgans, [&](Organ organ) { return shown(m_tree->shared(organ)); });
-            if (!alive) mesh = {};
-        }
+    const auto& generations = m_tree->generations();
+    for (MadeModel& made : m_made) {
+        for (MadeStems& stems : made.stems)
+            if (std::ranges::find(generations, stems.source) == generations.end()) stems = {};
+        for (MadeOrgans& organs : made.organs)
+            if (organs.growth != m_growth) organs = {};
+        if (made.grownOn != m_tree.get()) made.tree.reset();
+    }
 }
 
 } // namespace stromar

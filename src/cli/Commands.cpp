@@ -94,37 +94,16 @@ Json generationInfo(const CTree& tree, std::size_t g) {
 }
 
 Json boundsInfo(const TreeModel& model) {
-    const auto meshes = model.meshes();
-    if (meshes.empty()) return nullptr;
-    Bounds all = meshes.front()->bounds();
-    for (const auto& mesh : meshes) {
-        const Bounds own = mesh->bounds();
-        all = {glm::min(all.min, own.min), glm::max(all.max, own.max)};
-    }
-    return {{"min", array(all.min)}, {"max", array(all.max)}};
-}
-
-std::size_t meshBytes(const TreeModel& model) {
-    std::size_t bytes = 0;
-    for (const auto& mesh : model.meshes()) bytes += mesh->bytes();
-    return bytes;
+    const std::optional<Bounds> all = model.bounds();
+    return all ? Json{{"min", array(all->min)}, {"max", array(all->max)}} : Json();
 }
 
 /// Area of the drawn leaves as a part of all leaves': thinning costs what growth cannot make up for.
 double leafAreaKept(const TreeModel& model) {
     if (const Twig* twig = model.twig.get())
         return std::min(1.0, model.cards->area() * twig->shownArea / twig->cardArea() / twig->allLeafArea);
-    const double all = double(model.tree->leaves().size());
-    const double drawn = double(model.leaves()->vertexCount() / verticesPerOrgan(meshParamsOf(model.params), Organ::Leaf, *model.detail));
+    const auto all = double(model.tree->organs(Organ::Leaf)->total), drawn = double(model.leaves()->count());
     return drawn > 0 ? std::min(1.0, kMaxLeafGrowth * kMaxLeafGrowth * drawn / all) : all > 0 ? 0 : 1;
-}
-
-/// Leaves by generation and stem.
-std::vector<std::vector<std::size_t>> leafCounts(const CTree& tree) {
-    std::vector<std::vector<std::size_t>> counts;
-    for (const auto& generation : tree.generations()) counts.emplace_back(generation->stems.size(), 0);
-    for (const CLeaf& leaf : tree.leaves()) ++counts[leaf.generation][leaf.stem];
-    return counts;
 }
 
 Json stemInfo(const CGeneration& generation, std::size_t g, std::size_t index, std::size_t leaves) {
@@ -208,7 +187,7 @@ void printInfo(const CommonOptions& common, const ModelOptions& options, std::os
         {"scale_tree", model->tree->height()},
         {"generations", generations},
         {"predicted", predictedInfo(predictSize(model->params, options.detail()))},
-        {"leaves", model->tree->leaves().size()},
+        {"leaves", model->tree->organs(Organ::Leaf)->total},
         {"model", options.simple ? "simple" : "full"},
         {"lod", options.lod},
         {"vertices", model->vertexCount()},
@@ -216,18 +195,18 @@ void printInfo(const CommonOptions& common, const ModelOptions& options, std::os
         {"leaf_area_kept", leafAreaKept(*model)},
         {"bounds", boundsInfo(*model)},
         {"milliseconds", {{"structure", ms.structure}, {"smooth", ms.smooth}, {"mesh", ms.mesh}, {"total", ms.total}}},
-        {"mesh_bytes", meshBytes(*model)}};
+        {"mesh_bytes", model->bytes()}};
     out << info.dump(2) << "\n";
 }
 
 void printStructure(const CommonOptions& common, bool segments, std::ostream& out, const CProgress& progress) {
     const auto model = createModel(common, detailOf(Model::Simple), progress);
     const CTree& tree = *model->tree;
-    const std::vector<std::vector<std::size_t>> leaves = leafCounts(tree);
+    const COrgans& leaves = *tree.organs(Organ::Leaf);
     for (std::size_t g = 0; g < tree.generationCount(); ++g) {
         const CGeneration& generation = tree.generation(g);
         for (std::size_t s = 0; s < generation.stems.size(); ++s) {
-            out << stemInfo(generation, g, s, leaves[g][s]).dump() << "\n";
+            out << stemInfo(generation, g, s, leaves.countOn(g, s)).dump() << "\n";
             if (segments) printSegments(generation, g, s, out);
             progress.poll();
         }
@@ -245,9 +224,9 @@ bool checkMeshes(const CommonOptions& common, const ModelOptions& options, std::
         const MeshFaults faults = checkStems(*model->tree, static_cast<int>(g), all[g], g > 0 ? &all[g - 1] : nullptr);
         sound &= printFaults(all[g].mesh->name, faults, out);
     }
-    for (const auto& leaves : {model->leaves(), model->cards})
-        if (leaves && (leaves != model->leaves() || !model->cards || leaves->vertexCount() > 0))
-            sound &= printFaults(leaves->name, checkLeaves(*leaves), out);
+    if (!model->cards || model->leaves()->count() > 0)
+        sound &= printFaults(model->leaves()->name(), checkLeaves(*model->leaves()->expanded(progress)), out);
+    if (model->cards) sound &= printFaults(model->cards->name, checkLeaves(*model->cards), out);
     out << (sound ? "all sound\n" : "something is wrong\n");
     return sound;
 }

@@ -65,14 +65,20 @@ private:
     const Detail& m_detail;
 };
 
-double organVertices(const SizeBound& tree, Organ organ, const MeshParams& params, const Detail& detail, bool onCards) {
+/// Organs that are grown for a detail, and what is drawn of them.
+struct OrganBound {
+    double grown = 0, vertices = 0;
+};
+
+OrganBound organBound(const SizeBound& tree, Organ organ, const MeshParams& params, const Detail& detail, bool onCards) {
+    const double count = tree.organs[static_cast<std::size_t>(organ)];
     // Which of them have fallen is chance: of none or all of them it is known.
-    const double count = params.seasonOf(organ).share > 0 ? tree.organs[static_cast<std::size_t>(organ)] : 0;
+    const bool all = params.seasonOf(organ).share > 0;
     if (organ == Organ::Leaf && onCards)
-        return std::min(4 * std::ceil(count * detail.share),
-                        tree.generations.back().stems * double(maxVerticesOfCard(detail)));
-    const double share = std::max(double(kFewOrgans), std::ceil(count * detail.share));
-    return std::min({double(detail.leafBudget), share, count}) * double(verticesPerOrgan(params, organ, detail));
+        return {std::min(count, 2 * tree.bearers.leaves),
+                !all ? 0 : std::min(4 * std::ceil(count * detail.share), tree.generations.back().stems * double(maxVerticesOfCard(detail)))};
+    const double grown = demandOf(detail, {}).bound(count);
+    return {grown, all ? grown * double(verticesPerOrgan(params, organ, detail)) : 0};
 }
 } // namespace
 
@@ -85,8 +91,10 @@ MeshBound meshBound(const SizeBound& tree, const MeshParams& params, const Detai
         bound.bytes += 2 * own.planBytes(); // its parts and the whole
     }
     for (const Organ organ : kOrgans) {
-        bound.vertices += organVertices(tree, organ, params, detail, onCards);
-        bound.bytes += tree.organs[static_cast<std::size_t>(organ)] * sizeof(std::uint32_t); // who may be drawn
+        const OrganBound own = organBound(tree, organ, params, detail, onCards);
+        bound.vertices += own.vertices;
+        bound.bytes += own.grown * (sizeof(CLeaf) + sizeof(std::uint32_t) + kCopies * sizeof(InstancePlace));
+        if (tree.organs[static_cast<std::size_t>(organ)] > 0) bound.bytes += tree.stems() * sizeof(std::uint32_t); // counts
     }
     bound.bytes += kCopies * bound.vertices * (kBytesPerVertex + kCornersPerVertex * sizeof(std::uint32_t));
     return bound;

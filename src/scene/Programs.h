@@ -1,4 +1,6 @@
 #pragma once
+#include "Shaders.h"
+#include "stromar/scene/OsgGeometry.h"
 #include <osg/Program>
 #include <string>
 
@@ -10,6 +12,17 @@ inline osg::ref_ptr<osg::Program> makeProgram(const char* name, const std::strin
     program->setName(name);
     program->addShader(new osg::Shader(osg::Shader::VERTEX, vertex));
     program->addShader(new osg::Shader(osg::Shader::FRAGMENT, fragment));
+    return program;
+}
+
+/// For the tree, whose leaves are instances.
+inline osg::ref_ptr<osg::Program> makeTreeProgram(const char* name, const std::string& vertex,
+                                                  const std::string& fragment) {
+    osg::ref_ptr<osg::Program> program = makeProgram(name, kPlaceFunctions + vertex, fragment);
+    program->addBindAttribLocation("openAt", kSkyVisibilityAttribute);
+    program->addBindAttribLocation("instancePlace", kInstancePlaceAttribute);
+    program->addBindAttribLocation("instanceTurn", kInstanceTurnAttribute);
+    program->addBindAttribLocation("instanceWidth", kInstanceWidthAttribute);
     return program;
 }
 

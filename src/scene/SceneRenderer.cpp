@@ -23,7 +23,8 @@ void CSceneRenderer::attach(int samples) {
     m_viewer->getCamera()->setGraphicsContext(m_window.get());
     m_viewer->getCamera()->setViewport(0, 0, 16, 16);
     m_viewer->realize();
-    m_scene.startContext(samples);
+    const unsigned context = m_window->getState()->getContextID();
+    m_scene.startContext(samples, osg::isGLExtensionOrVersionSupported(context, "GL_ARB_instanced_arrays", 3.3f));
 }
 
 void CSceneRenderer::detach() {

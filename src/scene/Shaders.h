@@ -48,7 +48,37 @@ vec3 skyIn(vec3 ray) {
 }
 )";
 
-inline constexpr const char* kTreeVertexShader = R"(#version 120
+/// In front of the vertices' shaders: a vertex of wood, or of one of many blades that stand in their places.
+inline constexpr const char* kPlaceFunctions = R"(#version 120
+uniform float instanced;
+uniform vec3 roundingCentre;
+uniform vec2 rounding; // how far normals look out of the crown; cosine to the blade's own, at least
+attribute vec4 instancePlace, instanceTurn; // foot and length; quaternion
+attribute float instanceWidth;
+vec3 turned(vec4 q, vec3 v) { return v + 2.0 * cross(q.xyz, cross(q.xyz, v) + q.w * v); }
+vec3 placeOfVertex() {
+    if (instanced < 0.5) return gl_Vertex.xyz;
+    return instancePlace.xyz + turned(instanceTurn, gl_Vertex.xyz * vec3(instanceWidth, instancePlace.w, instanceWidth));
+}
+vec3 rounded(vec3 n, vec3 place) {
+    vec3 away = place - roundingCentre;
+    float apart = length(away);
+    if (rounding.x <= 0.0 || apart < 1e-9) return n;
+    vec3 sum = (1.0 - rounding.x) * n + rounding.x / apart * away;
+    float size = length(sum), front = dot(sum, n);
+    if (size > 1e-9 && front >= rounding.y * size) return sum / size;
+    vec3 across = sum - front * n;
+    float side = length(across);
+    return side < 1e-9 ? n : rounding.y * n + sqrt(1.0 - rounding.y * rounding.y) / side * across;
+}
+vec3 normalOfVertex(vec3 place) {
+    if (instanced < 0.5) return gl_Normal;
+    vec3 size = vec3(instanceWidth, instancePlace.w, instanceWidth);
+    return rounded(turned(instanceTurn, normalize(gl_Normal / size)), place);
+}
+)";
+
+inline constexpr const char* kTreeVertexShader = R"(
 uniform vec3 crownMiddle, crownSize, sun;
 uniform mat4 shadowMatrix;
 uniform float shadowOffset; // metres
@@ -56,16 +86,16 @@ attribute float openAt;
 varying vec3 place, normal, inShadow;
 varying float skyVisibility, shade;
 void main() {
-    gl_Position = ftransform();
+    place = placeOfVertex();
+    normal = normalOfVertex(place);
+    gl_Position = gl_ModelViewProjectionMatrix * vec4(place, 1.0);
     gl_TexCoord[0] = gl_MultiTexCoord0;
-    place = gl_Vertex.xyz;
-    normal = gl_Normal;
     inShadow = (shadowMatrix * vec4(place + shadowOffset * (sun + normal * sign(dot(normal, sun))), 1.0)).xyz;
     // Inside the crown less of the sky is seen.
     vec3 out_ = (place - crownMiddle) / crownSize;
     skyVisibility = (0.35 + 0.65 * smoothstep(0.05, 1.0, length(out_) * 0.8 + 0.25 * out_.z)) * openAt;
     // All corners of a leaf share its normal: a number of its own.
-    shade = fract(sin(dot(gl_Normal, vec3(127.1, 311.7, 74.7))) * 437.5);
+    shade = fract(sin(dot(normal, vec3(127.1, 311.7, 74.7))) * 437.5);
 }
 )";
 
@@ -145,14 +175,14 @@ void main() {
 }
 )";
 
-inline constexpr const char* kPlainVertexShader = R"(#version 120
-void main() { gl_Position = ftransform(); }
+inline constexpr const char* kPlainVertexShader = R"(
+void main() { gl_Position = gl_ModelViewProjectionMatrix * vec4(placeOfVertex(), 1.0); }
 )";
 
 // Depth alone, cut out by the pictures.
-inline constexpr const char* kShadowVertexShader = R"(#version 120
+inline constexpr const char* kShadowVertexShader = R"(
 void main() {
-    gl_Position = ftransform();
+    gl_Position = gl_ModelViewProjectionMatrix * vec4(placeOfVertex(), 1.0);
     gl_TexCoord[0] = gl_MultiTexCoord0;
 }
 )";

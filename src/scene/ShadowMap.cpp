@@ -37,7 +37,7 @@ CShadowMap::CShadowMap(osg::Group* casters)
     m_camera->addChild(casters);
     osg::StateSet* state = m_camera->getOrCreateStateSet();
     constexpr auto kStrong = osg::StateAttribute::ON | osg::StateAttribute::OVERRIDE;
-    state->setAttributeAndModes(makeProgram("shadow", kShadowVertexShader, kShadowFragmentShader), kStrong);
+    state->setAttributeAndModes(makeTreeProgram("shadow", kShadowVertexShader, kShadowFragmentShader), kStrong);
     state->setMode(GL_CULL_FACE, osg::StateAttribute::OFF | osg::StateAttribute::OVERRIDE);
     resize();
 }

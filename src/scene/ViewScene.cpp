@@ -37,15 +37,14 @@ void setInteger(osg::StateSet* state, const char* name, int value) {
     setUniform(state, name, osg::Uniform::INT, value);
 }
 
-osg::ref_ptr<osg::Program> makeTreeProgram(const char* looks) {
-    const osg::ref_ptr<osg::Program> program =
-        makeProgram("tree", kTreeVertexShader, std::string(looks) + kLightFunctions + kTreeFragmentShader);
-    program->addBindAttribLocation("openAt", kSkyVisibilityAttribute);
-    return program;
+constexpr unsigned kInstancesMask = 2; ///< of nodes whose triangles OpenSceneGraph does not know
+
+osg::ref_ptr<osg::Program> makeLitProgram(const char* looks) {
+    return makeTreeProgram("tree", kTreeVertexShader, std::string(looks) + kLightFunctions + kTreeFragmentShader);
 }
 
 void styleWireframe(osg::StateSet* wireframe) {
-    wireframe->setAttributeAndModes(makeProgram("wires", kPlainVertexShader, kPlainFragmentShader));
+    wireframe->setAttributeAndModes(makeTreeProgram("wires", kPlainVertexShader, kPlainFragmentShader));
     wireframe->addUniform(new osg::Uniform("colour", osg::Vec4(0.02f, 0.03f, 0.05f, 0.3f)));
     wireframe->setMode(GL_BLEND, osg::StateAttribute::ON);
     wireframe->setRenderingHint(osg::StateSet::TRANSPARENT_BIN);
@@ -82,6 +81,7 @@ CViewScene::CViewScene()
     setInteger(m_state, "under", kUnderUnit);
     setFloat(m_state, "alphaCut", kAlphaCut);
     setFloat(m_state, "smoothEdges", 0);
+    setFloat(m_state, "instanced", 0);
     osg::StateSet* state = m_tree->getOrCreateStateSet();
     state->setMode(GL_CULL_FACE, osg::StateAttribute::OFF);
     styleWireframe(m_wireframe->getOrCreateStateSet());
@@ -95,14 +95,43 @@ CViewScene::~CViewScene() = default;
 
 void CViewScene::show(const std::vector<ViewPart>& parts, Shadows shadows) {
     m_shadowsBehind = shadows == Shadows::Kept;
-    for (auto& surface : m_surfaces) surface->removeChildren(0, surface->getNumChildren());
-    for (const ViewPart& part : parts) {
-        osg::StateSet* state = part.geometry->getOrCreateStateSet();
-        if (!state->getUniform("generation")) setFloat(state, "generation", part.generation);
-        m_surfaces[static_cast<std::size_t>(part.surface)]->addChild(part.geometry);
-    }
     m_parts = parts;
+    addParts();
     updateCrown();
+}
+
+void CViewScene::addParts() {
+    for (auto& surface : m_surfaces) surface->removeChildren(0, surface->getNumChildren());
+    for (const ViewPart& part : m_parts) {
+        osg::ref_ptr<osg::Geometry> geometry = part.geometry;
+        if (part.organs && !m_instancing) geometry = makeViewGeometry(part.organs->expanded(CProgress()));
+        geometry->setNodeMask(part.organs ? kInstancesMask : ~0u);
+        osg::StateSet* state = geometry->getOrCreateStateSet();
+        if (!state->getUniform("generation")) setFloat(state, "generation", part.generation);
+        m_surfaces[static_cast<std::size_t>(part.surface)]->addChild(geometry);
+    }
+}
+
+std::vector<ViewPart> viewPartsOf(const TreeModel& model, const std::vector<ViewPart>& known,
+                                  const CProgress& progress) {
+    std::vector<ViewPart> parts;
+    const auto add = [&](const auto& shown, auto ViewPart::*source, Surface surface, int generation, auto&& make) {
+        progress.poll();
+        const auto same = std::ranges::find(known, shown, source);
+        if (same != known.end()) return parts.push_back(*same);
+        ViewPart part{make(), surface, generation};
+        part.*source = shown;
+        parts.push_back(std::move(part));
+    };
+    model.visitMeshes(
+        [&](const std::shared_ptr<const CMesh>& mesh, int generation) {
+            add(mesh, &ViewPart::mesh, mesh->surface, generation, [&] { return makeViewGeometry(mesh); });
+        },
+        [&](const std::shared_ptr<const COrganMesh>& organs, int generation) {
+            add(organs, &ViewPart::organs, organs->surface(), generation,
+                [&] { return makeInstancedGeometry(*organs, progress); });
+        });
+    return parts;
 }
 
 void CViewScene::setLook(const ViewLook& look) {
@@ -132,12 +161,25 @@ std::optional<ViewHit> CViewScene::pick(const osg::Vec3d& from, const osg::Vec3d
         new osgUtil::LineSegmentIntersector(from, from + direction * reach);
     ray->setIntersectionLimit(osgUtil::Intersector::LIMIT_NEAREST);
     osgUtil::IntersectionVisitor visitor(ray);
+    visitor.setTraversalMask(~kInstancesMask);
     m_tree->accept(visitor);
-    if (!ray->containsIntersections()) return {};
-    const auto hit = ray->getFirstIntersection();
-    const auto part = std::ranges::find_if(m_parts, [&](const ViewPart& p) { return p.geometry == hit.drawable; });
-    if (part == m_parts.end()) return {};
-    return ViewHit{part->generation, hit.getWorldIntersectPoint()};
+    std::optional<ViewHit> nearest;
+    double distance = 0;
+    if (ray->containsIntersections()) {
+        const auto hit = ray->getFirstIntersection();
+        const auto part = std::ranges::find_if(m_parts, [&](const ViewPart& p) { return p.geometry == hit.drawable; });
+        if (part == m_parts.end()) return {};
+        nearest = ViewHit{part->generation, hit.getWorldIntersectPoint()};
+        distance = (nearest->point - from) * direction / direction.length2();
+    }
+    for (const ViewPart& part : m_parts) {
+        if (!part.organs || !m_look.leaves) continue;
+        const auto met = part.organs->meet({from.x(), from.y(), from.z()}, {direction.x(), direction.y(), direction.z()});
+        if (met.instance < 0 || (nearest && met.distance >= distance)) continue;
+        nearest = ViewHit{part.generation, from + direction * met.distance};
+        distance = met.distance;
+    }
+    return nearest;
 }
 
 std::string CViewScene::setTexture(Surface surface, const std::string& file) {
@@ -148,15 +190,19 @@ std::string CViewScene::setTexture(Surface surface, const std::string& file) {
     return showSurface(state, file, plain, info.cutOut);
 }
 
-void CViewScene::startContext(int samples) {
+void CViewScene::startContext(int samples, bool instancing) {
     m_shadows->setStale();
+    if (instancing != m_instancing) {
+        m_instancing = instancing;
+        addParts();
+    }
     setQuality(samples);
 }
 
 void CViewScene::setQuality(int samples) {
     const bool best = samples > 1;
     const char* looks = best ? kBestLooks : kFastLooks;
-    m_tree->getOrCreateStateSet()->setAttributeAndModes(makeTreeProgram(looks));
+    m_tree->getOrCreateStateSet()->setAttributeAndModes(makeLitProgram(looks));
     m_background->getOrCreateStateSet()->setAttributeAndModes(makeBackgroundProgram(looks));
     m_shadows->setSize(best ? kBestShadow : kFastShadow);
     setFloat(m_state, "smoothEdges", best);

@@ -19,7 +19,7 @@ double SizeBound::segments() const {
 double SizeBound::organCount() const { return std::accumulate(organs.begin(), organs.end(), 0.0); }
 
 double SizeBound::bytes() const {
-    double sum = organCount() * sizeof(CLeaf), largest = 0;
+    double sum = 0, largest = 0;
     for (const GenerationBound& g : generations) {
         const double each = sizeof(CStem) + scratchPerStem + g.paths * (sizeof(CPath) + sizeof(double)) +
                             g.segments * (sizeof(CSegment) + scratchPerSegment);

@@ -31,6 +31,17 @@ const CSegment& CGeneration::segmentAt(const CStem& stem, std::uint32_t path, st
     return segments[own.firstSegment + position - own.firstPosition];
 }
 
+CTree::CTree(double height, std::vector<std::shared_ptr<const CGeneration>> generations, const BaseForm& base)
+    : m_height(height), m_base(base), m_generations(std::move(generations)) {
+    m_organs.fill(std::make_shared<const COrgans>());
+}
+
+CTree CTree::withOrgans(OrganArrays organs) const {
+    CTree tree = *this;
+    tree.m_organs = std::move(organs);
+    return tree;
+}
+
 std::size_t CTree::stemCount() const {
     std::size_t count = 0;
     for (const auto& generation : m_generations) count += generation->stems.size();

@@ -43,8 +43,7 @@ void expectGeneration(const CGeneration& generation, const Json& wanted, const s
 }
 
 Bounds boundsOf(const TreeModel& model) {
-    Bounds all = model.meshes().front()->bounds();
-    for (const auto& mesh : model.meshes()) all = {glm::min(all.min, mesh->bounds().min), glm::max(all.max, mesh->bounds().max)};
+    const Bounds all = model.bounds().value();
     return all;
 }
 } // namespace

@@ -20,7 +20,7 @@ std::string sizes(double stems, double leaves, double vertices) {
 void expectWithin(const CParams& params, const Detail& detail, bool varied, const std::string& label) {
     const Prediction predicted = predictSize(params, detail);
     const auto model = CTreeCreator(varied).create(params, detail, CProgress(2));
-    const double stems = double(model->tree->stemCount()), leaves = double(model->tree->leaves().size()),
+    const double stems = double(model->tree->stemCount()), leaves = double(model->tree->organs(Organ::Leaf)->total),
                  vertices = double(model->vertexCount());
     EXPECT_TRUE(stems <= predicted.stems && leaves <= predicted.leaves && vertices <= predicted.vertices)
         << label << ": " << sizes(stems, leaves, vertices) << "; predicted "
@@ -65,7 +65,7 @@ TEST(Prediction, IsNearForThePresets) {
             const bool full = phenologyOf(sample.params.common).leaves == 1; // what has fallen is known less well
             const auto model = createAnew(sample.params, detail);
             EXPECT_LE(predicted.stems, 8 * double(model->tree->stemCount())) << sample.name;
-            EXPECT_LE(predicted.leaves, 8 * double(model->tree->leaves().size())) << sample.name;
+            EXPECT_LE(predicted.leaves, 8 * double(model->tree->organs(Organ::Leaf)->total)) << sample.name;
             EXPECT_LE(predicted.vertices, (full ? 9 : 18) * double(model->vertexCount()))
                 << sample.name << ", " << detail.name;
         }

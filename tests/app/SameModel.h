@@ -11,7 +11,7 @@ inline std::string modelDifference(const TreeModel& a, const TreeModel& b) {
     if (a.stems.size() != b.stems.size()) return "the number of generations";
     for (std::size_t g = 0; g < a.stems.size(); ++g)
         if (!sameBytes(*a.stems[g], *b.stems[g])) return a.stems[g]->name;
-    return sameBytes(*a.leaves(), *b.leaves()) ? std::string() : "leaves";
+    return sameBytes(*a.leaves()->expanded(CProgress()), *b.leaves()->expanded(CProgress())) ? std::string() : "leaves";
 }
 
 /// What a creator that knows nothing makes.

@@ -86,7 +86,7 @@ TEST_F(TwigPicture, FollowsTheLeavesPicture) {
 TEST_F(TwigPicture, IsNotMadeOfPicturesThatCannotBeRead) {
     m_params.text.leafTexture = "leaf.jpg";
     EXPECT_FALSE(create(2)->twig);
-    EXPECT_EQ(create(2)->leaves()->surface, Surface::Leaf);
+    EXPECT_EQ(create(2)->leaves()->surface(), Surface::Leaf);
     m_params.text.leafTexture = "missing.png";
     EXPECT_THROW(makePictures(*create(2), m_folder.path(), CProgress()), CError);
 }

@@ -65,7 +65,7 @@ TEST(Info, SaysWhatTheLibraryMakes) {
         const auto model = CTreeCreator().create(params, detail, CProgress(2));
         EXPECT_EQ(object.at("vertices"), model->vertexCount()) << detail.name;
         EXPECT_EQ(object.at("triangles"), model->triangleCount()) << detail.name;
-        EXPECT_EQ(object.at("leaves"), model->tree->leaves().size());
+        EXPECT_EQ(object.at("leaves"), model->tree->organs(Organ::Leaf)->total);
         EXPECT_EQ(object.at("model"), simple ? "simple" : "full");
         EXPECT_EQ(object.at("lod"), detail.lod);
         EXPECT_EQ(object.at("seed"), params.common.seed);

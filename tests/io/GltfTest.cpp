@@ -122,7 +122,8 @@ TEST(Shading, TheCrownsInsideAndForksAreDarker) {
     const Crown crown = crownOf(model.meshes());
     double inside = 0, outside = 0;
     std::size_t insides = 0, outsides = 0;
-    const CMesh& leaves = *model.leaves();
+    const auto expanded = model.leaves()->expanded(CProgress());
+    const CMesh& leaves = *expanded;
     for (std::size_t v = 0; v < leaves.vertexCount(); ++v) {
         const float place = glm::length((leaves.positions[v] - crown.centre) / crown.radii);
         if (place < 0.4f) inside += ambientAt(crown, leaves, v), ++insides;

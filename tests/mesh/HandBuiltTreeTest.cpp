@@ -27,8 +27,9 @@ public:
 
     CTree tree() const {
         std::vector<std::shared_ptr<const CGeneration>> all(m_generations.begin(), m_generations.end());
-        return {6, all, {leaves(), std::make_shared<LeafArray>(), std::make_shared<LeafArray>()},
-                {.flare = 0.6, .lobes = 5, .lobeDepth = 0.1, .lobeFade = 0.8, .roots = 4, .rootReach = 1, .rootHeight = 0.1}};
+        const auto none = std::make_shared<const COrgans>();
+        return CTree(6, all, {.flare = 0.6, .lobes = 5, .lobeDepth = 0.1, .lobeFade = 0.8, .roots = 4, .rootReach = 1, .rootHeight = 0.1})
+            .withOrgans({allOrgans(leaves(), all), none, none});
     }
 
 private:
@@ -100,12 +101,12 @@ private:
     }
 
     /// On the trunk's third segment, then on all stems of the last generation.
-    std::shared_ptr<const LeafArray> leaves() const {
-        auto all = std::make_shared<LeafArray>();
+    LeafArray leaves() const {
+        LeafArray all;
         const auto add = [&](int g, std::uint32_t stem, std::uint32_t position) {
             const CGeneration& generation = *m_generations[slot(g)];
             const CSegment& segment = generation.segmentAt(generation.stems[stem], 0, position);
-            all->push_back({segment.centre(0.5), segment.frame[0], segment.frame[1], 0.1, 0.05, stem, std::uint32_t(g)});
+            all.push_back({segment.centre(0.5), segment.frame[0], segment.frame[1], 0.1, 0.05, stem, std::uint32_t(g), 0});
         };
         for (int i = 0; i < 8; ++i) add(0, 0, 2);
         for (std::uint32_t s = 0; s < m_generations.back()->stems.size(); ++s)
@@ -136,7 +137,8 @@ TEST(HandBuiltTree, IsSoundAtEveryLevelOfDetail) {
                 EXPECT_GT(faults.collars, faults.surfaces / 4) << "generation " << g;
             }
         }
-        EXPECT_TRUE(checkLeaves(*meshOfOrgans(tree, Organ::Leaf, plansOf(all), meshParams(), detail, CProgress(2))).sound());
+        EXPECT_TRUE(checkLeaves(
+            *meshOfOrgans(tree, Organ::Leaf, plansOf(all), meshParams(), detail, CProgress(2))->expanded(CProgress(2))).sound());
     }
 }
 
@@ -144,9 +146,9 @@ TEST(HandBuiltTree, LeavesOfTheTrunkAreDrawnBesideCards) {
     const CTree tree = CHand().tree();
     const Detail& detail = detailOf(Model::Full, 2);
     const auto all = meshAllStems(tree, meshParams(), detail, CProgress(2));
-    const auto twig = typicalTwig(tree, meshParams(), CProgress());
+    const auto twig = typicalTwig(tree, meshParams());
     ASSERT_TRUE(twig);
-    EXPECT_GT(meshOfTwigs(tree, *twig, meshParams(), detail, CProgress(2))->vertexCount(), 0u);
+    EXPECT_GT(meshOfTwigs(tree, *tree.organs(Organ::Leaf), *twig, meshParams(), detail, CProgress(2))->vertexCount(), 0u);
     const auto own = meshOfOrgans(tree, Organ::Leaf, plansOf(all), meshParams(), detail, CProgress(2), cardGeneration(tree));
     EXPECT_EQ(own->vertexCount(), 8 * verticesPerOrgan(meshParams(), Organ::Leaf, detail)) << "those of the trunk";
 }

@@ -71,9 +71,7 @@ TEST(LeafMesh, ThinningKeepsTheAreaAndTheCrown) {
             if (onCards && detail.twigPlanes > 0) continue;
             const auto mesh = leavesOf(*tree, sample.params, detail);
             const std::size_t drawn = mesh->vertexCount() / verticesPerOrgan(meshParamsOf(sample.params), Organ::Leaf, detail);
-            EXPECT_LE(drawn, detail.leafBudget);
-            EXPECT_LE(double(drawn),
-                      std::max(double(kFewOrgans), std::ceil(detail.share * double(tree->leaves().size()))));
+            EXPECT_LE(double(drawn), demandOf(detail, {}).bound(double(tree->leaves().size())));
             const double growth = std::sqrt(double(tree->leaves().size()) / double(drawn));
             const double kept = growth <= kMaxLeafGrowth ? 1 : std::pow(kMaxLeafGrowth / growth, 2);
             EXPECT_NEAR(mesh->area() / areaOf(tree->leaves()), kept, 0.05 * kept) << sample.name << ", " << detail.name;

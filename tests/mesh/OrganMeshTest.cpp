@@ -19,7 +19,7 @@ std::shared_ptr<const CMesh> organs(CParams params, Organ organ, double month, c
     params.common.season = month;
     const auto tree = grow(params);
     const auto all = meshAllStems(*tree, meshParamsOf(params), detail, CProgress(2));
-    return meshOfOrgans(*tree, organ, plansOf(all), meshParamsOf(params), detail, CProgress(2));
+    return organsOf(*tree, params, organ, all, detail);
 }
 const Detail& full(int lod = 0) { return detailOf(Model::Full, lod); }
 } // namespace

@@ -44,10 +44,7 @@ TEST_P(PresetMesh, IsSound) {
                 EXPECT_EQ(inWords(faults), "") << label << all[g].mesh->name;
                 EXPECT_GT(faults.triangles, 0u) << label << all[g].mesh->name;
             }
-            EXPECT_EQ(
-                inWords(checkLeaves(*meshOfOrgans(*tree, Organ::Leaf, plansOf(all), meshParamsOf(seeded), detail, CProgress(2)))),
-                "")
-                << label;
+            EXPECT_EQ(inWords(checkLeaves(*organsOf(*tree, seeded, Organ::Leaf, all, detail))), "") << label;
         }
 }
 

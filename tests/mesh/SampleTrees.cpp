@@ -116,7 +116,18 @@ CParams plainTrunk() {
 }
 
 std::shared_ptr<const CTree> grow(const CParams& params, int threads) {
-    return CWeberPennBuilder().build(params, nullptr, 0, CProgress(threads));
+    return growTree(CWeberPennBuilder(), params, CProgress(threads));
+}
+
+std::shared_ptr<const CMesh> organsOf(const CTree& tree, const CParams& params, Organ organ,
+                                      const std::vector<StemMesh>& stems, const Detail& detail) {
+    const CProgress progress(2);
+    OrganArrays organs;
+    organs.fill(std::make_shared<const COrgans>());
+    organs[static_cast<std::size_t>(organ)] =
+        CWeberPennBuilder().growOrgans(params, tree, organ, demandOf(detail, plansOf(stems)), progress);
+    return meshOfOrgans(tree.withOrgans(organs), organ, plansOf(stems), meshParamsOf(params), detail, progress)
+        ->expanded(progress);
 }
 
 std::vector<std::shared_ptr<const CMesh>> meshesOf(const CTree& tree, const CParams& params, const Detail& detail,
@@ -125,7 +136,7 @@ std::vector<std::shared_ptr<const CMesh>> meshesOf(const CTree& tree, const CPar
     std::vector<std::shared_ptr<const CMesh>> meshes;
     const std::vector<StemMesh> all = meshAllStems(tree, meshParamsOf(params), detail, progress);
     for (const StemMesh& stems : all) meshes.push_back(stems.mesh);
-    meshes.push_back(meshOfOrgans(tree, Organ::Leaf, plansOf(all), meshParamsOf(params), detail, progress));
+    meshes.push_back(organsOf(tree, params, Organ::Leaf, all, detail));
     return meshes;
 }
 

@@ -37,6 +37,10 @@ CParams plainTrunk();
 
 std::shared_ptr<const CTree> grow(const CParams& params, int threads = 2);
 
+/// The organs that a level of detail shows of a tree that grow() grew.
+std::shared_ptr<const CMesh> organsOf(const CTree& tree, const CParams& params, Organ organ,
+                                      const std::vector<StemMesh>& stems, const Detail& detail);
+
 /// The meshes of a tree: stems by generation, then the leaves. Empty ones too.
 std::vector<std::shared_ptr<const CMesh>> meshesOf(const CTree& tree, const CParams& params, const Detail& detail,
                                                    int threads = 2);

@@ -45,8 +45,7 @@ std::shared_ptr<CGeneration> bent(std::vector<double> lengths, double turn, doub
 }
 
 CTree treeOf(const std::vector<std::shared_ptr<CGeneration>>& generations, const BaseForm& base = {}) {
-    const auto none = std::make_shared<LeafArray>();
-    return {10, {generations.begin(), generations.end()}, {none, none, none}, base};
+    return {10, {generations.begin(), generations.end()}, base};
 }
 
 struct Line {

@@ -46,7 +46,7 @@ TEST_P(PresetTwig, KeepsTheCrown) {
     const Bounds all = meshesOf(*m_made.tree, m_sample.params, detailOf(Model::Full)).back()->bounds();
     for (const int lod : {2, 3}) {
         const Detail& detail = detailOf(Model::Full, lod);
-        const auto mesh = meshOfTwigs(*m_made.tree, twig, meshParamsOf(m_sample.params), detail, CProgress(2));
+        const auto mesh = meshOfTwigs(*m_made.tree, *m_made.tree->organs(Organ::Leaf), twig, meshParamsOf(m_sample.params), detail, CProgress(2));
         EXPECT_TRUE(checkLeaves(*mesh).sound()) << lod;
         EXPECT_LE(double(quads(*mesh)), std::ceil(detail.share * double(m_made.tree->leaves().size())));
         const double kept = mesh->area() * twig.shownArea / twig.cardArea() / twig.allLeafArea;
@@ -90,7 +90,7 @@ TEST(Twig, IsPressedSoThatNoLeafIsSeenEdgeOn) {
 TEST(Twig, CardsStandAboutTheirStems) {
     const CParams params = preset("quaking_aspen");
     const auto [tree, twig] = cardsOf(params);
-    const auto mesh = meshOfTwigs(*tree, *twig, meshParamsOf(params), detailOf(Model::Full, 3), CProgress(2));
+    const auto mesh = meshOfTwigs(*tree, *tree->organs(Organ::Leaf), *twig, meshParamsOf(params), detailOf(Model::Full, 3), CProgress(2));
     std::size_t card = 0;
     const CGeneration& last = tree->generation(tree->generationCount() - 1);
     ASSERT_EQ(mesh->vertexCount(), 4 * last.stems.size()) << "every stem bears leaves";
@@ -135,10 +135,10 @@ TEST(Twig, OfRandomTreesIsSoundAndTheSameForEveryNumberOfThreads) {
         if (!twig) continue;
         for (const int lod : {2, 3}) {
             const Detail& detail = detailOf(Model::Full, lod);
-            const auto mesh = meshOfTwigs(*tree, *twig, meshParamsOf(params), detail, CProgress(3));
+            const auto mesh = meshOfTwigs(*tree, *tree->organs(Organ::Leaf), *twig, meshParamsOf(params), detail, CProgress(3));
             const MeshFaults faults = checkLeaves(*mesh);
             EXPECT_TRUE(faults.sound()) << number << ", LOD " << lod << ": " << inWords(faults);
-            const auto again = meshOfTwigs(*tree, *twig, meshParamsOf(params), detail, CProgress(1));
+            const auto again = meshOfTwigs(*tree, *tree->organs(Organ::Leaf), *twig, meshParamsOf(params), detail, CProgress(1));
             EXPECT_TRUE(std::ranges::equal(mesh->positions, again->positions)) << number;
             EXPECT_TRUE(std::ranges::equal(mesh->normals, again->normals)) << number;
             ++looked;

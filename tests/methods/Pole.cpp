@@ -92,17 +92,24 @@ std::shared_ptr<const CTree> CPoleBuilder::build(const CParams& params, const CT
         if (values.bent) frame = rotatedX(frame, 0.1);
     }
     trunk->stems.push_back(stem);
-    auto leaves = std::make_shared<LeafArray>();
+    return std::make_shared<const CTree>(values.height, std::vector<std::shared_ptr<const CGeneration>>{trunk},
+                                         BaseForm{.flare = params.common.flare});
+}
+
+std::shared_ptr<const COrgans> CPoleBuilder::growOrgans(const CParams& params, const CTree& tree, Organ organ,
+                                                        const OrganDemand&, const CProgress& progress) const {
+    progress.poll();
+    const PoleParams& values = pole(params);
+    if (organ != Organ::Leaf) return std::make_shared<const COrgans>();
+    LeafArray leaves;
+    const std::vector<CSegment>& segments = tree.generation(0).segments;
     for (std::size_t i = 0; i < values.plan.size(); ++i)
         if (values.plan[i] == 'L') {
-            const CSegment& segment = trunk->segments[i % trunk->segments.size()];
-            leaves->push_back({segment.axisPoint(0.5), segment.frame[0], segment.frame[1], params.common.leafScale,
-                               params.common.leafScale * params.common.leafScaleX, 0, 0});
+            const CSegment& segment = segments[i % segments.size()];
+            leaves.push_back({segment.axisPoint(0.5), segment.frame[0], segment.frame[1], params.common.leafScale,
+                              params.common.leafScale * params.common.leafScaleX, 0, 0, 0});
         }
-    const CommonParams& c = params.common;
-    const auto none = std::make_shared<LeafArray>();
-    return std::make_shared<const CTree>(values.height, std::vector<std::shared_ptr<const CGeneration>>{trunk},
-                                         OrganArrays{leaves, none, none}, BaseForm{.flare = c.flare});
+    return allOrgans(std::move(leaves), tree.generations());
 }
 
 const TreeMethod& poleMethod() {

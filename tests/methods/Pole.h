@@ -19,6 +19,8 @@ class CPoleBuilder : public ITreeBuilder {
 public:
     std::shared_ptr<const CTree> build(const CParams& params, const CTree* previous, int firstInvalid,
                                        const CProgress& progress) const override;
+    std::shared_ptr<const COrgans> growOrgans(const CParams& params, const CTree& tree, Organ organ,
+                                              const OrganDemand& demand, const CProgress& progress) const override;
 };
 
 /// Its row; known from the first call on.

@@ -71,7 +71,7 @@ TEST(OsgGeometry, IsACopyOfTheMesh) {
 TEST(OsgGeometry, ForTheViewportKnowsHowOpenItLies) {
     for (const auto& mesh : aspenMeshes()) {
         EXPECT_EQ(makeGeometry(*mesh)->getNumVertexAttribArrays(), 0u) << "files do not";
-        const osg::ref_ptr<osg::Geometry> geometry = makeViewGeometry(*mesh);
+        const osg::ref_ptr<osg::Geometry> geometry = makeViewGeometry(mesh);
         const auto* skyVisibility = geometry->getVertexAttribArray(kSkyVisibilityAttribute);
         ASSERT_TRUE(skyVisibility);
         ASSERT_EQ(skyVisibility->getNumElements(), mesh->vertexCount());

@@ -80,9 +80,9 @@ TEST(Organs, BlossomsAndFruitsLeaveTheLeavesAlone) {
     const CParams rich = with(bare, {{"Blossoms", 5}, {"Fruits", 3}, {"FruitScaleX", 0.5}});
     const auto before = grow(bare), after = grow(rich);
     EXPECT_TRUE(sameArrays(before->leaves(), after->leaves()));
-    EXPECT_TRUE(before->shared(Organ::Blossom)->empty());
-    EXPECT_GT(after->shared(Organ::Blossom)->size(), after->shared(Organ::Fruit)->size());
-    for (const CLeaf& fruit : *after->shared(Organ::Fruit)) {
+    EXPECT_TRUE(before->grown(Organ::Blossom).empty());
+    EXPECT_GT(after->grown(Organ::Blossom).size(), after->grown(Organ::Fruit).size());
+    for (const CLeaf& fruit : after->grown(Organ::Fruit)) {
         EXPECT_LT(fruit.axis.z, -0.5) << "fruits hang";
         EXPECT_NEAR(fruit.width, 0.5 * fruit.length, 1e-12);
     }
@@ -92,8 +92,8 @@ TEST(Organs, BlossomsStandUprightOrHang) {
     const auto meanRise = [](double up) {
         const auto tree = grow(with(whorled(1), {{"Blossoms", 9}, {"BlossomUp", up}}));
         double sum = 0;
-        for (const CLeaf& blossom : *tree->shared(Organ::Blossom)) sum += blossom.axis.z;
-        return sum / double(tree->shared(Organ::Blossom)->size());
+        for (const CLeaf& blossom : tree->grown(Organ::Blossom)) sum += blossom.axis.z;
+        return sum / double(tree->grown(Organ::Blossom).size());
     };
     EXPECT_NEAR(meanRise(1), 1, 1e-9);
     EXPECT_NEAR(meanRise(-1), -1, 1e-9);

@@ -19,7 +19,7 @@ using TreePtr = std::shared_ptr<const CTree>;
 using Values = std::initializer_list<std::pair<std::string_view, double>>;
 
 inline TreePtr grow(const CParams& params, bool varied = true, int threads = 1) {
-    return CWeberPennBuilder(varied).build(params, nullptr, 0, CProgress(threads));
+    return growTree(CWeberPennBuilder(varied), params, CProgress(threads));
 }
 
 /// Every random draw in the middle.
@@ -106,7 +106,7 @@ inline std::string difference(const CTree& a, const CTree& b) {
     for (std::size_t g = 0; g < a.generationCount(); ++g)
         if (!same(a.generation(g), b.generation(g))) return "generation " + std::to_string(g);
     for (const Organ organ : kOrgans)
-        if (!sameArrays(*a.shared(organ), *b.shared(organ)))
+        if (!sameArrays(a.grown(organ), b.grown(organ)))
             return "organ " + std::to_string(static_cast<int>(organ)); // 0 the leaves
     return a.base() == b.base() ? "" : kBaseForm;
 }

@@ -21,14 +21,30 @@ public:
     void forget();
 
 private:
-    enum class Drawn { All, Part, AsCards }; ///< of a generation, of the leaves
-    struct MadeMesh {
-        std::shared_ptr<const void> source; ///< the generation or the organs it shows
-        StemMesh stems;                     ///< of organs only the mesh
+    enum class Drawn { All, Part, AsCards }; ///< of a generation
+    struct MadeStems {
+        std::shared_ptr<const CGeneration> source;
+        StemMesh stems;
         CParams params;
         Drawn drawn = Drawn::All;
+        bool last = false; ///< no generation follows: the plan is not kept
     };
-    using MadeMeshes = std::vector<MadeMesh>; ///< by generation, then by organ, then the cards
+    struct MadeOrgans {
+        std::uint64_t growth = 0; ///< of the tree that bears them
+        Meshes bearers;           ///< on which stems they may be, where that matters
+        std::shared_ptr<const COrgans> organs;
+        std::shared_ptr<const COrganMesh> mesh;
+        CParams params;
+    };
+    /// What a level of detail shows.
+    struct MadeModel {
+        std::vector<MadeStems> stems; ///< by generation
+        std::array<MadeOrgans, kOrgans.size()> organs;
+        std::shared_ptr<const CTree> tree; ///< with its organs
+        const CTree* grownOn = nullptr;    ///< the stems of that tree
+        std::shared_ptr<const COrgans> leafCounts; ///< where cards may stand; no leaf is grown
+    };
+    class CModelMaker;
 
     void refuseTooLarge(const CParams& params, const Detail& detail) const;
     void chooseBuilder(const CParams& params);
@@ -38,9 +54,10 @@ private:
     bool m_varied;
     SizeLimits m_limits;
     std::unique_ptr<ITreeBuilder> m_builder;
-    std::shared_ptr<const CTree> m_tree;
+    std::shared_ptr<const CTree> m_tree; ///< without organs
+    std::uint64_t m_growth = 0;          ///< rises when stems or organs have to be grown anew
     CParams m_treeParams;
-    std::vector<MadeMeshes> m_made; ///< by row of the table of details
+    std::vector<MadeModel> m_made; ///< by row of the table of details
 };
 
 } // namespace stromar

@@ -2,6 +2,7 @@
 #include "stromar/mesh/Detail.h"
 #include "stromar/mesh/Mesh.h"
 #include "stromar/mesh/MeshParams.h"
+#include "stromar/mesh/OrganMesh.h"
 #include "stromar/tree/Tree.h"
 #include "stromar/util/Progress.h"
 #include <memory>
@@ -88,17 +89,5 @@ std::vector<StemMesh> meshAllStems(const CTree& tree, const MeshParams& params, 
 
 /// By generation.
 std::vector<const MeshPlan*> plansOf(std::span<const StemMesh> stems);
-
-constexpr std::uint32_t kNoGeneration = ~0u;
-
-/// The leaves by their form, seen from above; blossoms as cards, fruits as ellipsoids. As many and as large as the
-/// season has them. Only those on stems that `plans`, by generation, chose; at most the detail's share or kFewOrgans,
-/// enlarged to keep their area as far as kMaxLeafGrowth allows. Not those of the generation `except`, which cards show.
-/// Throws CCancelled.
-std::shared_ptr<const CMesh> meshOfOrgans(const CTree& tree, Organ organ, std::span<const MeshPlan* const> plans,
-                                          const MeshParams& params, const Detail& detail, const CProgress& progress,
-                                          std::uint32_t except = kNoGeneration);
-
-std::size_t verticesPerOrgan(const MeshParams& params, Organ organ, const Detail& detail);
 
 } // namespace stromar

@@ -1,36 +1,44 @@
 #pragma once
 #include "stromar/mesh/Detail.h"
+#include "stromar/mesh/OrganMesh.h"
 #include "stromar/mesh/twig/Twig.h"
 #include "stromar/params/Params.h"
 #include <array>
 #include <functional>
 #include <memory>
+#include <optional>
 
 namespace stromar {
 
-/// A tree with its meshes. Immutable, safe to share between threads.
+/// A tree with its meshes: triangles of stems and of cards, instances of leaves. Immutable, safe to share between
+/// threads.
 struct TreeModel {
     CParams params;
     const Detail* detail;
-    std::shared_ptr<const CTree> tree;
-    Meshes stems;                                                    ///< by generation
-    std::array<std::shared_ptr<const CMesh>, kOrgans.size()> organs; ///< by Organ
+    std::shared_ptr<const CTree> tree; ///< of its organs those are grown that are shown
+    Meshes stems;                      ///< by generation
+    std::array<std::shared_ptr<const COrganMesh>, kOrgans.size()> organs; ///< by Organ
     std::shared_ptr<const Twig> twig;   ///< what cards show in place of last stems with leaves; null: there are none
     std::shared_ptr<const CMesh> cards; ///< of it; null without it
     struct {
         double structure = 0, smooth = 0, mesh = 0, total = 0;
     } milliseconds;
 
-    const std::shared_ptr<const CMesh>& leaves() const { return organs[static_cast<std::size_t>(Organ::Leaf)]; }
+    const std::shared_ptr<const COrganMesh>& leaves() const { return organs[static_cast<std::size_t>(Organ::Leaf)]; }
 
     static constexpr int kLeaves = -1; ///< then −2 the blossoms, −3 the fruits
     using MeshVisitor = std::function<void(const std::shared_ptr<const CMesh>& mesh, int generation)>;
+    using OrganVisitor = std::function<void(const std::shared_ptr<const COrganMesh>& mesh, int generation)>;
 
     /// Visits the meshes that have vertices: stems by generation, then the organs (kLeaves …), then the cards as leaves.
-    void visitMeshes(const MeshVisitor& visit) const;
-    Meshes meshes() const;
+    void visitMeshes(const MeshVisitor& visit, const OrganVisitor& visitOrgans) const;
+    /// All of them with vertices of their own, as files want them. Throws CCancelled.
+    Meshes meshes(const CProgress& progress = CProgress()) const;
     std::size_t vertexCount() const;
     std::size_t triangleCount() const;
+    /// Of all vertices; nothing where there are none.
+    std::optional<Bounds> bounds() const;
+    std::size_t bytes() const; ///< of vertices, triangles and instances
 };
 
 } // namespace stromar

@@ -1,5 +1,5 @@
 #pragma once
-#include "stromar/mesh/Mesh.h"
+#include "stromar/model/TreeModel.h"
 #include <array>
 #include <memory>
 #include <optional>
@@ -13,15 +13,21 @@ namespace stromar {
 
 class CShadowMap;
 
-/// A mesh ready to be drawn.
+/// A mesh, or leaves as instances, ready to be drawn.
 struct ViewPart {
     static constexpr int kLeaves = -1; ///< then −2 the blossoms, −3 the fruits
     static constexpr int kNone = -100;
 
     osg::ref_ptr<osg::Geometry> geometry;
     Surface surface;
-    int generation = 0; ///< kLeaves for leaves
+    int generation = 0;                         ///< kLeaves for leaves
+    std::shared_ptr<const CMesh> mesh{};        ///< what it shows: this
+    std::shared_ptr<const COrganMesh> organs{}; ///< or these
 };
+
+/// What the model shows, ready for the viewport. Parts of `known` that show the same are taken over. Any thread. Throws
+/// CCancelled.
+std::vector<ViewPart> viewPartsOf(const TreeModel& model, const std::vector<ViewPart>& known, const CProgress& progress);
 
 enum class Backdrop { Sky, Light, Dark, Nothing }; ///< Nothing: transparent
 enum class Wireframe { Off, Only, Over };
@@ -69,8 +75,9 @@ public:
     int tinted() const { return m_tinted; }
     osg::BoundingBox bounds() const;
     /// For who draws: what lay on the graphics card is lost; frame buffers have so many samples. One sample stands for
-    /// drawing by the processor: lesser looks.
-    void startContext(int samples);
+    /// drawing by the processor: lesser looks. Without `instancing`, which OpenGL 3.3 has, leaves get vertices of their
+    /// own.
+    void startContext(int samples, bool instancing);
     /// For who draws: after each frame.
     void finishFrame();
     /// Where the person of the ground stands; z is the top of the head.
@@ -80,6 +87,7 @@ public:
 
 private:
     void setQuality(int samples);
+    void addParts();
     void updateCrown();
     void updateLight();
 
@@ -89,6 +97,7 @@ private:
     std::unique_ptr<CShadowMap> m_shadows;
     osg::ref_ptr<osg::StateSet> m_state; ///< of everything
     std::vector<ViewPart> m_parts;
+    bool m_instancing = true;
     ViewLook m_look;
     bool m_shadowsBehind = false; ///< they are those of an older tree
     int m_tinted = ViewPart::kNone;

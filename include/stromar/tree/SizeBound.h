@@ -33,7 +33,8 @@ struct SizeBound {
     double stems() const;
     double segments() const;
     double organCount() const;
-    /// Of the structure and what the builder keeps, while it is built: the largest part is held twice.
+    /// Of the stems and what the builder keeps, while they are built: the largest part is held twice. Organs are grown
+    /// as a model asks for them.
     double bytes() const;
 };
 

@@ -1,8 +1,7 @@
 #pragma once
 #include "stromar/tree/Frame.h"
+#include "stromar/tree/Organs.h"
 #include "stromar/tree/StemForm.h"
-#include "stromar/util/RawVector.h"
-#include <array>
 #include <cstdint>
 #include <memory>
 #include <span>
@@ -73,29 +72,14 @@ struct CGeneration {
     double lengthOf(const CPath& path) const { return segmentsOf(path).back().end(); }
 };
 
-struct CLeaf {
-    glm::dvec3 position; ///< where the blade starts
-    glm::dvec3 axis;     ///< unit vector along the blade
-    glm::dvec3 normal;   ///< unit vector out of its upper side
-    double length, width;
-    std::uint32_t stem;       ///< that bears it
-    std::uint32_t generation; ///< of that stem
-};
-using LeafArray = RawVector<CLeaf>;
-
-/// What grows on stems of any generation; in the order of generations and stems. Blossoms and fruits are placed like leaves.
-enum class Organ { Leaf, Blossom, Fruit };
-inline constexpr std::array kOrgans{Organ::Leaf, Organ::Blossom, Organ::Fruit};
-using OrganArrays = std::array<std::shared_ptr<const LeafArray>, kOrgans.size()>; ///< by Organ, none is null
-
 /// The structure of one tree. A value that shares what it did not change with the tree it was made from; safe to read
 /// from any thread.
 class CTree {
 public:
-    /// `height` is what the builder aims at. `base` is the form of all trunks where they enter the ground.
-    CTree(double height, std::vector<std::shared_ptr<const CGeneration>> generations, OrganArrays organs,
-          const BaseForm& base = {})
-        : m_height(height), m_base(base), m_generations(std::move(generations)), m_organs(std::move(organs)) {}
+    /// A tree that bears nothing. `height` is what the builder aims at. `base` is the form of all trunks where they
+    /// enter the ground.
+    CTree(double height, std::vector<std::shared_ptr<const CGeneration>> generations, const BaseForm& base = {});
+    CTree withOrgans(OrganArrays organs) const;
 
     /// What the builder aims at, metres: by it guides are scaled.
     double height() const { return m_height; }
@@ -104,10 +88,10 @@ public:
     std::size_t generationCount() const { return m_generations.size(); }
     const CGeneration& generation(std::size_t g) const { return *m_generations[g]; }
     const std::vector<std::shared_ptr<const CGeneration>>& generations() const { return m_generations; }
-    const LeafArray& leaves() const { return *shared(Organ::Leaf); }
-    const std::shared_ptr<const LeafArray>& shared(Organ organ) const {
-        return m_organs[static_cast<std::size_t>(organ)];
-    }
+    const std::shared_ptr<const COrgans>& organs(Organ organ) const { return m_organs[static_cast<std::size_t>(organ)]; }
+    /// Those that are grown.
+    const LeafArray& grown(Organ organ) const { return organs(organ)->grown; }
+    const LeafArray& leaves() const { return grown(Organ::Leaf); }
     std::size_t stemCount() const;
 
 private:

@@ -11,10 +11,17 @@ class ITreeBuilder {
 public:
     virtual ~ITreeBuilder() = default;
 
-    /// Grows the tree. Generations before `firstInvalid` are taken over from `previous`, which was grown by the same
+    /// Grows the stems. Generations before `firstInvalid` are taken over from `previous`, which was grown by the same
     /// builder from parameters that differ only as invalidationOf() says; null grows everything. Throws CCancelled.
     virtual std::shared_ptr<const CTree> build(const CParams& params, const CTree* previous, int firstInvalid,
                                                const CProgress& progress) const = 0;
+    /// Grows the organs of a kind that are asked for on a tree that this builder grew from the same parameters. All are
+    /// counted. Throws CCancelled.
+    virtual std::shared_ptr<const COrgans> growOrgans(const CParams& params, const CTree& tree, Organ organ,
+                                                      const OrganDemand& demand, const CProgress& progress) const = 0;
 };
+
+/// A tree with all its organs.
+std::shared_ptr<const CTree> growTree(const ITreeBuilder& builder, const CParams& params, const CProgress& progress);
 
 } // namespace stromar

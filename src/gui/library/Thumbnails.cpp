@@ -3,7 +3,6 @@
 #include "stromar/app/Export.h"
 #include "stromar/app/Prediction.h"
 #include "stromar/params/TreeFile.h"
-#include "stromar/scene/OsgGeometry.h"
 #include <QCryptographicHash>
 #include <QDir>
 #include <QFileInfo>
@@ -42,9 +41,7 @@ std::shared_ptr<const ViewModel> grow(const CParams& params, const CProgress& pr
     makePictures(params, progress);
     auto view = std::make_shared<ViewModel>();
     view->model = creator.create(params, detailOf(Model::Full, small ? 1 : 3), progress);
-    view->model->visitMeshes([&](const std::shared_ptr<const CMesh>& mesh, int generation) {
-        view->parts.push_back({makeViewGeometry(*mesh), mesh->surface, generation});
-    });
+    view->parts = viewPartsOf(*view->model, {}, progress);
     return view;
 }
 } // namespace

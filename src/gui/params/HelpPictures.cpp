@@ -40,15 +40,14 @@ struct Turn {
     glm::vec3 operator()(const glm::vec3& p) const { return {c * p.x + s * p.y, c * p.y - s * p.x, p.z}; }
 };
 
-Turn widestView(const TreeModel& model) {
+Turn widestView(const Meshes& meshes) {
     double xx = 0, yy = 0, xy = 0;
-    model.visitMeshes([&](const auto& mesh, int) {
+    for (const auto& mesh : meshes)
         for (const glm::vec3& p : mesh->positions) {
             xx += double(p.x * p.x);
             yy += double(p.y * p.y);
             xy += double(p.x * p.y);
         }
-    });
     const double angle = 0.5 * std::atan2(2 * xy, xx - yy);
     return {static_cast<float>(std::cos(angle)), static_cast<float>(std::sin(angle))};
 }
@@ -94,11 +93,11 @@ Picture makePicture(const ParamRef& ref, const Demonstration& shown, const QPale
     const QColor leaf(106, 158, 74);
     Picture picture;
     const bool above = ref.info->demo.fromAbove;
-    const Turn turn = above ? Turn() : widestView(model);
+    const Turn turn = above ? Turn() : widestView(model.meshes());
     const auto concerned = ref.info->perLevel() ? std::size_t(std::min(ref.level, 1)) : model.stems.size();
     for (std::size_t level = 0; level < model.stems.size(); ++level)
         addFaces(picture, *model.stems[level], level == concerned ? accent : bark, turn, above);
-    addFaces(picture, *model.leaves(), leaf, turn, above);
+    addFaces(picture, *model.leaves()->expanded(CProgress()), leaf, turn, above);
     std::ranges::sort(picture.faces, {}, &Face::depth);
     picture.caption = captionOf(*ref.info, shown.value);
     return picture;

@@ -5,6 +5,7 @@
 #include "window/Settings.h"
 #include "stromar/params/ParamText.h"
 #include "stromar/tree/Nearest.h"
+#include "stromar/util/Random.h"
 #include <QFileInfo>
 #include <QLocale>
 #include <QMessageBox>
@@ -34,6 +35,11 @@ std::vector<std::vector<osg::Vec3d>> linesOf(const CGeneration& all, const CStem
         line.push_back(toOsg(all.segments[path.firstSegment + path.segmentCount - 1].centre(1)));
     }
     return lines;
+}
+
+/// The same in every tree in which the leaf sits in the same place.
+std::uint64_t nameOf(const CTree& tree, const CLeaf& leaf) {
+    return hashCombine(tree.generation(leaf.generation).stems[leaf.stem].id, leaf.number);
 }
 
 QImage onWhite(const QImage& image) {
@@ -113,7 +119,8 @@ void CViewController::onPicked(const std::optional<ViewHit>& hit) {
         if (hit->generation < ViewPart::kLeaves) {
             m_panel.tabs().setCurrentIndex(m_panel.tabOf(Group::Blossom));
         } else if (hit->generation == ViewPart::kLeaves) {
-            if (const auto leaf = nearestLeaf(tree, point)) m_selected = Selected{ViewPart::kLeaves, *leaf};
+            if (const auto leaf = nearestLeaf(tree, point))
+                m_selected = Selected{ViewPart::kLeaves, nameOf(tree, tree.leaves()[*leaf])};
             m_panel.showLeaves();
         } else {
             const auto generation = static_cast<std::size_t>(hit->generation);
@@ -134,9 +141,11 @@ void CViewController::updateSelection() {
     CViewOverlay::Model& model = m_viewport.overlay().model();
     model.selection.clear();
     model.selectionText.clear();
-    if (m_selected && m_view && m_selected->generation == ViewPart::kLeaves)
-        describeLeaf(m_selected->id);
-    else if (m_selected && m_view &&
+    if (m_selected && m_view && m_selected->generation == ViewPart::kLeaves) {
+        const CTree& tree = *m_view->model->tree;
+        for (const CLeaf& leaf : tree.leaves())
+            if (nameOf(tree, leaf) == m_selected->id) describeLeaf(leaf);
+    } else if (m_selected && m_view &&
              static_cast<std::size_t>(m_selected->generation) < m_view->model->tree->generationCount()) {
         const auto generation = static_cast<std::size_t>(m_selected->generation);
         const auto& stems = m_view->model->tree->generation(generation).stems;
@@ -163,16 +172,13 @@ void CViewController::describeStem(std::size_t generation, const CStem& stem, st
     model.selectionText = rows.join(QLatin1Char('\n'));
 }
 
-void CViewController::describeLeaf(std::size_t number) {
-    const CTree& tree = *m_view->model->tree;
-    if (number >= tree.leaves().size()) return;
-    const CLeaf& leaf = tree.leaves()[number];
+void CViewController::describeLeaf(const CLeaf& leaf) {
     CViewOverlay::Model& model = m_viewport.overlay().model();
     model.selection = {{toOsg(leaf.position), toOsg(leaf.position + leaf.length * leaf.axis)}};
     model.selectionText =
         tr("Leaf %1 of %2\nLength %3, width %4\nOn %5, stem %6")
-            .arg(number + 1)
-            .arg(tree.leaves().size())
+            .arg(leaf.number + 1)
+            .arg(m_view->model->tree->organs(Organ::Leaf)->countOn(leaf.generation, leaf.stem))
             .arg(lengthText(leaf.length), lengthText(leaf.width), levelTitle(int(leaf.generation)))
             .arg(leaf.stem + 1);
 }
@@ -193,7 +199,7 @@ QStringList CViewController::statistics() const {
                     .arg(levelTitle(int(g)), whole(tree.tree->generation(g).stems.size()),
                          whole(tree.stems[g]->triangleCount()));
     rows
-        << tr("Leaves: %1, %2 triangles").arg(whole(tree.tree->leaves().size()), whole(tree.leaves()->triangleCount()));
+        << tr("Leaves: %1, %2 triangles").arg(whole(tree.tree->organs(Organ::Leaf)->total), whole(tree.leaves()->triangleCount()));
     rows << tr("Structure %1 ms, mesh %2 ms")
                 .arg(numbers.toString(tree.milliseconds.structure, 'f', 1),
                      numbers.toString(tree.milliseconds.smooth + tree.milliseconds.mesh, 'f', 1));

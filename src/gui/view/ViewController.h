@@ -36,14 +36,14 @@ private:
     /// A stem or a leaf, by what stays the same when the tree grows anew.
     struct Selected {
         int generation;   ///< ViewPart::kLeaves for a leaf
-        std::uint64_t id; ///< of the stem; of a leaf its number
+        std::uint64_t id; ///< of the stem or the leaf
     };
 
     void onTouched(const std::optional<ParamRef>& ref);
     void onPicked(const std::optional<ViewHit>& hit);
     void onDragged(std::size_t handle, const glm::dvec2& to, int gesture);
     void describeStem(std::size_t generation, const CStem& stem, std::size_t number);
-    void describeLeaf(std::size_t number);
+    void describeLeaf(const CLeaf& leaf);
     void updateSelection();
     QStringList statistics() const;
     int generationOf(const ParamRef& ref) const;

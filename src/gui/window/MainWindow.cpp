@@ -441,7 +441,7 @@ void CMainWindow::updateCounts(const TreeModel& model) {
     m_counts->setText(tr("%1   %2 stems   %3 leaves   %4 vertices   %5 triangles   %6 ms")
                           .arg(model.detail->model == Model::Simple ? tr("Simple model") : tr("Full model"),
                                numbers.toString(qulonglong(model.tree->stemCount())),
-                               numbers.toString(qulonglong(model.tree->leaves().size())),
+                               numbers.toString(qulonglong(model.tree->organs(Organ::Leaf)->total)),
                                numbers.toString(qulonglong(model.vertexCount())),
                                numbers.toString(qulonglong(model.triangleCount())),
                                numbers.toString(model.milliseconds.total, 'f', 1)));

@@ -1,7 +1,9 @@
 #include "work/TreeCreatorThread.h"
 #include "stromar/app/Pictures.h"
-#include "stromar/scene/OsgGeometry.h"
 #include <algorithm>
+#ifdef __GLIBC__
+#include <malloc.h>
+#endif
 
 namespace stromar {
 
@@ -9,6 +11,14 @@ namespace {
 /// When steps follow each other faster than trees grow, cancelling each would show nothing at all: a simple model may
 /// finish when the last picture is older than this.
 constexpr std::chrono::milliseconds kPictureAge{120};
+constexpr std::chrono::seconds kIdle{2};
+
+/// What older trees have left goes back to the system, which the C library does not do by itself.
+void returnFreedMemory() {
+#ifdef __GLIBC__
+    malloc_trim(0);
+#endif
+}
 } // namespace
 
 CTreeCreatorThread::CTreeCreatorThread(std::unique_ptr<CTreeCreator> creator, QObject* parent)
@@ -57,7 +67,13 @@ std::optional<double> CTreeCreatorThread::progress() const {
 std::optional<CTreeCreatorThread::Request> CTreeCreatorThread::nextRequest() {
     std::unique_lock lock(m_mutex);
     m_running.reset();
-    m_wake.wait(lock, [this] { return m_wanted || m_quit; });
+    const auto awake = [this] { return m_wanted || m_quit; };
+    if (!m_wake.wait_for(lock, kIdle, awake)) {
+        lock.unlock();
+        returnFreedMemory();
+        lock.lock();
+        m_wake.wait(lock, awake);
+    }
     if (m_quit) return {};
     std::optional<Request> request = std::move(m_wanted);
     m_wanted.reset();
@@ -98,15 +114,7 @@ std::shared_ptr<const ViewModel> CTreeCreatorThread::create(const Request& reque
     m_creator->setLimits(request.limits);
     auto view = std::make_shared<ViewModel>();
     view->model = m_creator->create(request.params, *request.detail, progress);
-    std::vector<std::pair<std::shared_ptr<const CMesh>, ViewPart>> parts;
-    view->model->visitMeshes([&](const std::shared_ptr<const CMesh>& mesh, int generation) {
-        progress.poll();
-        const auto known = std::ranges::find(m_parts, mesh, [](const auto& part) { return part.first; });
-        parts.emplace_back(mesh, known != m_parts.end() ? known->second
-                                                        : ViewPart{makeViewGeometry(*mesh), mesh->surface, generation});
-        view->parts.push_back(parts.back().second);
-    });
-    m_parts = std::move(parts);
+    m_parts = view->parts = viewPartsOf(*view->model, m_parts, progress);
     return view;
 }
 

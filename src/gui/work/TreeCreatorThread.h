@@ -56,7 +56,7 @@ private:
     bool mayFinish() const;
 
     std::unique_ptr<CTreeCreator> m_creator; // this and the next: run() only
-    std::vector<std::pair<std::shared_ptr<const CMesh>, ViewPart>> m_parts;
+    std::vector<ViewPart> m_parts; ///< of the last model
 
     mutable std::mutex m_mutex; // std: ThreadSanitizer cannot see QMutex. Guards all below.
     std::condition_variable m_wake;

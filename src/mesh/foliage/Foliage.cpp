@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <cmath>
 #include <glm/geometric.hpp>
+#include <limits>
 
 namespace stromar {
 
@@ -11,19 +12,32 @@ constexpr std::uint64_t kFallOrder = 0x6c656166;
 } // namespace
 
 bool hasFallen(const CStem& stem, std::uint32_t n, double share) {
-    return unitOf(hashCombine(hashCombine(kFallOrder, stem.id), n)) >= share;
+    return share < 1 && unitOf(hashCombine(hashCombine(kFallOrder, stem.id), n)) >= share;
 }
 
-Rounding roundingOf(const LeafArray& leaves, const LeafForm& form) {
+std::uint32_t presentOn(const CStem& stem, std::uint32_t count, double share) {
+    if (share >= 1) return count;
+    std::uint32_t present = 0;
+    for (std::uint32_t n = 0; n < count; ++n) present += !hasFallen(stem, n, share);
+    return present;
+}
+
+Rounding roundingOf(const CTree& tree, const COrgans& organs, const LeafForm& form) {
     const double steepest = std::atan(std::tan(std::abs(form.fold)) * std::max(1.0, form.aspect)); // of any leaflet
     Rounding rounding{glm::dvec3(0), form.rounding, std::min(0.99, 0.05 + std::sin(steepest))};
-    if (form.rounding <= 0 || leaves.empty()) return rounding;
-    glm::dvec3 low = leaves[0].position, high = low;
-    for (const CLeaf& leaf : leaves) {
-        low = glm::min(low, leaf.position);
-        high = glm::max(high, leaf.position);
-    }
-    rounding.centre = (low + high) / 2.0;
+    if (form.rounding <= 0) return rounding;
+    glm::dvec3 low(std::numeric_limits<double>::infinity()), high = -low;
+    for (std::size_t g = 0; g < organs.counts.size(); ++g)
+        for (std::size_t s = 0; s < organs.counts[g].size(); ++s) {
+            if (organs.counts[g][s] == 0) continue;
+            const CGeneration& all = tree.generation(g);
+            const auto path = all.segmentsOf(all.paths[all.stems[s].firstPath]);
+            for (const glm::dvec3& end : {path.front().position, path.back().axisPoint(1)}) {
+                low = glm::min(low, end);
+                high = glm::max(high, end);
+            }
+        }
+    if (low.x <= high.x) rounding.centre = (low + high) / 2.0;
     return rounding;
 }
 

@@ -1,3 +1,4 @@
+#include "stromar/mesh/OrganMesh.h"
 #include "foliage/Foliage.h"
 #include "foliage/LeafBlade.h"
 #include "stem/TubeWriter.h"
@@ -5,71 +6,151 @@
 #include "stromar/util/Parallel.h"
 #include <algorithm>
 #include <cmath>
-#include <glm/geometric.hpp>
+#include <glm/gtc/quaternion.hpp>
+#include <limits>
+#include <optional>
 
 namespace stromar {
 
 namespace {
 constexpr std::size_t kGrain = 4096;
-/// The organs that are there and may be drawn: none hangs in the air.
-struct Offered {
-    std::vector<std::uint32_t> drawable; ///< on stems that are drawn
-    std::size_t total = 0;               ///< on all stems
-};
-
-Offered offeredOf(const CTree& tree, Organ organ, std::span<const MeshPlan* const> plans, double share,
-                  std::uint32_t except) {
-    Offered offered;
-    offered.drawable.reserve(tree.shared(organ)->size());
-    forEachPresent(tree, organ, share, [&](std::size_t i, const CLeaf& own) {
-        if (own.generation == except) return;
-        ++offered.total;
-        if (plans[own.generation]->stemIsChosen[own.stem]) offered.drawable.push_back(static_cast<std::uint32_t>(i));
-    });
-    return offered;
-}
-
-void writeLeaf(const CLeaf& leaf, double growth, const LeafBlade& blade, const Rounding& rounding, VertexSink sink,
-               std::uint32_t* index, std::uint32_t first) {
-    const CBladePlacer placer(leaf, growth);
-    for (const LeafBlade::Point& point : blade.points) {
-        const glm::dvec3 place = leaf.position + placer.offset(point);
-        sink.add(place, rounding.turned(placer.normal(point), place), point.texCoord.x, point.texCoord.y, 255);
-    }
-    for (const std::uint32_t corner : blade.indices) *index++ = first + corner;
-}
 
 struct OrganLook {
     const char* name;
     Surface surface;
 };
 constexpr OrganLook kLooks[] = {{"leaves", Surface::Leaf}, {"blossoms", Surface::Blossom}, {"fruits", Surface::Fruit}};
+
+const OrganLook& lookOf(Organ organ) { return kLooks[static_cast<std::size_t>(organ)]; }
+
+/// How far along a ray it meets a triangle (Möller & Trumbore 1997), else nothing.
+std::optional<double> meetTriangle(const glm::dvec3& from, const glm::dvec3& direction, const glm::dvec3& a,
+                                   const glm::dvec3& b, const glm::dvec3& c) {
+    const glm::dvec3 ab = b - a, ac = c - a, p = glm::cross(direction, ac);
+    const double volume = glm::dot(ab, p);
+    if (std::abs(volume) < 1e-300) return {};
+    const glm::dvec3 toA = from - a, q = glm::cross(toA, ab);
+    const double u = glm::dot(toA, p) / volume, v = glm::dot(direction, q) / volume;
+    if (u < 0 || v < 0 || u + v > 1) return {};
+    return glm::dot(ac, q) / volume;
+}
 } // namespace
 
-std::shared_ptr<const CMesh> meshOfOrgans(const CTree& tree, Organ organ, std::span<const MeshPlan* const> plans,
-                                          const MeshParams& params, const Detail& detail, const CProgress& progress,
-                                          std::uint32_t except) {
-    const SeasonShare season = params.seasonOf(organ);
-    const LeafArray& all = *tree.shared(organ);
-    const Offered offered = offeredOf(tree, organ, plans, season.share, except);
-    const auto share = std::max(kFewOrgans, static_cast<std::size_t>(std::ceil(double(offered.total) * detail.share)));
-    const std::size_t count = std::min({detail.leafBudget, share, offered.drawable.size()});
-    const double thinned = count == 0 ? 1 : std::min(kMaxLeafGrowth, std::sqrt(double(offered.total) / double(count)));
-    const LeafBlade blade = bladeOf(params, organ, detail);
-    const Rounding rounding = organ == Organ::Fruit ? Rounding() : roundingOf(all, params.leaf);
-    const std::size_t points = blade.points.size(), corners = blade.indices.size();
-    const OrganLook& look = kLooks[static_cast<std::size_t>(organ)];
-    const auto mesh = allocateMesh(look.name, look.surface, points * count, corners * count);
+COrganMesh::COrganMesh(Organ organ, LeafBlade blade, std::shared_ptr<const COrgans> organs,
+                       std::vector<std::uint32_t> shown, double growth, const Rounding& rounding)
+    : m_organ(organ), m_blade(std::move(blade)), m_organs(std::move(organs)), m_shown(std::move(shown)),
+      m_growth(growth), m_rounding(rounding) {}
+
+const char* COrganMesh::name() const { return lookOf(m_organ).name; }
+Surface COrganMesh::surface() const { return lookOf(m_organ).surface; }
+
+InstancePlace COrganMesh::place(std::size_t i) const {
+    const CBladePlacer placer(leaf(i), m_growth);
+    const glm::dquat turn = glm::quat_cast(placer.axes());
+    return {glm::vec3(leaf(i).position), static_cast<float>(placer.length()), static_cast<float>(placer.width()),
+            glm::vec4(turn.x, turn.y, turn.z, turn.w)};
+}
+
+Bounds COrganMesh::bounds(const CProgress& progress) const {
+    std::vector<Bounds> parts((count() + kGrain - 1) / kGrain);
     parallelFor(
-        count, kGrain,
+        count(), kGrain,
         [&](std::size_t begin, std::size_t end) {
-            for (std::size_t i = begin; i < end; ++i)
-                writeLeaf(all[offered.drawable[evenly(i, count, offered.drawable.size())]], thinned * season.size,
-                          blade, rounding, sinkAt(*mesh, points * i), mesh->indices.data() + corners * i,
-                          static_cast<std::uint32_t>(points * i));
+            Bounds box{glm::vec3(leaf(begin).position), glm::vec3(leaf(begin).position)};
+            bool first = true;
+            for (std::size_t i = begin; i < end; ++i) {
+                const CBladePlacer placer(leaf(i), m_growth);
+                for (const LeafBlade::Point& point : m_blade.points) {
+                    const glm::vec3 p(leaf(i).position + placer.offset(point));
+                    box = first ? Bounds{p, p} : Bounds{glm::min(box.min, p), glm::max(box.max, p)};
+                    first = false;
+                }
+            }
+            parts[begin / kGrain] = box;
+        },
+        progress);
+    Bounds all = parts.front();
+    for (const Bounds& box : parts) all = {glm::min(all.min, box.min), glm::max(all.max, box.max)};
+    return all;
+}
+
+COrganMesh::Hit COrganMesh::meet(const glm::dvec3& from, const glm::dvec3& direction) const {
+    double reach = 0; // of the blade's points from its foot, in its larger size
+    for (const LeafBlade::Point& point : m_blade.points) reach = std::max(reach, glm::length(point.place));
+    Hit nearest;
+    for (std::size_t i = 0; i < count(); ++i) {
+        const CBladePlacer placer(leaf(i), m_growth);
+        const glm::dvec3 foot = leaf(i).position;
+        const double size = reach * std::max(placer.length(), placer.width());
+        const double closest = glm::dot(foot - from, direction) / glm::dot(direction, direction);
+        const glm::dvec3 off = from + closest * direction - foot;
+        if (glm::dot(off, off) > size * size) continue;
+        for (std::size_t t = 0; t < m_blade.indices.size(); t += 3) {
+            const auto corner = [&](std::size_t c) {
+                return foot + placer.offset(m_blade.points[m_blade.indices[t + c]]);
+            };
+            const auto met = meetTriangle(from, direction, corner(0), corner(1), corner(2));
+            if (met && *met > 0 && (nearest.instance < 0 || *met < nearest.distance))
+                nearest = {static_cast<std::int64_t>(i), *met};
+        }
+    }
+    return nearest;
+}
+
+std::shared_ptr<const CMesh> COrganMesh::expanded(const CProgress& progress) const {
+    const std::size_t points = m_blade.points.size(), corners = m_blade.indices.size();
+    const auto mesh = allocateMesh(name(), surface(), vertexCount(), corners * count());
+    const auto write = [&](std::size_t i) {
+        const CBladePlacer placer(leaf(i), m_growth);
+        VertexSink sink = sinkAt(*mesh, points * i);
+        for (const LeafBlade::Point& point : m_blade.points) {
+            const glm::dvec3 place = leaf(i).position + placer.offset(point);
+            sink.add(place, m_rounding.turned(placer.normal(point), place), point.texCoord.x, point.texCoord.y, 255);
+        }
+        std::uint32_t* index = mesh->indices.data() + corners * i;
+        for (const std::uint32_t corner : m_blade.indices) *index++ = static_cast<std::uint32_t>(points * i) + corner;
+    };
+    parallelFor(
+        count(), kGrain,
+        [&](std::size_t begin, std::size_t end) {
+            for (std::size_t i = begin; i < end; ++i) write(i);
         },
         progress);
     return mesh;
+}
+
+OrganDemand demandOf(const Detail& detail, std::span<const MeshPlan* const> plans, std::uint32_t except) {
+    OrganDemand demand;
+    demand.share = detail.share;
+    if (detail.leafBudget != std::numeric_limits<std::size_t>::max()) demand.max = double(detail.leafBudget);
+    demand.few = double(kFewOrgans);
+    const auto bearsAll = [](const MeshPlan* plan) { return std::ranges::find(plan->stemIsChosen, false) == plan->stemIsChosen.end(); };
+    demand.chosenStems = except != kNoGeneration || !std::ranges::all_of(plans, bearsAll);
+    if (!demand.chosenStems) return demand;
+    for (std::size_t g = 0; g < plans.size(); ++g) demand.stems.push_back(g == except ? nullptr : &plans[g]->stemIsChosen);
+    return demand;
+}
+
+std::shared_ptr<const COrganMesh> meshOfOrgans(const CTree& tree, Organ organ, std::span<const MeshPlan* const> plans,
+                                               const MeshParams& params, const Detail& detail,
+                                               const CProgress& progress, std::uint32_t except) {
+    progress.poll();
+    const SeasonShare season = params.seasonOf(organ);
+    const auto& organs = tree.organs(organ);
+    const std::size_t total = organs->total - (except == kNoGeneration ? 0 : organs->totalOn(except));
+    std::vector<std::uint32_t> shown;
+    shown.reserve(organs->grown.size());
+    std::size_t drawable = 0;
+    for (std::uint32_t i = 0; i < organs->grown.size(); ++i) {
+        const CLeaf& own = organs->grown[i];
+        if (own.generation == except || !plans[own.generation]->stemIsChosen[own.stem]) continue;
+        ++drawable;
+        if (!hasFallen(tree.generation(own.generation).stems[own.stem], own.number, season.share)) shown.push_back(i);
+    }
+    const double thinned = drawable == 0 ? 1 : std::min(kMaxLeafGrowth, std::sqrt(double(total) / double(drawable)));
+    const Rounding rounding = organ == Organ::Fruit ? Rounding() : roundingOf(tree, *organs, params.leaf);
+    return std::make_shared<const COrganMesh>(organ, bladeOf(params, organ, detail), organs, std::move(shown),
+                                              thinned * season.size, rounding);
 }
 
 std::size_t verticesPerOrgan(const MeshParams& params, Organ organ, const Detail& detail) {

@@ -6,7 +6,6 @@
 #include <algorithm>
 #include <cmath>
 #include <numbers>
-#include <optional>
 
 namespace stromar {
 
@@ -27,15 +26,13 @@ struct Bearers {
     double stemLength = 0;             ///< mean, metres
 };
 
-Bearers bearersOf(const CTree& tree, const CGeneration& last, double share) {
+Bearers bearersOf(const CTree& tree, const COrgans& leaves, double share) {
+    const CGeneration& last = tree.generation(cardGeneration(tree));
     Bearers bearers{std::vector<std::uint32_t>(last.stems.size(), 0)};
-    forEachPresent(tree, Organ::Leaf, share, [&](std::size_t, const CLeaf& leaf) {
-        if (leaf.generation != cardGeneration(tree)) return;
-        ++bearers.leaves[leaf.stem];
-        bearers.total += 1;
-    });
     for (std::size_t s = 0; s < last.stems.size(); ++s) {
+        bearers.leaves[s] = presentOn(last.stems[s], leaves.countOn(cardGeneration(tree), s), share);
         if (bearers.leaves[s] == 0) continue;
+        bearers.total += bearers.leaves[s];
         bearers.count += 1;
         bearers.stemLength += last.stems[s].length;
     }
@@ -43,27 +40,13 @@ Bearers bearersOf(const CTree& tree, const CGeneration& last, double share) {
     return bearers;
 }
 
-/// The stem that is nearest to the mean by its leaves and its length, rather one without clones.
-std::uint32_t typicalStem(const CGeneration& last, const Bearers& bearers) {
-    std::optional<double> least;
-    std::uint32_t best = 0;
-    for (std::uint32_t s = 0; s < last.stems.size(); ++s) {
-        if (bearers.leaves[s] == 0) continue;
-        const CStem& stem = last.stems[s];
-        const double off = std::abs(bearers.leaves[s] * bearers.count / bearers.total - 1) +
-                           std::abs(stem.length / bearers.stemLength - 1) + (stem.pathCount - 1);
-        if (least && off >= *least) continue;
-        least = off;
-        best = s;
-    }
-    return best;
-}
-
-std::vector<const CLeaf*> leavesOf(const CTree& tree, std::uint32_t chosen, double share) {
+std::vector<const CLeaf*> leavesOf(const CTree& tree, const COrgans& organs, std::uint32_t stem, double share) {
     std::vector<const CLeaf*> leaves;
-    forEachPresent(tree, Organ::Leaf, share, [&](std::size_t, const CLeaf& leaf) {
-        if (leaf.generation == cardGeneration(tree) && leaf.stem == chosen) leaves.push_back(&leaf);
-    });
+    const std::uint32_t last = cardGeneration(tree);
+    for (const CLeaf& leaf : organs.grown)
+        if (leaf.generation == last && leaf.stem == stem &&
+            !hasFallen(tree.generation(last).stems[stem], leaf.number, share))
+            leaves.push_back(&leaf);
     return leaves;
 }
 
@@ -195,14 +178,29 @@ bool suitsCards(const BearerBound& bearers, const SeasonShare& season) {
            bearers.length <= kLongest * bearers.leafLength;
 }
 
-std::shared_ptr<const Twig> typicalTwig(const CTree& tree, const MeshParams& params, const CProgress& progress) {
+std::optional<std::uint32_t> typicalStem(const CTree& tree, const COrgans& leaves, const MeshParams& params) {
+    const CGeneration& last = tree.generation(cardGeneration(tree));
+    const Bearers bearers = bearersOf(tree, leaves, params.seasonOf(Organ::Leaf).share);
+    std::optional<std::uint32_t> best;
+    double least = 0;
+    for (std::uint32_t s = 0; s < last.stems.size(); ++s) {
+        if (bearers.leaves[s] == 0) continue;
+        const CStem& stem = last.stems[s];
+        const double off = std::abs(bearers.leaves[s] * bearers.count / bearers.total - 1) +
+                           std::abs(stem.length / bearers.stemLength - 1) +
+                           (stem.pathCount - 1); // rather one without clones
+        if (best && off >= least) continue;
+        least = off;
+        best = s;
+    }
+    return best;
+}
+
+std::shared_ptr<const Twig> twigOf(const CTree& tree, const COrgans& organs, std::uint32_t chosen,
+                                   const MeshParams& params) {
     const SeasonShare season = params.seasonOf(Organ::Leaf);
     const CGeneration& last = tree.generation(cardGeneration(tree));
-    const Bearers bearers = bearersOf(tree, last, season.share);
-    if (bearers.count == 0) return nullptr;
-    progress.poll();
-    const std::uint32_t chosen = typicalStem(last, bearers);
-    const std::vector<const CLeaf*> leaves = leavesOf(tree, chosen, season.share);
+    const std::vector<const CLeaf*> leaves = leavesOf(tree, organs, chosen, season.share);
     const Spread spread = spreadOf(CStraightStem(last, last.stems[chosen], 0), leaves, season.size);
     const CStraightStem stem(last, last.stems[chosen], spread.turn);
     const LeafBlade blade = makeBlade(params.leaf, detailOf(Model::Full, 3));
@@ -217,9 +215,15 @@ std::shared_ptr<const Twig> typicalTwig(const CTree& tree, const MeshParams& par
             glm::clamp(glm::dot(stem.segments()[i - 1].frame[2], stem.segments()[i].frame[2]), -1.0, 1.0));
     frame(*twig);
     twig->leafArea = twig->leaves->area() / double(leaves.size());
-    twig->allLeafArea = bearers.total * twig->leafArea;
+    twig->allLeafArea = bearersOf(tree, organs, season.share).total * twig->leafArea;
     twig->shownArea = coverage(*twig, *twig->leaves) * twig->cardArea();
     return twig;
+}
+
+std::shared_ptr<const Twig> typicalTwig(const CTree& tree, const MeshParams& params) {
+    const COrgans& leaves = *tree.organs(Organ::Leaf);
+    const auto stem = typicalStem(tree, leaves, params);
+    return stem ? twigOf(tree, leaves, *stem, params) : nullptr;
 }
 
 } // namespace stromar

@@ -28,15 +28,14 @@ struct CardPlan {
     std::size_t indicesOfCard() const { return std::size_t{planes} * rows * 6; }
 };
 
-CardPlan planCards(const CTree& tree, const Twig& twig, double share, const Detail& detail) {
+CardPlan planCards(const CTree& tree, const COrgans& leaves, const Twig& twig, double share, const Detail& detail) {
     CardPlan plan{};
-    plan.leaves.assign(tree.generation(cardGeneration(tree)).stems.size(), 0);
+    const std::vector<CStem>& stems = tree.generation(cardGeneration(tree)).stems;
     double total = 0;
-    forEachPresent(tree, Organ::Leaf, share, [&](std::size_t, const CLeaf& leaf) {
-        if (leaf.generation != cardGeneration(tree)) return;
-        ++plan.leaves[leaf.stem];
-        total += 1;
-    });
+    for (std::size_t s = 0; s < stems.size(); ++s) {
+        plan.leaves.push_back(presentOn(stems[s], leaves.countOn(cardGeneration(tree), s), share));
+        total += plan.leaves.back();
+    }
     std::vector<std::uint32_t> bearers;
     for (std::uint32_t s = 0; s < plan.leaves.size(); ++s)
         if (plan.leaves[s] > 0) bearers.push_back(s);
@@ -179,10 +178,11 @@ std::size_t maxVerticesOfCard(const Detail& detail) {
     return 2 * static_cast<std::size_t>(detail.twigPlanes * (kMaxRows + 1));
 }
 
-std::shared_ptr<const CMesh> meshOfTwigs(const CTree& tree, const Twig& twig, const MeshParams& params,
-                                         const Detail& detail, const CProgress& progress) {
-    const CardPlan plan = planCards(tree, twig, params.seasonOf(Organ::Leaf).share, detail);
-    const Rounding rounding = roundingOf(tree.leaves(), params.leaf);
+std::shared_ptr<const CMesh> meshOfTwigs(const CTree& tree, const COrgans& leaves, const Twig& twig,
+                                         const MeshParams& params, const Detail& detail,
+                                         const CProgress& progress) {
+    const CardPlan plan = planCards(tree, leaves, twig, params.seasonOf(Organ::Leaf).share, detail);
+    const Rounding rounding = roundingOf(tree, leaves, params.leaf);
     const std::size_t count = plan.stems.size();
     const auto mesh = allocateMesh("twigs", Surface::Twig, plan.verticesOfCard() * count, plan.indicesOfCard() * count);
     parallelFor(

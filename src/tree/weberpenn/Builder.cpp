@@ -342,7 +342,7 @@ std::shared_ptr<const CTree> CWeberPennBuilder::build(const CParams& params, con
     const BaseForm base = baseFormOf(params.common);
     const int levels = weberPenn(params).levels;
     std::vector<CTreeParams> seen;
-    for (int g = 0; g <= levels; ++g) seen.emplace_back(params, g, scale);
+    for (int g = 0; g < levels; ++g) seen.emplace_back(params, g, scale);
     std::vector<std::shared_ptr<const CGrownGeneration>> grown;
     for (int g = 0; g < levels; ++g) {
         progress.poll();
@@ -351,20 +351,19 @@ std::shared_ptr<const CTree> CWeberPennBuilder::build(const CParams& params, con
         grown.push_back(kept ? std::static_pointer_cast<const CGrownGeneration>(previous->generations()[slot])
                              : growStems(seen[slot], random, sitesOf(g, grown, seen, base, random, progress), progress));
     }
-    const auto last = static_cast<std::size_t>(levels) - 1;
-    OrganArrays organs;
-    for (const Organ organ : kOrgans) {
-        std::shared_ptr<const LeafArray>& all = organs[static_cast<std::size_t>(organ)];
-        const OrganRule rule = organRule(params, organ);
-        if (previous && firstInvalid > Invalidation::kLeaves)
-            all = previous->shared(organ);
-        else if (levels < 2 || rule.number == 0)
-            all = std::make_shared<const LeafArray>();
-        else
-            all = CLeafGrower(seen[last], seen[last + 1], random, rule).grow(*grown[last], progress);
-    }
-    return std::make_shared<const CTree>(scale, std::vector<std::shared_ptr<const CGeneration>>(grown.begin(), grown.end()),
-                                         std::move(organs), base);
+    return std::make_shared<const CTree>(
+        scale, std::vector<std::shared_ptr<const CGeneration>>(grown.begin(), grown.end()), base);
+}
+
+std::shared_ptr<const COrgans> CWeberPennBuilder::growOrgans(const CParams& params, const CTree& tree, Organ organ,
+                                                             const OrganDemand& demand,
+                                                             const CProgress& progress) const {
+    const OrganRule rule = organRule(params, organ);
+    const int levels = weberPenn(params).levels;
+    if (levels < 2 || rule.number == 0) return std::make_shared<const COrgans>();
+    const CTreeParams bearing(params, levels - 1, tree.height()), leafLevel(params, levels, tree.height());
+    return CLeafGrower(bearing, leafLevel, randomOf(params, m_varied), rule)
+        .grow(grownOf(tree, static_cast<std::size_t>(levels) - 1), demand, progress);
 }
 
 } // namespace stromar

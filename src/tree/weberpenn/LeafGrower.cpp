@@ -55,26 +55,39 @@ Frame bentToLight(const Frame& frame, const glm::dvec3& position, double bend) {
     return rotatedAbout(turned, axis, bend * std::atan2(level, m.z));
 }
 
-std::shared_ptr<const LeafArray> CLeafGrower::grow(const CGrownGeneration& generation, const CProgress& progress) const {
-    const std::size_t stems = generation.stems.size();
+std::shared_ptr<const COrgans> CLeafGrower::grow(const CGrownGeneration& generation, const OrganDemand& demand,
+                                                 const CProgress& progress) const {
+    const std::size_t stems = generation.stems.size(), own = static_cast<std::size_t>(m_bearing.generation());
+    const auto forStems = [&](const auto& work) {
+        const auto range = [&](std::size_t begin, std::size_t end) {
+            for (std::size_t s = begin; s < end; ++s) work(s);
+        };
+        parallelFor(stems, kGrain, range, progress);
+    };
+    auto organs = std::make_shared<COrgans>();
+    organs->counts.resize(own + 1);
+    std::vector<std::uint32_t>& counts = organs->counts[own];
+    counts.resize(stems);
+    forStems([&](std::size_t s) { counts[s] = countOn(generation, s); });
+    std::size_t offered = 0;
+    for (std::size_t s = 0; s < stems; ++s) {
+        organs->total += counts[s];
+        if (demand.mayBear(own, s)) offered += counts[s];
+    }
+    const double part = demand.partOf(double(organs->total), double(offered));
+    if (part <= 0) return organs;
     std::vector<std::size_t> first(stems + 1, 0);
-    parallelFor(
-        stems, kGrain,
-        [&](std::size_t begin, std::size_t end) {
-            for (std::size_t s = begin; s < end; ++s) first[s + 1] = countOn(generation, s);
-        },
-        progress);
+    forStems([&](std::size_t s) {
+        if (demand.mayBear(own, s)) first[s + 1] = part >= 1 ? counts[s] : keptOn(generation, s, part);
+    });
     for (std::size_t s = 0; s < stems; ++s) first[s + 1] += first[s];
-    auto leaves = std::make_shared<LeafArray>();
-    leaves->resize(first[stems]);
-    parallelFor(
-        stems, kGrain,
-        [&](std::size_t begin, std::size_t end) {
-            for (std::size_t s = begin; s < end; ++s)
-                growOn(generation, static_cast<std::uint32_t>(s), leaves->data() + first[s]);
-        },
-        progress);
-    return leaves;
+    organs->grown.resize(first[stems]);
+    forStems([&](std::size_t s) {
+        if (first[s + 1] == first[s]) return;
+        Bearer bearer{static_cast<std::uint32_t>(s), part, organs->grown.data() + first[s]};
+        growOn(generation, bearer);
+    });
+    return organs;
 }
 
 double CLeafGrower::numberOn(const CGrownGeneration& generation, std::size_t stem) const {
@@ -92,82 +105,112 @@ int CLeafGrower::fanSize(const CGrownGeneration& generation, std::size_t stem, c
     return static_cast<int>(std::floor(numberOn(generation, stem) * density + 0.5));
 }
 
-std::size_t CLeafGrower::countOn(const CGrownGeneration& generation, std::size_t s) const {
-    const CStem& stem = generation.stems[s];
-    std::size_t count = 0;
-    if (m_rule.number < 0) {
-        for (std::uint32_t p = 0; p < stem.pathCount; ++p)
-            count += static_cast<std::size_t>(fanSize(generation, s, generation.paths[stem.firstPath + p]));
-        return count;
-    }
-    distribute(generation, stem, m_bearing.calc().bareLength(), nodesOn(generation, s), startError(generation, s),
-               [&](const SegmentShare& share) { count += static_cast<std::size_t>(share.count * m_rule.whorl); });
-    return count;
+/// Calls visit(SegmentShare) for the nodes along a stem.
+template <typename Visit>
+void CLeafGrower::shareOut(const CGrownGeneration& generation, std::size_t stem, Visit&& visit) const {
+    distribute(generation, generation.stems[stem], m_bearing.calc().bareLength(), nodesOn(generation, stem),
+               startError(generation, stem), visit);
 }
 
-void CLeafGrower::growOn(const CGrownGeneration& generation, std::uint32_t stem, CLeaf* leaf) const {
+std::uint32_t CLeafGrower::countOn(const CGrownGeneration& generation, std::size_t s) const {
+    const CStem& stem = generation.stems[s];
+    int count = 0;
     if (m_rule.number < 0)
-        growFans(generation, stem, leaf);
+        for (std::uint32_t p = 0; p < stem.pathCount; ++p)
+            count += fanSize(generation, s, generation.paths[stem.firstPath + p]);
     else
-        growAlong(generation, stem, leaf);
+        shareOut(generation, s, [&](const SegmentShare& share) { count += share.count * m_rule.whorl; });
+    return static_cast<std::uint32_t>(count);
 }
 
-void CLeafGrower::growAlong(const CGrownGeneration& generation, std::uint32_t s, CLeaf* leaf) const {
+template <typename Visit>
+void CLeafGrower::visitNames(const CGrownGeneration& generation, std::size_t s, Visit&& visit) const {
     const CStem& stem = generation.stems[s];
+    const auto visitAt = [&](const CPath& path, std::uint32_t position, int count) {
+        for (int i = 0; i < count; ++i) visit(leafId(stem, path, position, i));
+    };
+    if (m_rule.number < 0)
+        for (std::uint32_t p = 0; p < stem.pathCount; ++p) {
+            const CPath& path = generation.paths[stem.firstPath + p];
+            visitAt(path, generation.curveRes, fanSize(generation, s, path));
+        }
+    else
+        shareOut(generation, s, [&](const SegmentShare& share) {
+            visitAt(generation.paths[stem.firstPath + share.path], share.position, share.count * m_rule.whorl);
+        });
+}
+
+std::size_t CLeafGrower::keptOn(const CGrownGeneration& generation, std::size_t stem, double part) const {
+    std::size_t kept = 0;
+    visitNames(generation, stem, [&](std::uint64_t id) { kept += OrganDemand::keeps(part, id); });
+    return kept;
+}
+
+void CLeafGrower::growOn(const CGrownGeneration& generation, Bearer& bearer) const {
+    if (m_rule.number < 0)
+        growFans(generation, bearer);
+    else
+        growAlong(generation, bearer);
+}
+
+void CLeafGrower::growAlong(const CGrownGeneration& generation, Bearer& bearer) const {
+    const CStem& stem = generation.stems[bearer.stem];
     CRotation rotation(m_leafLevel.level().rotate.radians());
     std::uint32_t path = stem.pathCount;
-    distribute(generation, stem, m_bearing.calc().bareLength(), nodesOn(generation, s), startError(generation, s),
-               [&](const SegmentShare& share) {
-                   if (share.path != path) rotation.startPath(generation.rotationPhase[stem.firstPath + share.path]);
-                   path = share.path;
-                   for (int i = 0; i < share.count; ++i) growNode(generation, s, share, i, rotation, leaf);
-               });
+    shareOut(generation, bearer.stem, [&](const SegmentShare& share) {
+        if (share.path != path) rotation.startPath(generation.rotationPhase[stem.firstPath + share.path]);
+        path = share.path;
+        for (int i = 0; i < share.count; ++i) growNode(generation, share, i, rotation, bearer);
+    });
 }
 
-void CLeafGrower::growNode(const CGrownGeneration& generation, std::uint32_t s, const SegmentShare& share, int node,
-                           CRotation& rotation, CLeaf*& leaf) const {
-    const CStem& stem = generation.stems[s];
+void CLeafGrower::growNode(const CGrownGeneration& generation, const SegmentShare& share, int node,
+                           CRotation& rotation, Bearer& bearer) const {
+    const CStem& stem = generation.stems[bearer.stem];
     const CSegment& segment = generation.segments[share.segment];
     const CPath& own = generation.paths[stem.firstPath + share.path];
     const LevelParams& level = m_leafLevel.level();
-    double w = 0, turn = 0;
-    for (int j = 0; j < m_rule.whorl; ++j) {
+    std::uint64_t first = 0;
+    double turn = 0;
+    for (int j = 0; j < m_rule.whorl; ++j, ++bearer.number) {
         const std::uint64_t id = leafId(stem, own, share.position, node * m_rule.whorl + j);
-        const double variation = m_random.vary(level.rotateV.radians(), id, kDrawRotation);
         if (j == 0) {
-            w = placeInSegment(share, node, 1, m_random.vary(level.branchDistV, id, kDrawPlace));
-            turn = rotation.next(variation);
+            first = id;
+            turn = rotation.next(m_random.vary(level.rotateV.radians(), id, kDrawRotation));
         } else
             turn += 2 * std::numbers::pi / m_rule.whorl;
+        if (!OrganDemand::keeps(bearer.part, id)) continue;
+        const double w = placeInSegment(share, node, 1, m_random.vary(level.branchDistV, first, kDrawPlace));
         const double offset = (share.position + w) * segment.length;
-        const double down =
-            downAngle(level, m_bearing.calc(), generation.measuresOf(s), offset, m_random.uniform(id, kDrawDownAngle));
-        *leaf++ = makeLeaf(segment.centre(w), rotatedX(rotatedZ(segment.frame, turn), down), s);
+        const double down = downAngle(level, m_bearing.calc(), generation.measuresOf(bearer.stem), offset,
+                                      m_random.uniform(id, kDrawDownAngle));
+        *bearer.next++ = makeLeaf(segment.centre(w), rotatedX(rotatedZ(segment.frame, turn), down), bearer);
     }
 }
 
-void CLeafGrower::growFans(const CGrownGeneration& generation, std::uint32_t s, CLeaf* leaf) const {
-    const CStem& stem = generation.stems[s];
+void CLeafGrower::growFans(const CGrownGeneration& generation, Bearer& bearer) const {
+    const CStem& stem = generation.stems[bearer.stem];
     const LevelParams& level = m_leafLevel.level();
     for (std::uint32_t p = 0; p < stem.pathCount; ++p) {
         const CPath& path = generation.paths[stem.firstPath + p];
         const CSegment& last = generation.segments[path.firstSegment + path.segmentCount - 1];
-        const int count = fanSize(generation, s, path);
-        for (int i = 0; i < count; ++i) {
+        const int count = fanSize(generation, bearer.stem, path);
+        for (int i = 0; i < count; ++i, ++bearer.number) {
             const std::uint64_t id = leafId(stem, path, generation.curveRes, i);
+            if (!OrganDemand::keeps(bearer.part, id)) continue;
             const double inFan = count > 1 ? level.rotate.radians() * (double(i) / (count - 1) - 0.5) : 0;
             const double turn = inFan + m_random.vary(level.rotateV.radians(), id, kDrawRotation);
-            const double down = downAngle(level, m_bearing.calc(), generation.measuresOf(s), stem.length,
+            const double down = downAngle(level, m_bearing.calc(), generation.measuresOf(bearer.stem), stem.length,
                                           m_random.uniform(id, kDrawDownAngle));
-            *leaf++ = makeLeaf(last.centre(1), rotatedX(rotatedY(last.frame, turn), down), s);
+            *bearer.next++ = makeLeaf(last.centre(1), rotatedX(rotatedY(last.frame, turn), down), bearer);
         }
     }
 }
 
-CLeaf CLeafGrower::makeLeaf(const glm::dvec3& position, const Frame& frame, std::uint32_t stem) const {
+CLeaf CLeafGrower::makeLeaf(const glm::dvec3& position, const Frame& frame, const Bearer& bearer) const {
     const Frame bent = bentToLight(m_rule.rise != 0 ? raised(frame, m_rule.rise) : frame, position, m_rule.bend);
-    return {position, bent[2], bent[1], m_rule.length, m_rule.width, stem,
-            static_cast<std::uint32_t>(m_bearing.generation())};
+    return {position,      bent[2],     bent[1], m_rule.length, m_rule.width,
+            bearer.stem, static_cast<std::uint32_t>(m_bearing.generation()), bearer.number};
 }
 
 } // namespace stromar

@@ -26,15 +26,30 @@ public:
     CLeafGrower(const CTreeParams& bearing, const CTreeParams& leafLevel, const CRandom& random, const OrganRule& rule)
         : m_bearing(bearing), m_leafLevel(leafLevel), m_random(random), m_rule(rule) {}
 
-    std::shared_ptr<const LeafArray> grow(const CGrownGeneration& generation, const CProgress& progress) const;
+    /// Counts all; grows those that are asked for.
+    std::shared_ptr<const COrgans> grow(const CGrownGeneration& generation, const OrganDemand& demand,
+                                        const CProgress& progress) const;
 
 private:
-    std::size_t countOn(const CGrownGeneration& generation, std::size_t stem) const;
-    void growOn(const CGrownGeneration& generation, std::uint32_t stem, CLeaf* leaf) const;
-    void growAlong(const CGrownGeneration& generation, std::uint32_t stem, CLeaf* leaf) const;
-    void growNode(const CGrownGeneration& generation, std::uint32_t stem, const SegmentShare& share, int node,
-                  CRotation& rotation, CLeaf*& leaf) const;
-    void growFans(const CGrownGeneration& generation, std::uint32_t stem, CLeaf* leaf) const;
+    /// The organs of one stem, one after the other.
+    struct Bearer {
+        std::uint32_t stem;
+        double part; ///< that is kept
+        CLeaf* next; ///< where the next kept one goes
+        std::uint32_t number = 0;
+    };
+
+    std::uint32_t countOn(const CGrownGeneration& generation, std::size_t stem) const;
+    std::size_t keptOn(const CGrownGeneration& generation, std::size_t stem, double part) const;
+    void growOn(const CGrownGeneration& generation, Bearer& bearer) const;
+    void growAlong(const CGrownGeneration& generation, Bearer& bearer) const;
+    void growNode(const CGrownGeneration& generation, const SegmentShare& share, int node, CRotation& rotation,
+                  Bearer& bearer) const;
+    void growFans(const CGrownGeneration& generation, Bearer& bearer) const;
+    template <typename Visit>
+    void visitNames(const CGrownGeneration& generation, std::size_t stem, Visit&& visit) const;
+    template <typename Visit>
+    void shareOut(const CGrownGeneration& generation, std::size_t stem, Visit&& visit) const;
     double numberOn(const CGrownGeneration& generation, std::size_t stem) const;
     double nodesOn(const CGrownGeneration& generation, std::size_t stem) const {
         return numberOn(generation, stem) / m_rule.whorl;
@@ -42,7 +57,7 @@ private:
     double startError(const CGrownGeneration& generation, std::size_t stem) const;
     int fanSize(const CGrownGeneration& generation, std::size_t stem, const CPath& path) const;
     std::uint64_t leafId(const CStem& stem, const CPath& path, std::uint32_t position, int i) const;
-    CLeaf makeLeaf(const glm::dvec3& position, const Frame& frame, std::uint32_t stem) const;
+    CLeaf makeLeaf(const glm::dvec3& position, const Frame& frame, const Bearer& bearer) const;
 
     const CTreeParams& m_bearing;
     const CTreeParams& m_leafLevel;

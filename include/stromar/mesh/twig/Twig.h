@@ -7,6 +7,7 @@
 #include "stromar/util/Progress.h"
 #include <glm/vec2.hpp>
 #include <memory>
+#include <optional>
 
 namespace stromar {
 
@@ -33,14 +34,21 @@ bool suitsCards(const BearerBound& bearers, const SeasonShare& season);
 /// The generation whose stems cards stand for: the last one.
 inline std::uint32_t cardGeneration(const CTree& tree) { return static_cast<std::uint32_t>(tree.generationCount()) - 1; }
 
-/// Null when the last generation bears no leaves. Linear in the leaves. Throws CCancelled.
-std::shared_ptr<const Twig> typicalTwig(const CTree& tree, const MeshParams& params, const CProgress& progress);
+/// The stem of the last generation that is nearest to the mean of those that bear leaves; nothing where none does. Only
+/// the counts are looked at.
+std::optional<std::uint32_t> typicalStem(const CTree& tree, const COrgans& leaves, const MeshParams& params);
+/// What that stem with its leaves, which are grown, looks like.
+std::shared_ptr<const Twig> twigOf(const CTree& tree, const COrgans& leaves, std::uint32_t stem,
+                                   const MeshParams& params);
+/// Of a tree whose leaves are all grown; null when the last generation bears none.
+std::shared_ptr<const Twig> typicalTwig(const CTree& tree, const MeshParams& params);
 
 /// A card for every stem of the last generation that bears leaves, bent with it, in the detail's number of planes. No
 /// more rectangles than the detail's share of the leaves: else fewer planes, straight cards, at last fewer cards. Each
 /// shows as much leaf as its stem has, as far as kMaxLeafGrowth allows. Throws CCancelled.
-std::shared_ptr<const CMesh> meshOfTwigs(const CTree& tree, const Twig& twig, const MeshParams& params,
-                                         const Detail& detail, const CProgress& progress);
+/// Of the leaves only the counts are looked at.
+std::shared_ptr<const CMesh> meshOfTwigs(const CTree& tree, const COrgans& leaves, const Twig& twig,
+                                         const MeshParams& params, const Detail& detail, const CProgress& progress);
 std::size_t maxVerticesOfCard(const Detail& detail);
 
 } // namespace stromar

@@ -12,6 +12,8 @@ public:
 
     std::shared_ptr<const CTree> build(const CParams& params, const CTree* previous, int firstInvalid,
                                        const CProgress& progress) const override;
+    std::shared_ptr<const COrgans> growOrgans(const CParams& params, const CTree& tree, Organ organ,
+                                              const OrganDemand& demand, const CProgress& progress) const override;
 
 private:
     bool m_varied;

@@ -1,0 +1,98 @@
+#pragma once
+#include "stromar/mesh/Detail.h"
+#include "stromar/mesh/Mesh.h"
+#include "stromar/mesh/MeshParams.h"
+#include "stromar/tree/Tree.h"
+#include "stromar/util/Progress.h"
+#include <glm/vec4.hpp>
+#include <span>
+
+namespace stromar {
+
+struct MeshPlan;
+
+/// The form of all leaves of a tree: points of a blade of length and width 1, its foot at the origin, its axis along y.
+struct LeafBlade {
+    struct Point {
+        glm::dvec3 place;  ///< x across (times the width), y along (times the length), z up (times the width)
+        glm::dvec3 normal; ///< unit, in the same axes
+        glm::vec2 texCoord;
+    };
+    std::vector<Point> points;
+    std::vector<std::uint32_t> indices; ///< three per triangle, counter-clockwise seen from above
+};
+
+/// What an organ is drawn as.
+LeafBlade bladeOf(const MeshParams& params, Organ organ, const Detail& detail);
+
+/// Where leaves look when they are shaded as a round crown, and by how much.
+struct Rounding {
+    glm::dvec3 centre{0};
+    double share = 0;
+    double least = 0; ///< cosine to a leaf's own normal, so that its folded halves are not seen from behind
+
+    /// A normal turned outwards, but never to the back of its leaf.
+    glm::dvec3 turned(const glm::dvec3& normal, const glm::dvec3& place) const;
+};
+
+/// One of many places where a blade stands, as graphics cards want it.
+struct InstancePlace {
+    glm::vec3 position; ///< of the blade's foot
+    float length, width;
+    glm::vec4 turn; ///< unit quaternion x y z w: from the blade's axes to the world's
+};
+
+/// The organs of one kind as they are drawn: instances of one blade. Immutable.
+class COrganMesh {
+public:
+    /// Those of `organs` that `shown` lists, `growth` times as large as they are grown.
+    COrganMesh(Organ organ, LeafBlade blade, std::shared_ptr<const COrgans> organs, std::vector<std::uint32_t> shown,
+               double growth, const Rounding& rounding);
+
+    const char* name() const;
+    Surface surface() const;
+    const LeafBlade& blade() const { return m_blade; }
+    const Rounding& rounding() const { return m_rounding; }
+    std::size_t count() const { return m_shown.size(); }
+    std::size_t vertexCount() const { return count() * m_blade.points.size(); }
+    std::size_t triangleCount() const { return count() * m_blade.indices.size() / 3; }
+    std::size_t bytes() const { return count() * (sizeof(std::uint32_t) + sizeof(InstancePlace)); }
+    const CLeaf& leaf(std::size_t i) const { return m_organs->grown[m_shown[i]]; }
+    InstancePlace place(std::size_t i) const;
+    /// Of all vertices; there are some.
+    Bounds bounds(const CProgress& progress) const;
+    /// The instance whose triangles a ray meets first, and how far along it, in lengths of `direction`; −1: none.
+    /// Linear in the instances.
+    struct Hit {
+        std::int64_t instance = -1;
+        double distance = 0;
+    };
+    Hit meet(const glm::dvec3& from, const glm::dvec3& direction) const;
+    /// With vertices of its own for every instance. Same result for any number of threads. Throws CCancelled.
+    std::shared_ptr<const CMesh> expanded(const CProgress& progress) const;
+
+private:
+    Organ m_organ;
+    LeafBlade m_blade;
+    std::shared_ptr<const COrgans> m_organs;
+    std::vector<std::uint32_t> m_shown;
+    double m_growth;
+    Rounding m_rounding;
+};
+
+constexpr std::uint32_t kNoGeneration = ~0u;
+
+/// Which organs of a kind a level of detail shows on the stems that `plans`, by generation, chose: at most its share or
+/// kFewOrgans. Not those of the generation `except`, which cards show.
+OrganDemand demandOf(const Detail& detail, std::span<const MeshPlan* const> plans, std::uint32_t except = kNoGeneration);
+
+/// The grown leaves of a tree by their form, seen from above; blossoms as cards, fruits as ellipsoids. As many and as
+/// large as the season has them, on stems that `plans` chose, enlarged to keep the area of all as far as
+/// kMaxLeafGrowth allows. Throws CCancelled.
+std::shared_ptr<const COrganMesh> meshOfOrgans(const CTree& tree, Organ organ, std::span<const MeshPlan* const> plans,
+                                               const MeshParams& params, const Detail& detail,
+                                               const CProgress& progress, std::uint32_t except = kNoGeneration);
+
+std::size_t verticesPerOrgan(const MeshParams& params, Organ organ, const Detail& detail);
+
+} // namespace stromar

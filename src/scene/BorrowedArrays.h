@@ -1,0 +1,83 @@
+#pragma once
+#include "stromar/mesh/Mesh.h"
+#include <cstring>
+#include <memory>
+#include <osg/Array>
+#include <osg/PrimitiveSet>
+
+namespace stromar {
+
+/// An array of a mesh for OpenSceneGraph, not copied. It can be drawn and walked over, not written to files.
+class CBorrowedArray : public osg::Array {
+public:
+    template <typename Values>
+    CBorrowedArray(std::shared_ptr<const CMesh> owner, const Values& values, Type type, int size, GLenum kind)
+        : Array(type, size, kind), m_owner(std::move(owner)), m_data(reinterpret_cast<const char*>(values.data())),
+          m_count(static_cast<unsigned>(values.size())), m_elementSize(sizeof(values[0])) {}
+
+    osg::Object* cloneType() const override { return nullptr; }
+    osg::Object* clone(const osg::CopyOp&) const override { return nullptr; }
+    void accept(osg::ArrayVisitor&) override {}
+    void accept(osg::ConstArrayVisitor&) const override {}
+    void accept(unsigned, osg::ValueVisitor&) override {}
+    void accept(unsigned, osg::ConstValueVisitor&) const override {}
+    int compare(unsigned a, unsigned b) const override {
+        return std::memcmp(getDataPointer(a), getDataPointer(b), m_elementSize);
+    }
+    unsigned getElementSize() const override { return m_elementSize; }
+    const GLvoid* getDataPointer() const override { return m_count > 0 ? m_data : nullptr; }
+    const GLvoid* getDataPointer(unsigned i) const override { return m_data + std::size_t{i} * m_elementSize; }
+    unsigned getTotalDataSize() const override { return m_count * m_elementSize; }
+    unsigned getNumElements() const override { return m_count; }
+    void reserveArray(unsigned) override {}
+    void resizeArray(unsigned) override {}
+
+private:
+    std::shared_ptr<const CMesh> m_owner;
+    const char* m_data;
+    unsigned m_count, m_elementSize;
+};
+
+/// The triangles of a mesh, likewise.
+class CBorrowedTriangles : public osg::DrawElements {
+public:
+    explicit CBorrowedTriangles(std::shared_ptr<const CMesh> mesh)
+        : DrawElements(DrawElementsUIntPrimitiveType, GL_TRIANGLES), m_mesh(std::move(mesh)) {
+        setBufferObject(new osg::ElementBufferObject);
+    }
+
+    osg::Object* cloneType() const override { return nullptr; }
+    osg::Object* clone(const osg::CopyOp&) const override { return nullptr; }
+    const GLvoid* getDataPointer() const override { return count() > 0 ? m_mesh->indices.data() : nullptr; }
+    unsigned getTotalDataSize() const override { return count() * unsigned{sizeof(std::uint32_t)}; }
+    bool supportsBufferObject() const override { return true; }
+    void draw(osg::State& state, bool useBuffers) const override {
+        const osg::GLBufferObject* buffer = useBuffers ? getOrCreateGLBufferObject(state.getContextID()) : nullptr;
+        if (buffer) state.bindElementBufferObject(const_cast<osg::GLBufferObject*>(buffer));
+        const GLvoid* first =
+            buffer ? reinterpret_cast<const GLvoid*>(buffer->getOffset(getBufferIndex())) : getDataPointer();
+        glDrawElements(getMode(), static_cast<GLsizei>(count()), GL_UNSIGNED_INT, first);
+    }
+    void accept(osg::PrimitiveFunctor& functor) const override {
+        functor.drawElements(getMode(), static_cast<GLsizei>(count()), m_mesh->indices.data());
+    }
+    void accept(osg::PrimitiveIndexFunctor& functor) const override {
+        functor.drawElements(getMode(), static_cast<GLsizei>(count()), m_mesh->indices.data());
+    }
+    unsigned index(unsigned at) const override { return m_mesh->indices[at]; }
+    unsigned getNumIndices() const override { return count(); }
+    void offsetIndices(int) override {}
+    GLenum getDataType() override { return GL_UNSIGNED_INT; }
+    void resizeElements(unsigned) override {}
+    void reserveElements(unsigned) override {}
+    void setElement(unsigned, unsigned) override {}
+    unsigned getElement(unsigned at) override { return m_mesh->indices[at]; }
+    void addElement(unsigned) override {}
+
+private:
+    unsigned count() const { return static_cast<unsigned>(m_mesh->indices.size()); }
+
+    std::shared_ptr<const CMesh> m_mesh;
+};
+
+} // namespace stromar
