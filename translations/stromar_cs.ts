@@ -204,15 +204,15 @@
         <translation>Otáčet strom všemi směry místo jen svisle</translation>
     </message>
     <message>
-        <source>&amp;Wired</source>
+        <source>&amp;Wireframe</source>
         <translation>&amp;Drátěný</translation>
     </message>
     <message>
-        <source>Show the wire frame</source>
+        <source>Show the wireframe</source>
         <translation>Ukázat drátěný model</translation>
     </message>
     <message>
-        <source>Show the wire frame on the shaded tree</source>
+        <source>Show the wireframe on the shaded tree</source>
         <translation>Ukázat drátěný model na vystínovaném stromu</translation>
     </message>
     <message>
@@ -1978,6 +1978,29 @@
     </message>
 </context>
 <context>
+    <name>stromar::CExportController</name>
+    <message>
+        <source>Writing %1</source>
+        <translation>Zapisuje se %1</translation>
+    </message>
+    <message>
+        <source>Cancel</source>
+        <translation>Zrušit</translation>
+    </message>
+    <message>
+        <source>Cannot export the tree</source>
+        <translation>Strom nelze exportovat</translation>
+    </message>
+    <message>
+        <source>Export cancelled; no file was changed</source>
+        <translation>Export zrušen; žádný soubor se nezměnil</translation>
+    </message>
+    <message>
+        <source>Exported %1</source>
+        <translation>Exportováno %1</translation>
+    </message>
+</context>
+<context>
     <name>stromar::CExportDialog</name>
     <message>
         <source>Export</source>
@@ -2014,6 +2037,142 @@
     <message>
         <source>%1 is there already. Replace it?</source>
         <translation>%1 už existuje. Nahradit?</translation>
+    </message>
+</context>
+<context>
+    <name>stromar::CFileController</name>
+    <message>
+        <source>Trees (*.tree);;All files (*)</source>
+        <translation>Stromy (*.tree);;Všechny soubory (*)</translation>
+    </message>
+    <message>
+        <source>Autosave: %1</source>
+        <translation>Průběžné ukládání: %1</translation>
+    </message>
+    <message>
+        <source>Cannot open the tree</source>
+        <translation>Strom nelze otevřít</translation>
+    </message>
+    <message>
+        <source>Cannot open the preset</source>
+        <translation>Předvolbu nelze otevřít</translation>
+    </message>
+    <message>
+        <source>Cannot save the tree</source>
+        <translation>Strom nelze uložit</translation>
+    </message>
+    <message>
+        <source>Saved %1</source>
+        <translation>Uloženo %1</translation>
+    </message>
+    <message>
+        <source>Open a tree</source>
+        <translation>Otevřít strom</translation>
+    </message>
+    <message>
+        <source>Save the tree</source>
+        <translation>Uložit strom</translation>
+    </message>
+    <message>
+        <source>Save as Preset</source>
+        <translation>Uložit jako předvolbu</translation>
+    </message>
+    <message>
+        <source>Name of the preset</source>
+        <translation>Název předvolby</translation>
+    </message>
+    <message>
+        <source>Replace the preset “%1”?</source>
+        <translation>Nahradit předvolbu „%1“?</translation>
+    </message>
+    <message>
+        <source>Cannot save the preset</source>
+        <translation>Předvolbu nelze uložit</translation>
+    </message>
+    <message>
+        <source>Pictures (*.png *.jpg *.jpeg *.tga *.tif *.tiff *.bmp);;All files (*)</source>
+        <translation>Obrázky (*.png *.jpg *.jpeg *.tga *.tif *.tiff *.bmp);;Všechny soubory (*)</translation>
+    </message>
+    <message>
+        <source>As the &amp;bark</source>
+        <translation>Jako &amp;kůra</translation>
+    </message>
+    <message>
+        <source>As the &amp;leaf</source>
+        <translation>Jako &amp;list</translation>
+    </message>
+    <message>
+        <source>Another program has changed %1. Opening it again loses your changes.</source>
+        <translation>Jiný program změnil %1. Novým otevřením ztratíte své změny.</translation>
+    </message>
+    <message>
+        <source>Another program has changed %1.</source>
+        <translation>Jiný program změnil %1.</translation>
+    </message>
+    <message>
+        <source>Open it again</source>
+        <translation>Otevřít znovu</translation>
+    </message>
+    <message>
+        <source>Keep mine</source>
+        <translation>Nechat moje</translation>
+    </message>
+    <message>
+        <source>A tree that was never saved</source>
+        <translation>Strom, který nebyl nikdy uložen</translation>
+    </message>
+    <message>
+        <source>Restore unsaved changes</source>
+        <translation>Obnovit neuložené změny</translation>
+    </message>
+    <message>
+        <source>Stromar ended without saving these changes of %1:
+%2</source>
+        <translation>Stromar skončil bez uložení těchto změn z %1:
+%2</translation>
+    </message>
+    <message>
+        <source>&amp;Restore</source>
+        <translation>&amp;Obnovit</translation>
+    </message>
+    <message>
+        <source>&amp;Discard</source>
+        <translation>&amp;Zahodit</translation>
+    </message>
+    <message>
+        <source>Ask &amp;Later</source>
+        <translation>Zeptat se &amp;později</translation>
+    </message>
+    <message>
+        <source>Cannot restore</source>
+        <translation>Nelze obnovit</translation>
+    </message>
+    <message>
+        <source>Unsaved changes</source>
+        <translation>Neuložené změny</translation>
+    </message>
+    <message>
+        <source>Save the changes of %1?</source>
+        <translation>Uložit změny v %1?</translation>
+    </message>
+</context>
+<context>
+    <name>stromar::CGrowthController</name>
+    <message>
+        <source>%1 = %2 fits</source>
+        <translation>%1 = %2 se vejde</translation>
+    </message>
+    <message>
+        <source>Grow it anyway</source>
+        <translation>Přesto vypěstovat</translation>
+    </message>
+    <message>
+        <source>Undo</source>
+        <translation>Zpět</translation>
+    </message>
+    <message>
+        <source>This tree may have up to %1 stems, %2 leaves and %3 million vertices and take %4 GB of memory; the limit is %5 million vertices and %6 GB.</source>
+        <translation>Tento strom může mít až %1 větví, %2 listů a %3 milionů vrcholů a zabrat %4 GB paměti; mez je %5 milionů vrcholů a %6 GB.</translation>
     </message>
 </context>
 <context>
@@ -2085,28 +2244,12 @@
         <translation>Otevřít &amp;nedávné</translation>
     </message>
     <message>
-        <source>Autosave: %1</source>
-        <translation>Průběžné ukládání: %1</translation>
-    </message>
-    <message>
         <source>Randomise</source>
         <translation>Zamíchat</translation>
     </message>
     <message>
         <source>The graphics driver has started again</source>
         <translation>Ovladač grafiky se znovu spustil</translation>
-    </message>
-    <message>
-        <source>%1 = %2 fits</source>
-        <translation>%1 = %2 se vejde</translation>
-    </message>
-    <message>
-        <source>Grow it anyway</source>
-        <translation>Přesto vypěstovat</translation>
-    </message>
-    <message>
-        <source>Undo</source>
-        <translation>Zpět</translation>
     </message>
     <message>
         <source>%1   %2 stems   %3 leaves   %4 vertices   %5 triangles   %6 ms</source>
@@ -2119,22 +2262,6 @@
     <message>
         <source>Full model</source>
         <translation>Úplný model</translation>
-    </message>
-    <message>
-        <source>Another program has changed %1. Opening it again loses your changes.</source>
-        <translation>Jiný program změnil %1. Novým otevřením ztratíte své změny.</translation>
-    </message>
-    <message>
-        <source>Another program has changed %1.</source>
-        <translation>Jiný program změnil %1.</translation>
-    </message>
-    <message>
-        <source>Open it again</source>
-        <translation>Otevřít znovu</translation>
-    </message>
-    <message>
-        <source>Keep mine</source>
-        <translation>Nechat moje</translation>
     </message>
     <message>
         <source>Stopped; F6 grows the full model</source>
@@ -2221,120 +2348,6 @@
         <translation>&lt;p&gt;&lt;b&gt;Stromar %1&lt;/b&gt;&lt;/p&gt;&lt;p&gt;Pěstuje stromy podle modelu Webera a Penna, „Creation and Rendering of Realistic Trees“, SIGGRAPH ’95.&lt;/p&gt;</translation>
     </message>
     <message>
-        <source>Trees (*.tree);;All files (*)</source>
-        <translation>Stromy (*.tree);;Všechny soubory (*)</translation>
-    </message>
-    <message>
-        <source>Cannot open the tree</source>
-        <translation>Strom nelze otevřít</translation>
-    </message>
-    <message>
-        <source>Cannot open the preset</source>
-        <translation>Předvolbu nelze otevřít</translation>
-    </message>
-    <message>
-        <source>Cannot save the tree</source>
-        <translation>Strom nelze uložit</translation>
-    </message>
-    <message>
-        <source>Saved %1</source>
-        <translation>Uloženo %1</translation>
-    </message>
-    <message>
-        <source>Open a tree</source>
-        <translation>Otevřít strom</translation>
-    </message>
-    <message>
-        <source>Save the tree</source>
-        <translation>Uložit strom</translation>
-    </message>
-    <message>
-        <source>Save as Preset</source>
-        <translation>Uložit jako předvolbu</translation>
-    </message>
-    <message>
-        <source>Name of the preset</source>
-        <translation>Název předvolby</translation>
-    </message>
-    <message>
-        <source>Replace the preset “%1”?</source>
-        <translation>Nahradit předvolbu „%1“?</translation>
-    </message>
-    <message>
-        <source>Cannot save the preset</source>
-        <translation>Předvolbu nelze uložit</translation>
-    </message>
-    <message>
-        <source>Writing %1</source>
-        <translation>Zapisuje se %1</translation>
-    </message>
-    <message>
-        <source>Cancel</source>
-        <translation>Zrušit</translation>
-    </message>
-    <message>
-        <source>Cannot export the tree</source>
-        <translation>Strom nelze exportovat</translation>
-    </message>
-    <message>
-        <source>Export cancelled; no file was changed</source>
-        <translation>Export zrušen; žádný soubor se nezměnil</translation>
-    </message>
-    <message>
-        <source>Exported %1</source>
-        <translation>Exportováno %1</translation>
-    </message>
-    <message>
-        <source>Pictures (*.png *.jpg *.jpeg *.tga *.tif *.tiff *.bmp);;All files (*)</source>
-        <translation>Obrázky (*.png *.jpg *.jpeg *.tga *.tif *.tiff *.bmp);;Všechny soubory (*)</translation>
-    </message>
-    <message>
-        <source>As the &amp;bark</source>
-        <translation>Jako &amp;kůra</translation>
-    </message>
-    <message>
-        <source>As the &amp;leaf</source>
-        <translation>Jako &amp;list</translation>
-    </message>
-    <message>
-        <source>A tree that was never saved</source>
-        <translation>Strom, který nebyl nikdy uložen</translation>
-    </message>
-    <message>
-        <source>Restore unsaved changes</source>
-        <translation>Obnovit neuložené změny</translation>
-    </message>
-    <message>
-        <source>Stromar ended without saving these changes of %1:
-%2</source>
-        <translation>Stromar skončil bez uložení těchto změn z %1:
-%2</translation>
-    </message>
-    <message>
-        <source>&amp;Restore</source>
-        <translation>&amp;Obnovit</translation>
-    </message>
-    <message>
-        <source>&amp;Discard</source>
-        <translation>&amp;Zahodit</translation>
-    </message>
-    <message>
-        <source>Ask &amp;Later</source>
-        <translation>Zeptat se &amp;později</translation>
-    </message>
-    <message>
-        <source>Cannot restore</source>
-        <translation>Nelze obnovit</translation>
-    </message>
-    <message>
-        <source>Unsaved changes</source>
-        <translation>Neuložené změny</translation>
-    </message>
-    <message>
-        <source>Save the changes of %1?</source>
-        <translation>Uložit změny v %1?</translation>
-    </message>
-    <message>
         <source>Light</source>
         <translation>Světlo</translation>
     </message>
@@ -2345,10 +2358,6 @@
     <message>
         <source>The tree is growing; Esc cancels</source>
         <translation>Strom roste; Esc růst zruší</translation>
-    </message>
-    <message>
-        <source>This tree may have up to %1 stems, %2 leaves and %3 million vertices and take %4 GB of memory; the limit is %5 million vertices and %6 GB.</source>
-        <translation>Tento strom může mít až %1 větví, %2 listů a %3 milionů vrcholů a zabrat %4 GB paměti; mez je %5 milionů vrcholů a %6 GB.</translation>
     </message>
     <message>
         <source>Show details of the stem or leaf</source>

@@ -204,15 +204,15 @@
         <translation>Вращать дерево во все стороны, а не только стоя</translation>
     </message>
     <message>
-        <source>&amp;Wired</source>
+        <source>&amp;Wireframe</source>
         <translation>&amp;Каркас</translation>
     </message>
     <message>
-        <source>Show the wire frame</source>
+        <source>Show the wireframe</source>
         <translation>Показать каркас</translation>
     </message>
     <message>
-        <source>Show the wire frame on the shaded tree</source>
+        <source>Show the wireframe on the shaded tree</source>
         <translation>Показать каркас на затенённом дереве</translation>
     </message>
     <message>
@@ -1978,6 +1978,29 @@
     </message>
 </context>
 <context>
+    <name>stromar::CExportController</name>
+    <message>
+        <source>Writing %1</source>
+        <translation>Запись %1</translation>
+    </message>
+    <message>
+        <source>Cancel</source>
+        <translation>Отмена</translation>
+    </message>
+    <message>
+        <source>Cannot export the tree</source>
+        <translation>Не удаётся экспортировать дерево</translation>
+    </message>
+    <message>
+        <source>Export cancelled; no file was changed</source>
+        <translation>Экспорт отменён; ни один файл не изменён</translation>
+    </message>
+    <message>
+        <source>Exported %1</source>
+        <translation>Экспортировано: %1</translation>
+    </message>
+</context>
+<context>
     <name>stromar::CExportDialog</name>
     <message>
         <source>Export</source>
@@ -2014,6 +2037,142 @@
     <message>
         <source>%1 is there already. Replace it?</source>
         <translation>%1 уже существует. Заменить?</translation>
+    </message>
+</context>
+<context>
+    <name>stromar::CFileController</name>
+    <message>
+        <source>Trees (*.tree);;All files (*)</source>
+        <translation>Деревья (*.tree);;Все файлы (*)</translation>
+    </message>
+    <message>
+        <source>Autosave: %1</source>
+        <translation>Автосохранение: %1</translation>
+    </message>
+    <message>
+        <source>Cannot open the tree</source>
+        <translation>Не удаётся открыть дерево</translation>
+    </message>
+    <message>
+        <source>Cannot open the preset</source>
+        <translation>Не удаётся открыть заготовку</translation>
+    </message>
+    <message>
+        <source>Cannot save the tree</source>
+        <translation>Не удаётся сохранить дерево</translation>
+    </message>
+    <message>
+        <source>Saved %1</source>
+        <translation>Сохранено: %1</translation>
+    </message>
+    <message>
+        <source>Open a tree</source>
+        <translation>Открыть дерево</translation>
+    </message>
+    <message>
+        <source>Save the tree</source>
+        <translation>Сохранить дерево</translation>
+    </message>
+    <message>
+        <source>Save as Preset</source>
+        <translation>Сохранить как заготовку</translation>
+    </message>
+    <message>
+        <source>Name of the preset</source>
+        <translation>Имя заготовки</translation>
+    </message>
+    <message>
+        <source>Replace the preset “%1”?</source>
+        <translation>Заменить заготовку «%1»?</translation>
+    </message>
+    <message>
+        <source>Cannot save the preset</source>
+        <translation>Не удаётся сохранить заготовку</translation>
+    </message>
+    <message>
+        <source>Pictures (*.png *.jpg *.jpeg *.tga *.tif *.tiff *.bmp);;All files (*)</source>
+        <translation>Картинки (*.png *.jpg *.jpeg *.tga *.tif *.tiff *.bmp);;Все файлы (*)</translation>
+    </message>
+    <message>
+        <source>As the &amp;bark</source>
+        <translation>Как &amp;кору</translation>
+    </message>
+    <message>
+        <source>As the &amp;leaf</source>
+        <translation>Как &amp;лист</translation>
+    </message>
+    <message>
+        <source>Another program has changed %1. Opening it again loses your changes.</source>
+        <translation>Другая программа изменила %1. Если открыть снова, ваши изменения пропадут.</translation>
+    </message>
+    <message>
+        <source>Another program has changed %1.</source>
+        <translation>Другая программа изменила %1.</translation>
+    </message>
+    <message>
+        <source>Open it again</source>
+        <translation>Открыть снова</translation>
+    </message>
+    <message>
+        <source>Keep mine</source>
+        <translation>Оставить мои</translation>
+    </message>
+    <message>
+        <source>A tree that was never saved</source>
+        <translation>Дерево, которое не сохранялось</translation>
+    </message>
+    <message>
+        <source>Restore unsaved changes</source>
+        <translation>Восстановить несохранённые изменения</translation>
+    </message>
+    <message>
+        <source>Stromar ended without saving these changes of %1:
+%2</source>
+        <translation>Stromar завершился, не сохранив эти изменения от %1:
+%2</translation>
+    </message>
+    <message>
+        <source>&amp;Restore</source>
+        <translation>&amp;Восстановить</translation>
+    </message>
+    <message>
+        <source>&amp;Discard</source>
+        <translation>&amp;Отбросить</translation>
+    </message>
+    <message>
+        <source>Ask &amp;Later</source>
+        <translation>Спросить &amp;позже</translation>
+    </message>
+    <message>
+        <source>Cannot restore</source>
+        <translation>Не удаётся восстановить</translation>
+    </message>
+    <message>
+        <source>Unsaved changes</source>
+        <translation>Несохранённые изменения</translation>
+    </message>
+    <message>
+        <source>Save the changes of %1?</source>
+        <translation>Сохранить изменения в %1?</translation>
+    </message>
+</context>
+<context>
+    <name>stromar::CGrowthController</name>
+    <message>
+        <source>%1 = %2 fits</source>
+        <translation>%1 = %2 помещается</translation>
+    </message>
+    <message>
+        <source>Grow it anyway</source>
+        <translation>Всё равно вырастить</translation>
+    </message>
+    <message>
+        <source>Undo</source>
+        <translation>Отменить</translation>
+    </message>
+    <message>
+        <source>This tree may have up to %1 stems, %2 leaves and %3 million vertices and take %4 GB of memory; the limit is %5 million vertices and %6 GB.</source>
+        <translation>У этого дерева может быть до %1 ветвей, %2 листьев и %3 млн вершин, оно займёт до %4 ГБ памяти; предел — %5 млн вершин и %6 ГБ.</translation>
     </message>
 </context>
 <context>
@@ -2085,28 +2244,12 @@
         <translation>Открыть &amp;недавние</translation>
     </message>
     <message>
-        <source>Autosave: %1</source>
-        <translation>Автосохранение: %1</translation>
-    </message>
-    <message>
         <source>Randomise</source>
         <translation>Перемешать</translation>
     </message>
     <message>
         <source>The graphics driver has started again</source>
         <translation>Графический драйвер перезапустился</translation>
-    </message>
-    <message>
-        <source>%1 = %2 fits</source>
-        <translation>%1 = %2 помещается</translation>
-    </message>
-    <message>
-        <source>Grow it anyway</source>
-        <translation>Всё равно вырастить</translation>
-    </message>
-    <message>
-        <source>Undo</source>
-        <translation>Отменить</translation>
     </message>
     <message>
         <source>%1   %2 stems   %3 leaves   %4 vertices   %5 triangles   %6 ms</source>
@@ -2119,22 +2262,6 @@
     <message>
         <source>Full model</source>
         <translation>Полная модель</translation>
-    </message>
-    <message>
-        <source>Another program has changed %1. Opening it again loses your changes.</source>
-        <translation>Другая программа изменила %1. Если открыть снова, ваши изменения пропадут.</translation>
-    </message>
-    <message>
-        <source>Another program has changed %1.</source>
-        <translation>Другая программа изменила %1.</translation>
-    </message>
-    <message>
-        <source>Open it again</source>
-        <translation>Открыть снова</translation>
-    </message>
-    <message>
-        <source>Keep mine</source>
-        <translation>Оставить мои</translation>
     </message>
     <message>
         <source>Stopped; F6 grows the full model</source>
@@ -2221,120 +2348,6 @@
         <translation>&lt;p&gt;&lt;b&gt;Stromar %1&lt;/b&gt;&lt;/p&gt;&lt;p&gt;Растит деревья по модели Вебера и Пенна, «Creation and Rendering of Realistic Trees», SIGGRAPH ’95.&lt;/p&gt;</translation>
     </message>
     <message>
-        <source>Trees (*.tree);;All files (*)</source>
-        <translation>Деревья (*.tree);;Все файлы (*)</translation>
-    </message>
-    <message>
-        <source>Cannot open the tree</source>
-        <translation>Не удаётся открыть дерево</translation>
-    </message>
-    <message>
-        <source>Cannot open the preset</source>
-        <translation>Не удаётся открыть заготовку</translation>
-    </message>
-    <message>
-        <source>Cannot save the tree</source>
-        <translation>Не удаётся сохранить дерево</translation>
-    </message>
-    <message>
-        <source>Saved %1</source>
-        <translation>Сохранено: %1</translation>
-    </message>
-    <message>
-        <source>Open a tree</source>
-        <translation>Открыть дерево</translation>
-    </message>
-    <message>
-        <source>Save the tree</source>
-        <translation>Сохранить дерево</translation>
-    </message>
-    <message>
-        <source>Save as Preset</source>
-        <translation>Сохранить как заготовку</translation>
-    </message>
-    <message>
-        <source>Name of the preset</source>
-        <translation>Имя заготовки</translation>
-    </message>
-    <message>
-        <source>Replace the preset “%1”?</source>
-        <translation>Заменить заготовку «%1»?</translation>
-    </message>
-    <message>
-        <source>Cannot save the preset</source>
-        <translation>Не удаётся сохранить заготовку</translation>
-    </message>
-    <message>
-        <source>Writing %1</source>
-        <translation>Запись %1</translation>
-    </message>
-    <message>
-        <source>Cancel</source>
-        <translation>Отмена</translation>
-    </message>
-    <message>
-        <source>Cannot export the tree</source>
-        <translation>Не удаётся экспортировать дерево</translation>
-    </message>
-    <message>
-        <source>Export cancelled; no file was changed</source>
-        <translation>Экспорт отменён; ни один файл не изменён</translation>
-    </message>
-    <message>
-        <source>Exported %1</source>
-        <translation>Экспортировано: %1</translation>
-    </message>
-    <message>
-        <source>Pictures (*.png *.jpg *.jpeg *.tga *.tif *.tiff *.bmp);;All files (*)</source>
-        <translation>Картинки (*.png *.jpg *.jpeg *.tga *.tif *.tiff *.bmp);;Все файлы (*)</translation>
-    </message>
-    <message>
-        <source>As the &amp;bark</source>
-        <translation>Как &amp;кору</translation>
-    </message>
-    <message>
-        <source>As the &amp;leaf</source>
-        <translation>Как &amp;лист</translation>
-    </message>
-    <message>
-        <source>A tree that was never saved</source>
-        <translation>Дерево, которое не сохранялось</translation>
-    </message>
-    <message>
-        <source>Restore unsaved changes</source>
-        <translation>Восстановить несохранённые изменения</translation>
-    </message>
-    <message>
-        <source>Stromar ended without saving these changes of %1:
-%2</source>
-        <translation>Stromar завершился, не сохранив эти изменения от %1:
-%2</translation>
-    </message>
-    <message>
-        <source>&amp;Restore</source>
-        <translation>&amp;Восстановить</translation>
-    </message>
-    <message>
-        <source>&amp;Discard</source>
-        <translation>&amp;Отбросить</translation>
-    </message>
-    <message>
-        <source>Ask &amp;Later</source>
-        <translation>Спросить &amp;позже</translation>
-    </message>
-    <message>
-        <source>Cannot restore</source>
-        <translation>Не удаётся восстановить</translation>
-    </message>
-    <message>
-        <source>Unsaved changes</source>
-        <translation>Несохранённые изменения</translation>
-    </message>
-    <message>
-        <source>Save the changes of %1?</source>
-        <translation>Сохранить изменения в %1?</translation>
-    </message>
-    <message>
         <source>Light</source>
         <translation>Свет</translation>
     </message>
@@ -2345,10 +2358,6 @@
     <message>
         <source>The tree is growing; Esc cancels</source>
         <translation>Дерево растёт; Esc — отмена</translation>
-    </message>
-    <message>
-        <source>This tree may have up to %1 stems, %2 leaves and %3 million vertices and take %4 GB of memory; the limit is %5 million vertices and %6 GB.</source>
-        <translation>У этого дерева может быть до %1 ветвей, %2 листьев и %3 млн вершин, оно займёт до %4 ГБ памяти; предел — %5 млн вершин и %6 ГБ.</translation>
     </message>
     <message>
         <source>Show details of the stem or leaf</source>

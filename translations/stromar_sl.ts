@@ -204,15 +204,15 @@
         <translation>Vrti drevo v vse smeri, ne le pokonci</translation>
     </message>
     <message>
-        <source>&amp;Wired</source>
+        <source>&amp;Wireframe</source>
         <translation>Ž&amp;ični</translation>
     </message>
     <message>
-        <source>Show the wire frame</source>
+        <source>Show the wireframe</source>
         <translation>Pokaži žični model</translation>
     </message>
     <message>
-        <source>Show the wire frame on the shaded tree</source>
+        <source>Show the wireframe on the shaded tree</source>
         <translation>Pokaži žični model na senčenem drevesu</translation>
     </message>
     <message>
@@ -1978,6 +1978,29 @@
     </message>
 </context>
 <context>
+    <name>stromar::CExportController</name>
+    <message>
+        <source>Writing %1</source>
+        <translation>Zapisovanje %1</translation>
+    </message>
+    <message>
+        <source>Cancel</source>
+        <translation>Prekliči</translation>
+    </message>
+    <message>
+        <source>Cannot export the tree</source>
+        <translation>Drevesa ni mogoče izvoziti</translation>
+    </message>
+    <message>
+        <source>Export cancelled; no file was changed</source>
+        <translation>Izvoz preklican; nobena datoteka ni spremenjena</translation>
+    </message>
+    <message>
+        <source>Exported %1</source>
+        <translation>Izvoženo %1</translation>
+    </message>
+</context>
+<context>
     <name>stromar::CExportDialog</name>
     <message>
         <source>Export</source>
@@ -2014,6 +2037,142 @@
     <message>
         <source>%1 is there already. Replace it?</source>
         <translation>%1 že obstaja. Zamenjam?</translation>
+    </message>
+</context>
+<context>
+    <name>stromar::CFileController</name>
+    <message>
+        <source>Trees (*.tree);;All files (*)</source>
+        <translation>Drevesa (*.tree);;Vse datoteke (*)</translation>
+    </message>
+    <message>
+        <source>Autosave: %1</source>
+        <translation>Samodejno shranjevanje: %1</translation>
+    </message>
+    <message>
+        <source>Cannot open the tree</source>
+        <translation>Drevesa ni mogoče odpreti</translation>
+    </message>
+    <message>
+        <source>Cannot open the preset</source>
+        <translation>Predloge ni mogoče odpreti</translation>
+    </message>
+    <message>
+        <source>Cannot save the tree</source>
+        <translation>Drevesa ni mogoče shraniti</translation>
+    </message>
+    <message>
+        <source>Saved %1</source>
+        <translation>Shranjeno %1</translation>
+    </message>
+    <message>
+        <source>Open a tree</source>
+        <translation>Odpri drevo</translation>
+    </message>
+    <message>
+        <source>Save the tree</source>
+        <translation>Shrani drevo</translation>
+    </message>
+    <message>
+        <source>Save as Preset</source>
+        <translation>Shrani kot predlogo</translation>
+    </message>
+    <message>
+        <source>Name of the preset</source>
+        <translation>Ime predloge</translation>
+    </message>
+    <message>
+        <source>Replace the preset “%1”?</source>
+        <translation>Zamenjam predlogo »%1«?</translation>
+    </message>
+    <message>
+        <source>Cannot save the preset</source>
+        <translation>Predloge ni mogoče shraniti</translation>
+    </message>
+    <message>
+        <source>Pictures (*.png *.jpg *.jpeg *.tga *.tif *.tiff *.bmp);;All files (*)</source>
+        <translation>Slike (*.png *.jpg *.jpeg *.tga *.tif *.tiff *.bmp);;Vse datoteke (*)</translation>
+    </message>
+    <message>
+        <source>As the &amp;bark</source>
+        <translation>Kot &amp;lubje</translation>
+    </message>
+    <message>
+        <source>As the &amp;leaf</source>
+        <translation>Kot lis&amp;t</translation>
+    </message>
+    <message>
+        <source>Another program has changed %1. Opening it again loses your changes.</source>
+        <translation>Drug program je spremenil %1. Z novim odpiranjem izgubite svoje spremembe.</translation>
+    </message>
+    <message>
+        <source>Another program has changed %1.</source>
+        <translation>Drug program je spremenil %1.</translation>
+    </message>
+    <message>
+        <source>Open it again</source>
+        <translation>Odpri znova</translation>
+    </message>
+    <message>
+        <source>Keep mine</source>
+        <translation>Obdrži moje</translation>
+    </message>
+    <message>
+        <source>A tree that was never saved</source>
+        <translation>Drevo, ki ni bilo nikoli shranjeno</translation>
+    </message>
+    <message>
+        <source>Restore unsaved changes</source>
+        <translation>Obnovi neshranjene spremembe</translation>
+    </message>
+    <message>
+        <source>Stromar ended without saving these changes of %1:
+%2</source>
+        <translation>Stromar se je končal, ne da bi shranil te spremembe z dne %1:
+%2</translation>
+    </message>
+    <message>
+        <source>&amp;Restore</source>
+        <translation>&amp;Obnovi</translation>
+    </message>
+    <message>
+        <source>&amp;Discard</source>
+        <translation>&amp;Zavrzi</translation>
+    </message>
+    <message>
+        <source>Ask &amp;Later</source>
+        <translation>Vprašaj &amp;pozneje</translation>
+    </message>
+    <message>
+        <source>Cannot restore</source>
+        <translation>Ni mogoče obnoviti</translation>
+    </message>
+    <message>
+        <source>Unsaved changes</source>
+        <translation>Neshranjene spremembe</translation>
+    </message>
+    <message>
+        <source>Save the changes of %1?</source>
+        <translation>Shranim spremembe v %1?</translation>
+    </message>
+</context>
+<context>
+    <name>stromar::CGrowthController</name>
+    <message>
+        <source>%1 = %2 fits</source>
+        <translation>%1 = %2 ustreza</translation>
+    </message>
+    <message>
+        <source>Grow it anyway</source>
+        <translation>Vseeno zrasti</translation>
+    </message>
+    <message>
+        <source>Undo</source>
+        <translation>Razveljavi</translation>
+    </message>
+    <message>
+        <source>This tree may have up to %1 stems, %2 leaves and %3 million vertices and take %4 GB of memory; the limit is %5 million vertices and %6 GB.</source>
+        <translation>To drevo ima lahko do %1 vej, %2 listov in %3 milijonov oglišč ter zasede %4 GB pomnilnika; meja je %5 milijonov oglišč in %6 GB.</translation>
     </message>
 </context>
 <context>
@@ -2085,28 +2244,12 @@
         <translation>Odpri &amp;nedavne</translation>
     </message>
     <message>
-        <source>Autosave: %1</source>
-        <translation>Samodejno shranjevanje: %1</translation>
-    </message>
-    <message>
         <source>Randomise</source>
         <translation>Premešaj</translation>
     </message>
     <message>
         <source>The graphics driver has started again</source>
         <translation>Grafični gonilnik se je znova zagnal</translation>
-    </message>
-    <message>
-        <source>%1 = %2 fits</source>
-        <translation>%1 = %2 ustreza</translation>
-    </message>
-    <message>
-        <source>Grow it anyway</source>
-        <translation>Vseeno zrasti</translation>
-    </message>
-    <message>
-        <source>Undo</source>
-        <translation>Razveljavi</translation>
     </message>
     <message>
         <source>%1   %2 stems   %3 leaves   %4 vertices   %5 triangles   %6 ms</source>
@@ -2119,22 +2262,6 @@
     <message>
         <source>Full model</source>
         <translation>Polni model</translation>
-    </message>
-    <message>
-        <source>Another program has changed %1. Opening it again loses your changes.</source>
-        <translation>Drug program je spremenil %1. Z novim odpiranjem izgubite svoje spremembe.</translation>
-    </message>
-    <message>
-        <source>Another program has changed %1.</source>
-        <translation>Drug program je spremenil %1.</translation>
-    </message>
-    <message>
-        <source>Open it again</source>
-        <translation>Odpri znova</translation>
-    </message>
-    <message>
-        <source>Keep mine</source>
-        <translation>Obdrži moje</translation>
     </message>
     <message>
         <source>Stopped; F6 grows the full model</source>
@@ -2221,120 +2348,6 @@
         <translation>&lt;p&gt;&lt;b&gt;Stromar %1&lt;/b&gt;&lt;/p&gt;&lt;p&gt;Goji drevesa po modelu Webra in Penna, »Creation and Rendering of Realistic Trees«, SIGGRAPH ’95.&lt;/p&gt;</translation>
     </message>
     <message>
-        <source>Trees (*.tree);;All files (*)</source>
-        <translation>Drevesa (*.tree);;Vse datoteke (*)</translation>
-    </message>
-    <message>
-        <source>Cannot open the tree</source>
-        <translation>Drevesa ni mogoče odpreti</translation>
-    </message>
-    <message>
-        <source>Cannot open the preset</source>
-        <translation>Predloge ni mogoče odpreti</translation>
-    </message>
-    <message>
-        <source>Cannot save the tree</source>
-        <translation>Drevesa ni mogoče shraniti</translation>
-    </message>
-    <message>
-        <source>Saved %1</source>
-        <translation>Shranjeno %1</translation>
-    </message>
-    <message>
-        <source>Open a tree</source>
-        <translation>Odpri drevo</translation>
-    </message>
-    <message>
-        <source>Save the tree</source>
-        <translation>Shrani drevo</translation>
-    </message>
-    <message>
-        <source>Save as Preset</source>
-        <translation>Shrani kot predlogo</translation>
-    </message>
-    <message>
-        <source>Name of the preset</source>
-        <translation>Ime predloge</translation>
-    </message>
-    <message>
-        <source>Replace the preset “%1”?</source>
-        <translation>Zamenjam predlogo »%1«?</translation>
-    </message>
-    <message>
-        <source>Cannot save the preset</source>
-        <translation>Predloge ni mogoče shraniti</translation>
-    </message>
-    <message>
-        <source>Writing %1</source>
-        <translation>Zapisovanje %1</translation>
-    </message>
-    <message>
-        <source>Cancel</source>
-        <translation>Prekliči</translation>
-    </message>
-    <message>
-        <source>Cannot export the tree</source>
-        <translation>Drevesa ni mogoče izvoziti</translation>
-    </message>
-    <message>
-        <source>Export cancelled; no file was changed</source>
-        <translation>Izvoz preklican; nobena datoteka ni spremenjena</translation>
-    </message>
-    <message>
-        <source>Exported %1</source>
-        <translation>Izvoženo %1</translation>
-    </message>
-    <message>
-        <source>Pictures (*.png *.jpg *.jpeg *.tga *.tif *.tiff *.bmp);;All files (*)</source>
-        <translation>Slike (*.png *.jpg *.jpeg *.tga *.tif *.tiff *.bmp);;Vse datoteke (*)</translation>
-    </message>
-    <message>
-        <source>As the &amp;bark</source>
-        <translation>Kot &amp;lubje</translation>
-    </message>
-    <message>
-        <source>As the &amp;leaf</source>
-        <translation>Kot lis&amp;t</translation>
-    </message>
-    <message>
-        <source>A tree that was never saved</source>
-        <translation>Drevo, ki ni bilo nikoli shranjeno</translation>
-    </message>
-    <message>
-        <source>Restore unsaved changes</source>
-        <translation>Obnovi neshranjene spremembe</translation>
-    </message>
-    <message>
-        <source>Stromar ended without saving these changes of %1:
-%2</source>
-        <translation>Stromar se je končal, ne da bi shranil te spremembe z dne %1:
-%2</translation>
-    </message>
-    <message>
-        <source>&amp;Restore</source>
-        <translation>&amp;Obnovi</translation>
-    </message>
-    <message>
-        <source>&amp;Discard</source>
-        <translation>&amp;Zavrzi</translation>
-    </message>
-    <message>
-        <source>Ask &amp;Later</source>
-        <translation>Vprašaj &amp;pozneje</translation>
-    </message>
-    <message>
-        <source>Cannot restore</source>
-        <translation>Ni mogoče obnoviti</translation>
-    </message>
-    <message>
-        <source>Unsaved changes</source>
-        <translation>Neshranjene spremembe</translation>
-    </message>
-    <message>
-        <source>Save the changes of %1?</source>
-        <translation>Shranim spremembe v %1?</translation>
-    </message>
-    <message>
         <source>Light</source>
         <translation>Svetloba</translation>
     </message>
@@ -2345,10 +2358,6 @@
     <message>
         <source>The tree is growing; Esc cancels</source>
         <translation>Drevo raste; Esc prekliče rast</translation>
-    </message>
-    <message>
-        <source>This tree may have up to %1 stems, %2 leaves and %3 million vertices and take %4 GB of memory; the limit is %5 million vertices and %6 GB.</source>
-        <translation>To drevo ima lahko do %1 vej, %2 listov in %3 milijonov oglišč ter zasede %4 GB pomnilnika; meja je %5 milijonov oglišč in %6 GB.</translation>
     </message>
     <message>
         <source>Show details of the stem or leaf</source>

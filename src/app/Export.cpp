@@ -122,6 +122,18 @@ void exportModels(const std::vector<std::shared_ptr<const TreeModel>>& lods, con
     files.commit();
 }
 
+std::vector<std::shared_ptr<const TreeModel>> exportTree(CTreeCreator& creator, const CParams& params,
+                                                         const ExportOptions& options, const fs::path& treeFolder,
+                                                         const fs::path& path, const CProgress& progress,
+                                                         const std::shared_ptr<const TreeModel>& ready) {
+    refuseUnless(options, formatOf(path), path); // before anything grows
+    std::vector<std::shared_ptr<const TreeModel>> lods;
+    for (const Detail* detail : detailsOf(options))
+        lods.push_back(ready && ready->detail == detail ? ready : creator.create(params, *detail, progress));
+    exportModels(lods, options, treeFolder, path, progress);
+    return lods;
+}
+
 void exportModel(const TreeModel& model, const fs::path& treeFolder, const fs::path& path, const CProgress& progress) {
     const std::shared_ptr<const TreeModel> borrowed(std::shared_ptr<const TreeModel>(), &model);
     exportModels({borrowed}, {}, treeFolder, path, progress);

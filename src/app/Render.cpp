@@ -38,7 +38,9 @@ Pixels renderPicture(const TreeModel& model, const std::filesystem::path& treeFo
     scene.show(parts);
     for (const ViewPart& part : parts) {
         const std::string file = textureOf(model, part.surface, treeFolder).string();
-        if (const std::string problem = scene.setTexture(part.surface, file); !problem.empty()) throw CError(problem);
+        const auto maps = readSurface(part.surface, file);
+        if (!maps->problem.empty()) throw CError(maps->problem);
+        scene.setSurface(part.surface, *maps);
     }
     ViewLook look;
     look.hour = options.hour;

@@ -1,5 +1,6 @@
 #include "TwigPicture.h"
 #include "stromar/texture/Opacity.h"
+#include "stromar/util/Rasterise.h"
 #include "stromar/util/Random.h"
 #include "stromar/util/Text.h"
 #include <algorithm>
@@ -94,32 +95,19 @@ private:
     void drawTriangle(const CMesh& mesh, const std::uint32_t* corners, LookAt&& lookAt) {
         glm::dvec2 p[3];
         for (int i = 0; i < 3; ++i) p[i] = (glm::dvec2(mesh.positions[corners[i]]) - m_low) * m_scale;
-        const glm::dvec2 b = p[1] - p[0], c = p[2] - p[0];
-        const double twice = b.x * c.y - b.y * c.x;
-        if (std::abs(twice) < 1e-9) return;
         const Facing facing = facingOf(mesh, corners);
-        const auto range = [&](double a, double d, double e) {
-            const auto [least, most] = std::minmax({a, d, e});
-            return std::pair(std::max(0, static_cast<int>(least)), std::min(int(kSide) - 1, static_cast<int>(most)));
-        };
-        const auto [x0, x1] = range(p[0].x, p[1].x, p[2].x);
-        const auto [y0, y1] = range(p[0].y, p[1].y, p[2].y);
-        for (int y = y0; y <= y1; ++y)
-            for (int x = x0; x <= x1; ++x) {
-                const glm::dvec2 q = glm::dvec2(x + 0.5, y + 0.5) - p[0];
-                const glm::vec2 uv((q.x * c.y - q.y * c.x) / twice, (b.x * q.y - b.y * q.x) / twice);
-                if (uv.x < 0 || uv.y < 0 || uv.x + uv.y > 1) continue;
-                const auto mixed = [&](const auto& values) {
-                    return (1 - uv.x - uv.y) * values[corners[0]] + uv.x * values[corners[1]] +
-                           uv.y * values[corners[2]];
-                };
-                Sample& sample = m_samples[static_cast<std::size_t>(y) * kSide + static_cast<std::size_t>(x)];
-                const float z = mixed(mesh.positions).z;
-                if (z <= sample.z) continue;
-                const Look look = lookAt(mixed(mesh.texCoords));
-                if (look.front.w < float(kAlphaCut)) continue;
-                take(sample, z, look, facing, glm::normalize(mixed(mesh.normals)));
-            }
+        rasterise(p[0], p[1], p[2], kSide, kSide, [&](int x, int y, double u, double v) {
+            const auto mixed = [&](const auto& values) {
+                return float(1 - u - v) * values[corners[0]] + float(u) * values[corners[1]] +
+                       float(v) * values[corners[2]];
+            };
+            Sample& sample = m_samples[static_cast<std::size_t>(y) * kSide + static_cast<std::size_t>(x)];
+            const float z = mixed(mesh.positions).z;
+            if (z <= sample.z) return;
+            const Look look = lookAt(mixed(mesh.texCoords));
+            if (look.front.w < float(kAlphaCut)) return;
+            take(sample, z, look, facing, glm::normalize(mixed(mesh.normals)));
+        });
     }
 
     /// How a triangle's picture lies before the camera.

@@ -238,9 +238,8 @@ void exportTree(const CommonOptions& common, const ExportOptions& options, const
     if (const std::string conflict = conflictText(options, *format); !conflict.empty()) throw CUsageError(conflict);
     const CParams params = readParams(common);
     CTreeCreator creator(common.varied, common.limits);
-    std::vector<std::shared_ptr<const TreeModel>> lods;
-    for (const Detail* detail : detailsOf(options)) lods.push_back(creator.create(params, *detail, progress));
-    exportModels(lods, options, std::filesystem::path(common.file).parent_path(), path, progress);
+    const auto lods = stromar::exportTree(creator, params, options, std::filesystem::path(common.file).parent_path(), path,
+                                          progress);
     for (const auto& lod : lods)
         say(common, path + ": " + std::string(lod->detail->name) + ", " + std::to_string(lod->vertexCount()) +
                         " vertices, " + std::to_string(lod->triangleCount()) + " triangles");

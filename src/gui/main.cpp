@@ -1,3 +1,5 @@
+#include "document/FileController.h"
+#include "work/GrowthController.h"
 #include "window/Commands.h"
 #include "window/Display.h"
 #include "params/HelpPictures.h"
@@ -25,7 +27,7 @@ struct Options {
     std::optional<ParamRef> shown;
     QSize size;
     Model model = Model::Full;
-    bool wired = false;
+    bool wireframe = false;
     SizeLimits limits;
 };
 
@@ -48,9 +50,9 @@ QString read(const QApplication& app, Options& options) {
     const QCommandLineOption size(QStringLiteral("size"), QStringLiteral("Size of the window."), QStringLiteral("WxH"));
     const QCommandLineOption model(QStringLiteral("model"), QStringLiteral("The model of the picture: full or simple."),
                                    QStringLiteral("NAME"), QStringLiteral("full"));
-    const QCommandLineOption most(QStringLiteral("max-vertices"), QStringLiteral("Refuses trees that may be larger."),
+    const QCommandLineOption maxVertices(QStringLiteral("max-vertices"), QStringLiteral("Refuses trees that may be larger."),
                                   QStringLiteral("N"));
-    const QCommandLineOption wired(QStringLiteral("wired"), QStringLiteral("Shows the wire frame."));
+    const QCommandLineOption wireframe(QStringLiteral("wireframe"), QStringLiteral("Shows the wireframe."));
     const QCommandLineOption pictures(
         QStringLiteral("help-pictures"),
         QStringLiteral("Writes the pictures of the parameters for the manual and leaves."), QStringLiteral("FOLDER"));
@@ -59,13 +61,13 @@ QString read(const QApplication& app, Options& options) {
                                       QStringLiteral("NAME,…"));
     const QCommandLineOption shown(QStringLiteral("show"), QStringLiteral("Goes to a parameter."),
                                    QStringLiteral("KEY"));
-    parser.addOptions({screenshot, size, model, wired, most, pictures, commands, shown});
+    parser.addOptions({screenshot, size, model, wireframe, maxVertices, pictures, commands, shown});
     parser.process(app);
     const QStringList files = parser.positionalArguments();
     if (files.size() > 1) return QStringLiteral("only one file can be opened");
     options.file = files.value(0);
     options.screenshot = parser.value(screenshot);
-    options.wired = parser.isSet(wired);
+    options.wireframe = parser.isSet(wireframe);
     options.helpPictures = parser.value(pictures);
     options.commands = parser.value(commands).split(QLatin1Char(','), Qt::SkipEmptyParts);
     for (const QString& name : std::as_const(options.commands))
@@ -85,8 +87,8 @@ QString read(const QApplication& app, Options& options) {
     if (parser.value(model) != QLatin1String("full") && parser.value(model) != QLatin1String("simple"))
         return QStringLiteral("--model is full or simple");
     if (parser.value(model) == QLatin1String("simple")) options.model = Model::Simple;
-    if (parser.isSet(most)) {
-        options.limits.vertices = parser.value(most).toDouble();
+    if (parser.isSet(maxVertices)) {
+        options.limits.vertices = parser.value(maxVertices).toDouble();
         if (!(options.limits.vertices > 0)) return QStringLiteral("--max-vertices wants a number");
     }
     return {};
@@ -143,13 +145,13 @@ int main(int argc, char** argv) {
             return 1;
         }
         window.show();
-        if (!options.screenshot.isEmpty()) window.showOnly(options.model);
-        if (!options.file.isEmpty() && !window.open(options.file) && !options.screenshot.isEmpty()) return 1;
+        if (!options.screenshot.isEmpty()) window.growth().showOnly(options.model);
+        if (!options.file.isEmpty() && !window.files().open(options.file) && !options.screenshot.isEmpty()) return 1;
         for (const QString& name : std::as_const(options.commands)) window.findChild<QAction*>(name)->trigger();
         if (options.shown) window.panel().showParam(*options.shown);
-        if (options.wired) window.findChild<QAction*>(QStringLiteral("wired"))->trigger();
+        if (options.wireframe) window.findChild<QAction*>(QStringLiteral("wireframe"))->trigger();
         if (options.screenshot.isEmpty())
-            QTimer::singleShot(0, &window, &CMainWindow::offerRestore);
+            QTimer::singleShot(0, &window.files(), &CFileController::offerRestore);
         else
             takeScreenshot(window, options);
         return QApplication::exec();

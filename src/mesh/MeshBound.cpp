@@ -42,12 +42,12 @@ private:
         if (!m_smooth) return 0;
         const double bends = ringsPerBend() * (m_bound.segments - 1);
         const double helix = m_bound.helix ? (m_detail.helixRings - 1) * m_bound.segments : 0;
-        const double most = double(CSmoother::ringLimit(1 / m_bound.along)) * m_bound.segments;
-        if (m_bound.spheres) return bends + std::max(helix, most);
+        const double max = double(CSmoother::ringLimit(1 / m_bound.along)) * m_bound.segments;
+        if (m_bound.spheres) return bends + std::max(helix, max);
         const double uneven = (m_bound.roundEnds ? kRoundEndRings : 0) +
                               (m_trunk && m_base.flare != 0 ? kUnevenRings : 0) +
                               (m_trunk && m_base.rootCount() > 0 ? kUnevenRings : 0);
-        return bends + std::max(helix, std::min(most, uneven * m_bound.paths));
+        return bends + std::max(helix, std::min(max, uneven * m_bound.paths));
     }
 
     double ringsPerBend() const {

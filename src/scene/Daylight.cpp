@@ -1,12 +1,13 @@
 #include "stromar/scene/Daylight.h"
 #include <algorithm>
 #include <cmath>
+#include <numbers>
 
 namespace stromar {
 
 namespace {
-constexpr double kPi = 3.14159265358979323846;
-constexpr double kLatitude = 48 * kPi / 180, kDeclination = 18 * kPi / 180; // Central Europe, May or August
+using std::numbers::pi;
+constexpr double kLatitude = 48 * pi / 180, kDeclination = 18 * pi / 180; // Central Europe, May or August
 
 osg::Vec3 mixed(const osg::Vec3& a, const osg::Vec3& b, double t) {
     return a + (b - a) * static_cast<float>(std::clamp(t, 0.0, 1.0));
@@ -14,7 +15,7 @@ osg::Vec3 mixed(const osg::Vec3& a, const osg::Vec3& b, double t) {
 
 /// Unit, in a world with x to the east and −y to the south.
 osg::Vec3 sunAt(double hour) {
-    const double angle = (hour - 12) * kPi / 12; // positive after noon
+    const double angle = (hour - 12) * pi / 12; // positive after noon
     const double up =
         std::sin(kLatitude) * std::sin(kDeclination) + std::cos(kLatitude) * std::cos(kDeclination) * std::cos(angle);
     const double west = std::cos(kDeclination) * std::sin(angle);
@@ -34,7 +35,7 @@ osg::Vec3 throughAir(double up) {
 Daylight daylightAt(double hour, double turn) {
     Daylight light;
     const osg::Vec3 sun = sunAt(hour);
-    const double a = turn * kPi / 180;
+    const double a = turn * pi / 180;
     const auto c = static_cast<float>(std::cos(a)), s = static_cast<float>(std::sin(a));
     light.sun = {c * sun.x() - s * sun.y(), s * sun.x() + c * sun.y(), sun.z()};
     const double up = sun.z(), day = std::clamp((up + 0.22) / 0.42, 0.0, 1.0),

@@ -75,7 +75,7 @@ void addUniforms(osg::StateSet& state, const Rounding& rounding) {
     const glm::vec3 centre(rounding.centre);
     state.addUniform(new osg::Uniform("instanced", 1.0f));
     state.addUniform(new osg::Uniform("roundingCentre", osg::Vec3(centre.x, centre.y, centre.z)));
-    state.addUniform(new osg::Uniform("rounding", osg::Vec2(static_cast<float>(rounding.share), static_cast<float>(rounding.least))));
+    state.addUniform(new osg::Uniform("rounding", osg::Vec2(static_cast<float>(rounding.share), static_cast<float>(rounding.minCosine))));
 }
 
 osg::ref_ptr<osg::Geometry> emptyGeometry(const std::string& name) {

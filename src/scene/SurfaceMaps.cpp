@@ -1,8 +1,7 @@
-#include "SurfaceMaps.h"
+#include "stromar/scene/SurfaceMaps.h"
 #include "stromar/texture/Opacity.h"
 #include "stromar/texture/TextureMaps.h"
 #include <cstring>
-#include <osg/Image>
 #include <osg/Texture2D>
 #include <osgDB/ReadFile>
 
@@ -98,25 +97,33 @@ ImageRef glossImage(const osg::Image* roughness, const osg::Image* through, bool
 }
 } // namespace
 
-std::string showSurface(osg::StateSet* state, const std::string& file, const osg::Vec4& plain, bool cutOut) {
+std::shared_ptr<const SurfaceMaps> readSurface(Surface surface, const std::string& file) {
+    const SurfaceInfo& info = surfaceOf(surface);
+    auto maps = std::make_shared<SurfaceMaps>();
     ImageRef albedo = file.empty() ? nullptr : osgDB::readRefImageFile(file);
-    const bool missing = !file.empty() && !albedo;
+    if (!file.empty() && !albedo) maps->problem = "cannot show the picture " + file;
     const ImageRef relief = albedo ? readMap(file, "_normal") : nullptr;
     const ImageRef roughness = albedo ? readMap(file, "_roughness") : nullptr,
-                   through = albedo ? readMap(file, "_translucency") : nullptr,
-                   under = albedo && cutOut ? readMap(file, "_back") : nullptr;
-    if (!albedo) albedo = plainImage(plain);
-    if (cutOut) albedo = cutOutImage(*albedo);
-    state->setTextureAttributeAndModes(kAlbedoUnit, makeTexture(albedo));
-    state->setTextureAttributeAndModes(kReliefUnit, makeTexture(relief ? relief : plainImage({0.5f, 0.5f, 1, 1})));
-    state->setTextureAttributeAndModes(kGlossUnit, makeTexture(glossImage(roughness, through, cutOut)));
-    if (under)
-        state->setTextureAttributeAndModes(kUnderUnit, makeTexture(under));
+                   through = albedo ? readMap(file, "_translucency") : nullptr;
+    maps->under = albedo && info.cutOut ? readMap(file, "_back") : nullptr;
+    if (!albedo) albedo = plainImage({info.colour.x, info.colour.y, info.colour.z, 1});
+    maps->albedo = info.cutOut ? cutOutImage(*albedo) : albedo;
+    maps->bumpy = relief.valid();
+    maps->relief = relief ? relief : plainImage({0.5f, 0.5f, 1, 1});
+    maps->gloss = glossImage(roughness, through, info.cutOut);
+    return maps;
+}
+
+void showSurface(osg::StateSet& state, const SurfaceMaps& maps) {
+    state.setTextureAttributeAndModes(kAlbedoUnit, makeTexture(maps.albedo));
+    state.setTextureAttributeAndModes(kReliefUnit, makeTexture(maps.relief));
+    state.setTextureAttributeAndModes(kGlossUnit, makeTexture(maps.gloss));
+    if (maps.under)
+        state.setTextureAttributeAndModes(kUnderUnit, makeTexture(maps.under));
     else
-        state->removeTextureAttribute(kUnderUnit, osg::StateAttribute::TEXTURE);
-    state->getOrCreateUniform("underSide", osg::Uniform::FLOAT)->set(under ? 1.0f : 0.0f);
-    state->getOrCreateUniform("reliefDepth", osg::Uniform::FLOAT)->set(relief ? 1.0f : 0.0f);
-    return missing ? "cannot show the picture " + file : std::string();
+        state.removeTextureAttribute(kUnderUnit, osg::StateAttribute::TEXTURE);
+    state.getOrCreateUniform("underSide", osg::Uniform::FLOAT)->set(maps.under ? 1.0f : 0.0f);
+    state.getOrCreateUniform("reliefDepth", osg::Uniform::FLOAT)->set(maps.bumpy ? 1.0f : 0.0f);
 }
 
 } // namespace stromar

@@ -3,7 +3,7 @@
 #include "Programs.h"
 #include "Shaders.h"
 #include "ShadowMap.h"
-#include "SurfaceMaps.h"
+#include "stromar/scene/SurfaceMaps.h"
 #include "stromar/model/Material.h"
 #include "stromar/scene/Daylight.h"
 #include "stromar/scene/OsgGeometry.h"
@@ -64,7 +64,7 @@ CViewScene::CViewScene()
         m_surfaces[i] = new osg::Group;
         setFloat(m_surfaces[i]->getOrCreateStateSet(), "leaf", surfaceOf(surface).cutOut);
         m_surfaceGroup->addChild(m_surfaces[i]);
-        setTexture(surface, {});
+        setSurface(surface, *readSurface(surface, {}));
     }
     m_shadows = std::make_unique<CShadowMap>(m_surfaceGroup);
     m_shadows->addTo(m_state, kShadowUnit);
@@ -182,12 +182,9 @@ std::optional<ViewHit> CViewScene::pick(const osg::Vec3d& from, const osg::Vec3d
     return nearest;
 }
 
-std::string CViewScene::setTexture(Surface surface, const std::string& file) {
-    const SurfaceInfo& info = surfaceOf(surface);
-    const osg::Vec4 plain(info.colour.x, info.colour.y, info.colour.z, 1);
-    osg::StateSet* state = m_surfaces[static_cast<std::size_t>(surface)]->getOrCreateStateSet();
-    if (m_shadows && info.cutOut) m_shadows->setStale();
-    return showSurface(state, file, plain, info.cutOut);
+void CViewScene::setSurface(Surface surface, const SurfaceMaps& maps) {
+    if (m_shadows && surfaceOf(surface).cutOut) m_shadows->setStale();
+    showSurface(*m_surfaces[static_cast<std::size_t>(surface)]->getOrCreateStateSet(), maps);
 }
 
 void CViewScene::startContext(int samples, bool instancing) {

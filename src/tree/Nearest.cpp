@@ -18,12 +18,12 @@ std::optional<std::uint32_t> nearestStem(const CTree& tree, std::size_t generati
     if (generation >= tree.generationCount()) return {};
     const CGeneration& all = tree.generation(generation);
     std::optional<std::uint32_t> nearest;
-    double least = std::numeric_limits<double>::infinity();
+    double smallest = std::numeric_limits<double>::infinity();
     for (std::uint32_t i = 0; i < all.stems.size(); ++i) {
         const CStem& stem = all.stems[i];
         for (std::uint32_t s = stem.firstSegment; s < stem.firstSegment + stem.segmentCount; ++s)
-            if (const double distance = distanceTo(all.segments[s], point); distance < least) {
-                least = distance;
+            if (const double distance = distanceTo(all.segments[s], point); distance < smallest) {
+                smallest = distance;
                 nearest = i;
             }
     }
@@ -32,11 +32,11 @@ std::optional<std::uint32_t> nearestStem(const CTree& tree, std::size_t generati
 
 std::optional<std::uint32_t> nearestLeaf(const CTree& tree, const glm::dvec3& point) {
     std::optional<std::uint32_t> nearest;
-    double least = std::numeric_limits<double>::infinity();
+    double smallest = std::numeric_limits<double>::infinity();
     for (std::uint32_t i = 0; i < tree.leaves().size(); ++i) {
         const CLeaf& leaf = tree.leaves()[i];
-        if (const double d = glm::distance(point, leaf.position + 0.5 * leaf.length * leaf.axis); d < least) {
-            least = d;
+        if (const double d = glm::distance(point, leaf.position + 0.5 * leaf.length * leaf.axis); d < smallest) {
+            smallest = d;
             nearest = i;
         }
     }

@@ -1,5 +1,8 @@
 #include "window/Display.h"
 #include "window/MainWindow.h"
+#include "document/FileController.h"
+#include "work/ExportController.h"
+#include "work/GrowthController.h"
 #include "params/ParamPanel.h"
 #include "stromar/params/ParamText.h"
 #include <QApplication>
@@ -27,7 +30,7 @@ void BM_FirstTree(benchmark::State& state) {
     for (auto _ : state) {
         CMainWindow window;
         window.show();
-        window.open(preset("quaking_aspen"));
+        window.files().open(preset("quaking_aspen"));
         waitForPicture(window);
     }
 }
@@ -37,8 +40,8 @@ BENCHMARK(BM_FirstTree)->Name("Window/FirstTree")->Unit(benchmark::kMillisecond)
 void BM_SliderStep(benchmark::State& state, const char* name) {
     CMainWindow window;
     window.show();
-    window.open(preset(name));
-    window.showOnly(Model::Simple);
+    window.files().open(preset(name));
+    window.growth().showOnly(Model::Simple);
     waitForPicture(window);
     const ParamRef down = *findParam("1DownAngle");
     double angle = 30;
@@ -61,8 +64,8 @@ BENCHMARK_CAPTURE(BM_SliderStep, weeping_willow, "weeping_willow")
 void BM_Frame(benchmark::State& state, const char* name, Model model) {
     CMainWindow window;
     window.show();
-    window.open(preset(name));
-    window.showOnly(model);
+    window.files().open(preset(name));
+    window.growth().showOnly(model);
     waitForPicture(window);
     while (window.busy()) QCoreApplication::processEvents();
     QCoreApplication::processEvents(); // the pictures of its recipes have come

@@ -135,14 +135,14 @@ TEST_F(DeskTest, APictureMayBeTransparent) {
 }
 
 TEST_F(DeskTest, SwitchesOfTheView) {
-    for (const char* name : {"wired", "wiresOver", "bare", "ground", "backdropLight", "backdropDark", "orthographic"}) {
+    for (const char* name : {"wireframe", "wireframeOver", "bare", "ground", "backdropLight", "backdropDark", "orthographic"}) {
         const QImage before = picture();
         action(name)->trigger();
         QTest::qWait(30);
         EXPECT_NE(picture(), before) << name;
     }
-    EXPECT_FALSE(action("wired")->isChecked()) << "wires over the tree took its place";
-    for (const char* name : {"wiresOver", "bare", "ground", "orthographic"}) action(name)->trigger();
+    EXPECT_FALSE(action("wireframe")->isChecked()) << "wires over the tree took its place";
+    for (const char* name : {"wireframeOver", "bare", "ground", "orthographic"}) action(name)->trigger();
     action("backdropSky")->trigger();
     action("trackball")->trigger();
     drag({100, 100}, {220, 260});
@@ -264,7 +264,7 @@ TEST_F(DeskTest, ASheetOfSeedsToChooseFromAndToLike) {
         if (button->text().contains(QChar(0x2665))) button->click();
     EXPECT_EQ(window.document().params().text.likedSeeds, std::to_string(seed));
     QTemporaryDir folder;
-    ASSERT_TRUE(window.save(folder.filePath(QStringLiteral("liked.tree"))));
+    ASSERT_TRUE(window.files().save(folder.filePath(QStringLiteral("liked.tree"))));
     EXPECT_EQ(CTreeFile::read(folder.filePath(QStringLiteral("liked.tree")).toStdString()).params().text.likedSeeds,
               std::to_string(seed));
 }
@@ -303,7 +303,7 @@ TEST_F(DeskTest, ABarkIsDrawnFromItsRecipe) {
     action("undo")->trigger();
     EXPECT_TRUE(showsNow(Model::Full));
     QTemporaryDir folder;
-    ASSERT_TRUE(window.save(folder.filePath(QStringLiteral("a.tree"))));
+    ASSERT_TRUE(window.files().save(folder.filePath(QStringLiteral("a.tree"))));
     EXPECT_EQ(window.document().params().text.barkTexture, "bark:cherry") << "no path to be moved";
 }
 
@@ -312,7 +312,7 @@ TEST_F(DeskTest, ABarkIsDrawnFromItsRecipe) {
 TEST_F(DeskTest, AFileChangedByAnotherProgramIsNoticed) {
     QTemporaryDir folder;
     const QString path = folder.filePath(QStringLiteral("shared.tree"));
-    ASSERT_TRUE(window.save(path));
+    ASSERT_TRUE(window.files().save(path));
     QTest::qWait(400);
     EXPECT_FALSE(window.bar().isVisible()) << "our own writing is no news";
     std::string text = readFile(toPath(path));
@@ -328,7 +328,7 @@ TEST_F(DeskTest, AFileChangedByAnotherProgramIsNoticed) {
 TEST_F(DeskTest, KeepingOnesOwnAgainstAChangedFileCountsAsAChange) {
     QTemporaryDir folder;
     const QString path = folder.filePath(QStringLiteral("shared.tree"));
-    ASSERT_TRUE(window.save(path));
+    ASSERT_TRUE(window.files().save(path));
     std::string text = readFile(toPath(path));
     text.replace(text.find("Scale = 13"), 10, "Scale = 21");
     writeFile(toPath(path), text);
@@ -336,7 +336,7 @@ TEST_F(DeskTest, KeepingOnesOwnAgainstAChangedFileCountsAsAChange) {
     EXPECT_FALSE(window.isWindowModified());
     window.bar().findChildren<QPushButton*>().back()->click();
     EXPECT_TRUE(window.isWindowModified()) << "closing must ask";
-    ASSERT_TRUE(window.save(path));
+    ASSERT_TRUE(window.files().save(path));
     EXPECT_FALSE(window.isWindowModified());
     EXPECT_NE(readFile(toPath(path)).find("Scale = 13"), std::string::npos);
 }
@@ -344,7 +344,7 @@ TEST_F(DeskTest, KeepingOnesOwnAgainstAChangedFileCountsAsAChange) {
 TEST_F(DeskTest, WhatIsTypedButNotEnteredIsSaved) {
     QTemporaryDir folder;
     const QString path = folder.filePath(QStringLiteral("typed.tree"));
-    ASSERT_TRUE(window.save(path));
+    ASSERT_TRUE(window.files().save(path));
     auto* box = window.panel().editor(paramRef("Scale"))->findChild<QDoubleSpinBox*>();
     box->setFocus();
     box->selectAll();
@@ -461,7 +461,7 @@ TEST_F(DeskTest, UnitsAndLanguageAskForANewWindowWithTheSameDocument) {
 TEST(WindowKeeper, AnotherLanguageKeepsDocumentAndHistory) {
     CWindowKeeper keeper;
     keeper.window().show();
-    ASSERT_TRUE(keeper.window().open(presetPath("quaking_aspen")));
+    ASSERT_TRUE(keeper.window().files().open(presetPath("quaking_aspen")));
     keeper.window().document().setValue(paramRef("Scale"), 17, 0);
     QTimer::singleShot(100, [&] { // as a user: in the dialog, which closes afterwards
         auto* dialog = QApplication::activeModalWidget();
@@ -565,16 +565,16 @@ TEST(Crash, AKilledProgramsChangesAreRestored) {
         box->buttons().front()->click(); // Restore
     });
     poll.start(20);
-    window.offerRestore();
+    window.files().offerRestore();
     EXPECT_TRUE(question.contains(QLatin1String("quaking_aspen.tree"))) << question.toStdString();
     EXPECT_EQ(paramRef("Scale").get(window.document().params()), 17);
     EXPECT_EQ(window.document().path(), presetPath("quaking_aspen"));
     EXPECT_TRUE(window.isWindowModified()) << "it is not saved yet";
     EXPECT_TRUE(CAutosave::leftovers(CAutosave::standardFolder()).empty());
-    EXPECT_TRUE(QFile::exists(window.autosave().file())) << "kept again";
+    EXPECT_TRUE(QFile::exists(window.files().autosave().file())) << "kept again";
     window.document().history().undo();
     QTest::qWait(50);
-    EXPECT_TRUE(waitFor([&] { return !QFile::exists(window.autosave().file()); })) << "nothing to keep";
+    EXPECT_TRUE(waitFor([&] { return !QFile::exists(window.files().autosave().file()); })) << "nothing to keep";
 }
 
 } // namespace

@@ -103,7 +103,7 @@ TEST_F(MethodWindowTest, ATreeOfAnotherMethodHasItsOwnTabs) {
     const QString path = folder.filePath(QStringLiteral("pole.tree"));
     static_cast<void>(poleMethod());
     writeFile(toPath(path), "Format = 2\nMethod = pole\nPolePlan = \"\"\"\nLL\n\"\"\"\n");
-    ASSERT_TRUE(window.open(path));
+    ASSERT_TRUE(window.files().open(path));
     CParamPanel& panel = window.panel();
     EXPECT_EQ(panel.tabs().tabText(1), QStringLiteral("Pole"));
     ASSERT_TRUE(panel.editor(poleRow("PoleThickness")));

@@ -37,11 +37,11 @@ TEST(Thread, AHundredRequestsEndInTheLast) {
     CParams params = aspen();
     for (int i = 0; i < 100; ++i) {
         params.common.seed = i;
-        f.thread.request(params, detailOf(i % 3 ? Model::Simple : Model::Full));
+        f.thread.request({params, {}, &detailOf(i % 3 ? Model::Simple : Model::Full)});
         if (i % 10 == 0) QTest::qWait(1);
     }
     params.common.seed = 100;
-    f.thread.request(params, detailOf(Model::Simple));
+    f.thread.request({params, {}, &detailOf(Model::Simple)});
     ASSERT_TRUE(waitFor([&] { return f.last && f.last->model->params.common.seed == 100; }));
     EXPECT_LT(f.results, 100);
     QTest::qWait(100);
@@ -54,7 +54,7 @@ TEST(Thread, WorksElsewhere) {
     std::atomic<std::thread::id> worker{};
     QObject::connect(&f.thread, &CTreeCreatorThread::created,
                      [&] { worker = std::this_thread::get_id(); }); // in the emitting thread
-    f.thread.request(aspen(), detailOf(Model::Simple));
+    f.thread.request({aspen(), {}, &detailOf(Model::Simple)});
     ASSERT_TRUE(waitFor([&] { return f.results == 1; }));
     EXPECT_NE(worker.load(), std::thread::id());
     EXPECT_NE(worker.load(), std::this_thread::get_id());
@@ -67,7 +67,7 @@ TEST(Thread, StepsThatComeFasterThanTreesStillShowSome) {
     clock.start();
     for (int i = 0; f.results < 2 && clock.elapsed() < 60000; ++i) {
         weberPenn(params).level[1].downAngle = 20 + i % 40;
-        f.thread.request(params, detailOf(Model::Simple));
+        f.thread.request({params, {}, &detailOf(Model::Simple)});
         QTest::qWait(10);
     }
     EXPECT_GE(f.results, 2); // cancelling each would have shown none
@@ -75,10 +75,10 @@ TEST(Thread, StepsThatComeFasterThanTreesStillShowSome) {
 
 TEST(Thread, AnErrorReachesTheUserAndTheNextTreeGrows) {
     Fixture f;
-    f.thread.request(willow(), detailOf(Model::Full), false, {.vertices = 500000});
+    f.thread.request({willow(), {}, &detailOf(Model::Full), {.vertices = 500000}});
     ASSERT_TRUE(waitFor([&] { return !f.failure.isEmpty(); }));
     EXPECT_TRUE(f.failure.contains(QLatin1String("500000 vertices"))) << f.failure.toStdString();
-    f.thread.request(aspen(), detailOf(Model::Simple));
+    f.thread.request({aspen(), {}, &detailOf(Model::Simple)});
     EXPECT_TRUE(waitFor([&] { return f.results == 1; }));
 }
 
@@ -86,7 +86,7 @@ TEST(Thread, QuitsWhileBusy) {
     QElapsedTimer clock;
     {
         Fixture f;
-        f.thread.request(willow(), detailOf(Model::Full));
+        f.thread.request({willow(), {}, &detailOf(Model::Full)});
         ASSERT_TRUE(waitFor([&] { return f.thread.progress().has_value(); }));
         clock.start();
     }
@@ -96,11 +96,11 @@ TEST(Thread, QuitsWhileBusy) {
 TEST(Thread, UnchangedGenerationsKeepTheirGeometry) {
     Fixture f;
     CParams params = aspen();
-    f.thread.request(params, detailOf(Model::Simple));
+    f.thread.request({params, {}, &detailOf(Model::Simple)});
     ASSERT_TRUE(waitFor([&] { return f.results == 1; }));
     const auto before = f.last;
     weberPenn(params).level[2].curve.value += 5;
-    f.thread.request(params, detailOf(Model::Simple));
+    f.thread.request({params, {}, &detailOf(Model::Simple)});
     ASSERT_TRUE(waitFor([&] { return f.results == 2; }));
     ASSERT_EQ(before->parts.size(), 4u);
     ASSERT_EQ(f.last->parts.size(), 4u);
@@ -112,10 +112,10 @@ TEST(Thread, UnchangedGenerationsKeepTheirGeometry) {
 
 TEST(Thread, GenerateStartsFromNothing) {
     Fixture f;
-    f.thread.request(aspen(), detailOf(Model::Simple));
+    f.thread.request({aspen(), {}, &detailOf(Model::Simple)});
     ASSERT_TRUE(waitFor([&] { return f.results == 1; }));
     const auto before = f.last;
-    f.thread.request(aspen(), detailOf(Model::Simple), true);
+    f.thread.request({aspen(), {}, &detailOf(Model::Simple), {}, true});
     ASSERT_TRUE(waitFor([&] { return f.results == 2; }));
     EXPECT_NE(before->model->tree, f.last->model->tree);
     EXPECT_EQ(before->model->vertexCount(), f.last->model->vertexCount());

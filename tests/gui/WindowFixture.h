@@ -1,5 +1,8 @@
 #pragma once
 #include "window/MainWindow.h"
+#include "document/FileController.h"
+#include "work/ExportController.h"
+#include "work/GrowthController.h"
 #include "params/ParamEditor.h"
 #include "params/ParamPanel.h"
 #include "Support.h"
@@ -22,7 +25,7 @@ protected:
         window.show();
         ASSERT_TRUE(QTest::qWaitForWindowExposed(&window));
         QApplication::setActiveWindow(&window); // a bare X server has no window manager to do it
-        ASSERT_TRUE(window.open(presetPath("quaking_aspen")));
+        ASSERT_TRUE(window.files().open(presetPath("quaking_aspen")));
         ASSERT_TRUE(showsNow(Model::Full));
     }
     /// Waits until the viewport shows the document's tree by this model.

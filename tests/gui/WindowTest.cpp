@@ -114,18 +114,18 @@ TEST_F(WindowTest, DrawsOnlyWhenSomethingChanges) {
     const int frames = window.viewport().framesDrawn();
     QTest::qWait(700);
     EXPECT_LE(window.viewport().framesDrawn(), frames + 1);
-    action("wired")->trigger();
+    action("wireframe")->trigger();
     QTest::qWait(100);
     EXPECT_GT(window.viewport().framesDrawn(), frames);
 }
 
 TEST_F(WindowTest, WiredChangesThePicture) {
     const QImage filled = picture();
-    action("wired")->trigger();
+    action("wireframe")->trigger();
     QTest::qWait(100);
     const QImage wired = picture();
     EXPECT_NE(filled, wired);
-    action("wired")->trigger();
+    action("wireframe")->trigger();
     QTest::qWait(100);
     EXPECT_EQ(filled, picture());
 }
@@ -161,12 +161,12 @@ TEST_F(WindowTest, SavesReopensAndRemembers) {
     window.document().setValue(paramRef("Scale"), 17, 0);
     EXPECT_TRUE(window.isWindowModified());
     const QString path = folder.filePath(QStringLiteral("mine.tree"));
-    ASSERT_TRUE(window.save(path));
+    ASSERT_TRUE(window.files().save(path));
     EXPECT_FALSE(window.isWindowModified());
     EXPECT_TRUE(window.windowTitle().startsWith(QLatin1String("mine.tree[*]")));
-    ASSERT_TRUE(window.open(presetPath("black_tupelo")));
+    ASSERT_TRUE(window.files().open(presetPath("black_tupelo")));
     EXPECT_EQ(value("Scale"), 23);
-    ASSERT_TRUE(window.open(path));
+    ASSERT_TRUE(window.files().open(path));
     EXPECT_EQ(value("Scale"), 17);
     bool listed = false;
     for (QMenu* menu : window.findChildren<QMenu*>())
@@ -194,7 +194,7 @@ TEST_F(WindowTest, ABadFileIsShownAndTheTreeStays) {
     file.write("Format = 1\nScal = 3\nLevels = 3.5\n");
     file.close();
     answerNext(QMessageBox::Ok);
-    EXPECT_FALSE(window.open(bad));
+    EXPECT_FALSE(window.files().open(bad));
     EXPECT_TRUE(asked);
     EXPECT_TRUE(question.contains(QLatin1String("bad.tree:3:10"))) << question.toStdString();
     EXPECT_EQ(window.document().path(), presetPath("quaking_aspen"));
@@ -207,7 +207,7 @@ TEST_F(WindowTest, WarningsStayReadable) {
     ASSERT_TRUE(file.open(QIODevice::WriteOnly));
     file.write("Format = 1\nScal = 3\nLevels = 99\n");
     file.close();
-    ASSERT_TRUE(window.open(path));
+    ASSERT_TRUE(window.files().open(path));
     const auto* list = window.findChild<QListWidget*>(QStringLiteral("messageList"));
     ASSERT_EQ(list->count(), 2);
     EXPECT_TRUE(list->isVisible());
@@ -219,8 +219,8 @@ TEST_F(WindowTest, ExportsEveryFormat) {
     QTemporaryDir folder;
     for (const Format& format : formatTable()) {
         const QString path = folder.filePath(QStringLiteral("tree") + toQString(format.ending));
-        QSignalSpy ended(&window, &CMainWindow::exportEnded);
-        window.exportTo(path);
+        QSignalSpy ended(&window.exporter(), &CExportController::ended);
+        window.exporter().exportTo(path);
         ASSERT_TRUE(waitFor([&] { return ended.count() == 1; }, 120000)) << format.ending;
         EXPECT_TRUE(ended[0][0].toString().isEmpty()) << ended[0][0].toString().toStdString();
         EXPECT_GT(QFileInfo(path).size(), 5000) << format.ending;
@@ -230,9 +230,9 @@ TEST_F(WindowTest, ExportsEveryFormat) {
 
 TEST_F(WindowTest, AFailedExportIsShown) {
     QTemporaryDir folder;
-    QSignalSpy ended(&window, &CMainWindow::exportEnded);
+    QSignalSpy ended(&window.exporter(), &CExportController::ended);
     answerNext(QMessageBox::Ok);
-    window.exportTo(folder.filePath(QStringLiteral("no/such/folder/a.obj")));
+    window.exporter().exportTo(folder.filePath(QStringLiteral("no/such/folder/a.obj")));
     ASSERT_TRUE(waitFor([&] { return ended.count() == 1; }));
     EXPECT_TRUE(asked);
     EXPECT_TRUE(question.contains(QLatin1String("No such file"))) << question.toStdString();

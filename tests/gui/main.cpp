@@ -1,5 +1,6 @@
 #include "document/Autosave.h"
 #include "window/Display.h"
+#include "document/FileController.h"
 #include "window/MainWindow.h"
 #include "Support.h"
 #include <QApplication>
@@ -12,9 +13,9 @@ namespace {
 int waitToBeKilled() {
     stromar::CMainWindow window;
     window.show();
-    window.open(presetPath("quaking_aspen"));
+    window.files().open(presetPath("quaking_aspen"));
     window.document().setValue(paramRef("Scale"), 17, 0);
-    window.autosave().flush();
+    window.files().autosave().flush();
     std::puts("kept");
     std::fflush(stdout);
     return QApplication::exec();

@@ -142,9 +142,9 @@ TEST(ViewScene, TheStageDoesNotChangeWhatIsFramed) {
 TEST(ViewScene, SaysWhichPictureIsMissing) {
     CViewScene scene;
     for (const Surface surface : {Surface::Bark, Surface::Leaf}) {
-        EXPECT_EQ(scene.setTexture(surface, ""), "");
-        EXPECT_EQ(scene.setTexture(surface, STROMAR_SOURCE "/textures/leaf.png"), "");
-        EXPECT_NE(scene.setTexture(surface, "/none/such.png").find("/none/such.png"), std::string::npos);
+        scene.setSurface(surface, *readSurface(surface, ""));
+        EXPECT_EQ(readSurface(surface, STROMAR_SOURCE "/textures/leaf.png")->problem, "");
+        EXPECT_NE(readSurface(surface, "/none/such.png")->problem.find("/none/such.png"), std::string::npos);
     }
 }
 

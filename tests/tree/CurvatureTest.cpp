@@ -79,7 +79,7 @@ CParams helixTree() {
 TEST(Helix, TheTangentHasExactlyTheAngle) {
     const auto tree = grow(helixTree());
     for (const CSegment& segment : tree->generation(0).segments) {
-        EXPECT_NEAR(segment.helixRadius, segment.length * std::tan(glm::radians(30.0)) / (2 * 3.14159265358979323846),
+        EXPECT_NEAR(segment.helixRadius, segment.length * std::tan(glm::radians(30.0)) / (2 * std::numbers::pi),
                     1e-12);
         for (int i = 0; i <= 20; ++i) {
             const double t = i / 20.0, h = 1e-6;

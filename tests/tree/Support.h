@@ -8,6 +8,7 @@
 #include <glm/trigonometric.hpp>
 #include <initializer_list>
 #include <map>
+#include <numbers>
 #include <random>
 #include <string>
 #include <string_view>
@@ -36,7 +37,7 @@ inline CParams preset(const std::string& name) {
     return CTreeFile::read(STROMAR_SOURCE "/presets/" + name + ".tree").params();
 }
 
-inline double degrees(double radians) { return radians * 180 / 3.14159265358979323846; }
+inline double degrees(double radians) { return radians * 180 / std::numbers::pi; }
 inline double declinationOf(const CSegment& segment) { return degrees(declination(segment.frame)); }
 /// Of a horizontal part, counterclockwise from x, degrees.
 inline double azimuthOf(const glm::dvec3& v) { return degrees(std::atan2(v.y, v.x)); }

@@ -12,7 +12,14 @@ namespace stromar {
 void exportModels(const std::vector<std::shared_ptr<const TreeModel>>& lods, const ExportOptions& options,
                   const std::filesystem::path& treeFolder, const std::filesystem::path& path,
                   const CProgress& progress);
-/// The same for one model with the usual options.
+/// Grows the tree at the levels of detail that the options ask for, and writes them: the one door of all front ends.
+/// `ready` may be one of the models, already made. Gives what was written.
+std::vector<std::shared_ptr<const TreeModel>> exportTree(CTreeCreator& creator, const CParams& params,
+                                                         const ExportOptions& options,
+                                                         const std::filesystem::path& treeFolder,
+                                                         const std::filesystem::path& path, const CProgress& progress,
+                                                         const std::shared_ptr<const TreeModel>& ready = nullptr);
+/// The same as exportModels() for one model with the usual options.
 void exportModel(const TreeModel& model, const std::filesystem::path& treeFolder, const std::filesystem::path& path,
                  const CProgress& progress);
 

@@ -29,7 +29,7 @@ LeafBlade bladeOf(const MeshParams& params, Organ organ, const Detail& detail);
 struct Rounding {
     glm::dvec3 centre{0};
     double share = 0;
-    double least = 0; ///< cosine to a leaf's own normal, so that its folded halves are not seen from behind
+    double minCosine = 0; ///< to a leaf's own normal, so that its folded halves are not seen from behind
 
     /// A normal turned outwards, but never to the back of its leaf.
     glm::dvec3 turned(const glm::dvec3& normal, const glm::dvec3& place) const;

@@ -1,5 +1,6 @@
 #pragma once
 #include "stromar/model/TreeModel.h"
+#include "stromar/scene/SurfaceMaps.h"
 #include <array>
 #include <memory>
 #include <optional>
@@ -66,8 +67,7 @@ public:
     /// before until renewShadows(): a tree that changes many times a second saves half the drawing.
     void show(const std::vector<ViewPart>& parts, Shadows shadows = Shadows::New);
     void renewShadows();
-    /// Empty on success, else why the picture cannot be shown; then the surface is plain.
-    std::string setTexture(Surface surface, const std::string& file);
+    void setSurface(Surface surface, const SurfaceMaps& maps);
     void setLook(const ViewLook& look);
     const ViewLook& look() const { return m_look; }
     /// Colours one generation; ViewPart::kNone colours none.

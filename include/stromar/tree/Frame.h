@@ -2,6 +2,7 @@
 #include <cmath>
 #include <glm/mat3x3.hpp>
 #include <glm/vec3.hpp>
+#include <numbers>
 
 namespace stromar {
 
@@ -41,7 +42,7 @@ inline double declination(const Frame& f) { return std::acos(glm::clamp(f[2].z, 
 /// The frame carried by the smallest turn to a new axis (a unit vector).
 inline Frame transported(const Frame& f, const glm::dvec3& axis) {
     const double cosine = glm::dot(f[2], axis);
-    if (cosine < -1 + 1e-12) return rotatedX(f, 3.14159265358979323846);
+    if (cosine < -1 + 1e-12) return rotatedX(f, std::numbers::pi);
     const glm::dvec3 normal = glm::cross(f[2], axis); // its length is the sine
     const auto carried = [&](const glm::dvec3& v) {
         return cosine * v + glm::cross(normal, v) + glm::dot(normal, v) / (1 + cosine) * normal;

@@ -12,7 +12,7 @@
 namespace stromar {
 
 namespace {
-constexpr int kLookVersion = 2;       // rises when the same tree is drawn differently
+constexpr int kLookVersion = 3;       // rises when the same tree is drawn differently
 constexpr double kFewVertices = 4e5;  // up to here the level of detail may be fine
 
 /// Where the picture of such a tree is kept.
@@ -35,13 +35,16 @@ QString keptFile(const CParams& params, const SurfaceTextures& textures, const Q
     return folder.filePath(QString::fromLatin1(hash.result().toHex()) + QStringLiteral(".png"));
 }
 
-std::shared_ptr<const ViewModel> grow(const CParams& params, const CProgress& progress) {
+std::shared_ptr<const ViewModel> grow(const CParams& params, const std::filesystem::path& folder, const CProgress& progress) {
     const bool small = predictSize(params, detailOf(Model::Full, 1)).vertices < kFewVertices;
     CTreeCreator creator;
-    makePictures(params, progress);
     auto view = std::make_shared<ViewModel>();
     view->model = creator.create(params, detailOf(Model::Full, small ? 1 : 3), progress);
     view->parts = viewPartsOf(*view->model, {}, progress);
+    makePictures(*view->model, folder, progress);
+    for (const ViewPart& part : view->parts)
+        view->surfaces[static_cast<std::size_t>(part.surface)] =
+            readSurface(part.surface, textureOf(*view->model, part.surface, folder).string());
     return view;
 }
 } // namespace
@@ -64,8 +67,8 @@ CThumbnails::~CThumbnails() {
 
 void CThumbnails::request(const QString& id, const CParams& params, const std::filesystem::path& folder,
                           const QSize& pixels, Keep keep) {
-    Task task{++m_lastNumber, id, QString(), texturesOf(params, folder), params, pixels};
-    if (keep == Keep::OnDisk) task.file = keptFile(params, task.textures, pixels);
+    Task task{++m_lastNumber, id, QString(), folder, params, pixels};
+    if (keep == Keep::OnDisk) task.file = keptFile(params, texturesOf(params, folder), pixels);
     if (const QImage kept = task.file.isEmpty() ? QImage() : QImage(task.file); !kept.isNull()) {
         QTimer::singleShot(0, this, [this, id, kept] { emit ready(id, kept); });
         return;
@@ -101,7 +104,7 @@ void CThumbnails::work(const std::stop_token& stop) {
             progress = m_progress;
         }
         try {
-            emit grown(task.number, grow(task.params, progress), {});
+            emit grown(task.number, grow(task.params, task.folder, progress), {});
         } catch (const CCancelled&) {
             // Dropped, or the end.
         } catch (const std::exception& e) {
@@ -121,7 +124,7 @@ void CThumbnails::draw(quint64 number, const std::shared_ptr<const ViewModel>& v
         emit failed(found.id, why);
         return;
     }
-    const QImage image = m_painter.paint(view->parts, found.textures, found.pixels, ViewLook());
+    const QImage image = m_painter.paint(*view, found.pixels, ViewLook());
     if (image.isNull()) {
         emit failed(found.id, tr("There is no OpenGL to draw it."));
         return;

@@ -38,7 +38,7 @@ private:
     struct Task {
         quint64 number;
         QString id, file; ///< without a file the picture is not kept
-        SurfaceTextures textures;
+        std::filesystem::path folder; ///< that the paths of pictures start at
         CParams params;
         QSize pixels;
     };

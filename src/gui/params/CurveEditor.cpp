@@ -109,10 +109,10 @@ void CCurveEditor::choose(std::optional<std::size_t> point) {
 
 std::optional<std::size_t> CCurveEditor::grip(const QPointF& at) const {
     std::optional<std::size_t> nearest;
-    double least = kGrip;
+    double smallest = kGrip;
     for (std::size_t i = 0; i < m_curve.points().size(); ++i)
-        if (const double distance = QLineF(placeOf(m_curve.points()[i]), at).length(); distance < least) {
-            least = distance;
+        if (const double distance = QLineF(placeOf(m_curve.points()[i]), at).length(); distance < smallest) {
+            smallest = distance;
             nearest = i;
         }
     return nearest;

@@ -24,16 +24,12 @@ bool COffscreenPainter::start() {
     return true;
 }
 
-QImage COffscreenPainter::paint(const std::vector<ViewPart>& parts, const SurfaceTextures& textures,
-                                const QSize& pixels, const ViewLook& look) {
+QImage COffscreenPainter::paint(const ViewModel& view, const QSize& pixels, const ViewLook& look) {
     if (!start() || !m_context->makeCurrent(&m_surface)) return {};
-    m_scene.show(parts);
+    m_scene.show(view.parts);
     m_scene.setLook(look);
-    for (const Surface surface : kSurfaces) {
-        const auto i = static_cast<std::size_t>(surface);
-        if (m_textures[i] != textures[i]) m_scene.setTexture(surface, textures[i].string());
-    }
-    m_textures = textures;
+    for (const Surface surface : kSurfaces)
+        if (const auto& maps = view.surfaces[static_cast<std::size_t>(surface)]) m_scene.setSurface(surface, *maps);
     CCamera camera;
     camera.lookFrom(0, 5);
     const osg::BoundingBox box = m_scene.bounds();

@@ -1,5 +1,5 @@
 #pragma once
-#include "stromar/app/Pictures.h"
+#include "work/TreeCreatorThread.h"
 #include "stromar/scene/SceneRenderer.h"
 #include <QImage>
 #include <QOffscreenSurface>
@@ -15,8 +15,7 @@ public:
     ~COffscreenPainter();
 
     /// The whole tree from the front. Null when there is no OpenGL.
-    QImage paint(const std::vector<ViewPart>& parts, const SurfaceTextures& textures, const QSize& pixels,
-                 const ViewLook& look);
+    QImage paint(const ViewModel& view, const QSize& pixels, const ViewLook& look);
 
 private:
     bool start();
@@ -25,7 +24,6 @@ private:
     CSceneRenderer m_renderer;
     QOffscreenSurface m_surface;
     std::unique_ptr<QOpenGLContext> m_context;
-    SurfaceTextures m_textures;
 };
 
 } // namespace stromar

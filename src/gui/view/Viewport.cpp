@@ -74,9 +74,9 @@ void CViewport::show(const std::vector<ViewPart>& parts) {
     changed();
 }
 
-QString CViewport::setTexture(Surface surface, const QString& file) {
+void CViewport::setSurface(Surface surface, const SurfaceMaps& maps) {
+    m_scene.setSurface(surface, maps);
     update();
-    return QString::fromStdString(m_scene.setTexture(surface, file.toStdString()));
 }
 
 void CViewport::setLook(const ViewLook& look) {

@@ -18,8 +18,7 @@ public:
     /// Replaces the tree; the view stays.
     void show(const std::vector<ViewPart>& parts);
     using QOpenGLWidget::show;
-    /// Empty on success, else what is wrong with the picture.
-    QString setTexture(Surface surface, const QString& file);
+    void setSurface(Surface surface, const SurfaceMaps& maps);
     void setLook(const ViewLook& look);
     const ViewLook& look() const { return m_scene.look(); }
     void tint(int generation);

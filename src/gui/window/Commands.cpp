@@ -1,5 +1,8 @@
 #include "window/Commands.h"
 #include "window/MainWindow.h"
+#include "document/FileController.h"
+#include "work/ExportController.h"
+#include "work/GrowthController.h"
 
 namespace stromar {
 
@@ -10,17 +13,17 @@ using Kind = Command::Kind;
 // clang-format off
 constexpr Command kCommands[] = {
     {"new", Menu::File, QT_TRANSLATE_NOOP("Commands", "&New"), "Ctrl+N", "new",
-     QT_TRANSLATE_NOOP("Commands", "Start with a plain tree"), [](W& w, bool) { w.startNew(); }, true},
+     QT_TRANSLATE_NOOP("Commands", "Start with a plain tree"), [](W& w, bool) { w.files().startNew(weberPennBlock()); }, true},
     {"open", Menu::File, QT_TRANSLATE_NOOP("Commands", "&Open…"), "Ctrl+O", "open",
-     QT_TRANSLATE_NOOP("Commands", "Open a .tree file"), [](W& w, bool) { w.chooseAndOpen(); }, true},
+     QT_TRANSLATE_NOOP("Commands", "Open a .tree file"), [](W& w, bool) { w.files().chooseAndOpen(); }, true},
     {"save", Menu::File, QT_TRANSLATE_NOOP("Commands", "&Save"), "Ctrl+S", "save",
-     QT_TRANSLATE_NOOP("Commands", "Save the tree"), [](W& w, bool) { w.saveAgain(); }, true},
+     QT_TRANSLATE_NOOP("Commands", "Save the tree"), [](W& w, bool) { w.files().saveOrChoose(); }, true},
     {"saveAs", Menu::File, QT_TRANSLATE_NOOP("Commands", "Save &As…"), "Ctrl+Shift+S", "",
-     QT_TRANSLATE_NOOP("Commands", "Save the tree in another file"), [](W& w, bool) { w.chooseAndSave(); }},
+     QT_TRANSLATE_NOOP("Commands", "Save the tree in another file"), [](W& w, bool) { w.files().chooseAndSave(); }},
     {"savePreset", Menu::File, QT_TRANSLATE_NOOP("Commands", "Save as &Preset…"), "Ctrl+Shift+P", "",
-     QT_TRANSLATE_NOOP("Commands", "Keep the tree among your own presets"), [](W& w, bool) { w.savePreset(); }},
+     QT_TRANSLATE_NOOP("Commands", "Keep the tree among your own presets"), [](W& w, bool) { w.files().savePreset(); }},
     {"export", Menu::File, QT_TRANSLATE_NOOP("Commands", "&Export…"), "Ctrl+E", "export",
-     QT_TRANSLATE_NOOP("Commands", "Write the tree for another program"), [](W& w, bool) { w.chooseAndExport(); }, true, true},
+     QT_TRANSLATE_NOOP("Commands", "Write the tree for another program"), [](W& w, bool) { w.exporter().chooseAndExport(); }, true, true},
     {"picture", Menu::File, QT_TRANSLATE_NOOP("Commands", "Save P&icture…"), "Ctrl+P", "picture",
      QT_TRANSLATE_NOOP("Commands", "A picture of the tree, or the frames of a turntable"), [](W& w, bool) { w.view().savePicture(&w); }},
     {"loadBark", Menu::File, QT_TRANSLATE_NOOP("Commands", "Load &Bark Texture…"), "Ctrl+Shift+B", "",
@@ -42,9 +45,9 @@ constexpr Command kCommands[] = {
     {"randomSeed", Menu::Tree, QT_TRANSLATE_NOOP("Commands", "&Another Seed"), "Ctrl+R", "dice",
      QT_TRANSLATE_NOOP("Commands", "Another tree of the same kind"), [](W& w, bool) { w.throwDice(); }, true},
     {"generate", Menu::Tree, QT_TRANSLATE_NOOP("Commands", "&Generate"), "F5", "generate",
-     QT_TRANSLATE_NOOP("Commands", "Build the tree again from scratch"), [](W& w, bool) { w.generate(); }, true},
+     QT_TRANSLATE_NOOP("Commands", "Build the tree again from scratch"), [](W& w, bool) { w.growth().generate(); }, true},
     {"fullModel", Menu::Tree, QT_TRANSLATE_NOOP("Commands", "&Full Model"), "F6", "full",
-     QT_TRANSLATE_NOOP("Commands", "Show the full model now"), [](W& w, bool) { w.showFullModel(); }, true},
+     QT_TRANSLATE_NOOP("Commands", "Show the full model now"), [](W& w, bool) { w.growth().growFull(); }, true},
     {"stop", Menu::Tree, QT_TRANSLATE_NOOP("Commands", "&Stop Growing"), "Esc", "",
      QT_TRANSLATE_NOOP("Commands", "Give up the tree that is growing, and let go of what is selected"), [](W& w, bool) { w.stop(); }},
 
@@ -62,10 +65,10 @@ constexpr Command kCommands[] = {
      QT_TRANSLATE_NOOP("Commands", "Without perspective"), [](W& w, bool on) { w.viewport().setOrthographic(on); }, false, false, Kind::KeptSwitch},
     {"trackball", Menu::View, QT_TRANSLATE_NOOP("Commands", "Turn &Freely"), "T", "",
      QT_TRANSLATE_NOOP("Commands", "Roll the tree in all directions instead of keeping it upright"), [](W& w, bool on) { w.viewport().setTrackball(on); }, false, false, Kind::KeptSwitch},
-    {"wired", Menu::View, QT_TRANSLATE_NOOP("Commands", "&Wired"), "W", "wired",
-     QT_TRANSLATE_NOOP("Commands", "Show the wire frame"), [](W& w, bool on) { w.setWireframe(on ? Wireframe::Only : Wireframe::Off, "wiresOver"); }, true, true, Kind::Switch},
-    {"wiresOver", Menu::View, QT_TRANSLATE_NOOP("Commands", "Wireframe &over the Tree"), "Shift+W", "",
-     QT_TRANSLATE_NOOP("Commands", "Show the wire frame on the shaded tree"), [](W& w, bool on) { w.setWireframe(on ? Wireframe::Over : Wireframe::Off, "wired"); }, false, false, Kind::Switch},
+    {"wireframe", Menu::View, QT_TRANSLATE_NOOP("Commands", "&Wireframe"), "W", "wireframe",
+     QT_TRANSLATE_NOOP("Commands", "Show the wireframe"), [](W& w, bool on) { w.setWireframe(on ? Wireframe::Only : Wireframe::Off, "wireframeOver"); }, true, true, Kind::Switch},
+    {"wireframeOver", Menu::View, QT_TRANSLATE_NOOP("Commands", "Wireframe &over the Tree"), "Shift+W", "",
+     QT_TRANSLATE_NOOP("Commands", "Show the wireframe on the shaded tree"), [](W& w, bool on) { w.setWireframe(on ? Wireframe::Over : Wireframe::Off, "wireframe"); }, false, false, Kind::Switch},
     {"bare", Menu::View, QT_TRANSLATE_NOOP("Commands", "&Bare"), "B", "bare",
      QT_TRANSLATE_NOOP("Commands", "Hide the leaves"), [](W& w, bool on) { w.view().setLook([on](ViewLook& look) { look.leaves = !on; }); }, true, false, Kind::Switch},
     {"ground", Menu::View, QT_TRANSLATE_NOOP("Commands", "&Grid and Person"), "G", "ground",

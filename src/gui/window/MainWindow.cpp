@@ -1,8 +1,9 @@
 #include "window/MainWindow.h"
-#include "document/Autosave.h"
+#include "document/FileController.h"
 #include "window/Commands.h"
 #include "window/Display.h"
-#include "work/ExportJob.h"
+#include "work/ExportController.h"
+#include "work/GrowthController.h"
 #include "document/Gesture.h"
 #include "window/HelpWindow.h"
 #include "view/LightPanel.h"
@@ -23,8 +24,10 @@
 #include <QAction>
 #include <QActionGroup>
 #include <QApplication>
+#include <QCloseEvent>
 #include <QComboBox>
 #include <QDockWidget>
+#include <QDragEnterEvent>
 #include <QKeyEvent>
 #include <QLabel>
 #include <QLineEdit>
@@ -49,9 +52,6 @@ static void initResources() { Q_INIT_RESOURCE(stromar); }
 namespace stromar {
 
 namespace {
-constexpr const char* kAboutSize = "size";
-constexpr const char* kAboutFile = "file";
-
 QString tr2(const char* text) { return QCoreApplication::translate("Commands", text); }
 QString switchKey(const QString& name) { return QStringLiteral("view/") + name; }
 } // namespace
@@ -61,8 +61,10 @@ CMainWindow::CMainWindow(const SizeLimits& limits, std::shared_ptr<CDocument> do
       m_thumbnails(new CThumbnails(this)), m_viewport(new CViewport), m_panel(new CParamPanel),
       m_presets(new CPresetBrowser(*m_thumbnails)), m_variants(new CVariants(*m_thumbnails)), m_bar(new CMessageBar),
       m_viewController(new CViewController(*m_viewport, *m_panel, *m_document, this)),
-      m_autosave(std::make_unique<CAutosave>(CAutosave::standardFolder())), m_limits(limits), m_givenMemory(limits.bytes),
-      m_thread(std::make_unique<CTreeCreatorThread>(std::make_unique<CTreeCreator>(true, limits))) {
+      m_files(new CFileController(*m_document, *m_bar, this)),
+      m_exporter(new CExportController(
+          *m_document, [this] { return shownModel(); }, [this] { return m_growth->limits(); }, this)),
+      m_growth(std::make_unique<CGrowthController>(*m_document, *m_bar, limits)) {
     initResources();
     setAcceptDrops(true);
     qApp->installEventFilter(this);
@@ -72,6 +74,7 @@ CMainWindow::CMainWindow(const SizeLimits& limits, std::shared_ptr<CDocument> do
     makeActions();
     makeStatusBar();
     connectParts();
+    connectControllers();
     connectDocument();
     resize(QSize(1280, 800).boundedTo(screen()->availableSize()));
     restoreLayout();
@@ -83,7 +86,7 @@ CMainWindow::CMainWindow(const SizeLimits& limits, std::shared_ptr<CDocument> do
 CMainWindow::~CMainWindow() = default;
 
 bool CMainWindow::busy() const {
-    return !m_started || m_thumbnails->busy() || m_thread->progress() || m_viewport->settling();
+    return !m_started || m_thumbnails->busy() || m_growth->progress() || m_viewport->settling();
 }
 
 void CMainWindow::makeCentre() {
@@ -195,7 +198,7 @@ void CMainWindow::makeActions() {
         if (QLatin1String(command.name) == QLatin1String("new")) addMethods(*menu);
         if (QLatin1String(command.name) == QLatin1String("open")) m_recentMenu = menu->addMenu(tr("Open &Recent"));
     }
-    fillRecentMenu();
+    m_files->fillRecentMenu(*m_recentMenu);
 }
 
 /// A new tree of each way to grow.
@@ -204,7 +207,7 @@ void CMainWindow::addMethods(QMenu& menu) {
     QMenu* methods = menu.addMenu(tr("New &Tree by"));
     for (const TreeMethod& method : treeMethods()) {
         const ParamBlock& block = *method.block;
-        QAction* action = methods->addAction(trText(block.label), this, [this, &block] { startNew(block); });
+        QAction* action = methods->addAction(trText(block.label), this, [this, &block] { m_files->startNew(block); });
         action->setObjectName(QStringLiteral("new:") + toQString(block.method));
         action->setStatusTip(trText(block.help));
     }
@@ -239,29 +242,38 @@ void CMainWindow::makeStatusBar() {
 }
 
 void CMainWindow::connectParts() {
-    connect(m_panel, &CParamPanel::pathWanted, this,
-            [this](const ParamRef& text) { chooseTexture(QByteArray::fromStdString(text.key())); });
-    connect(m_panel, &CParamPanel::workshopWanted, this, [this](const ParamRef& text) { openWorkshop(text); });
-    connect(m_panel, &CParamPanel::released, this, [this] { m_pause.start(); });
-    connect(m_viewController, &CViewController::released, this, [this] { m_pause.start(); });
+    connect(m_panel, &CParamPanel::pathWanted, m_files, &CFileController::chooseTexture);
+    connect(m_panel, &CParamPanel::workshopWanted, m_files, &CFileController::openWorkshop);
     const auto relight = [this] { m_viewController->setLook([this](ViewLook& look) { m_light->applyTo(look); }); };
     connect(m_light, &CLightPanel::changed, this, relight);
     relight();
     connect(m_viewController, &CViewController::notice, m_notice, &QLabel::setText);
-    connect(m_presets, &CPresetBrowser::chosen, this, &CMainWindow::openPreset);
-    connect(m_presets, &CPresetBrowser::saveWanted, this, &CMainWindow::savePreset);
-    connect(m_thread.get(), &CTreeCreatorThread::created, this, &CMainWindow::onCreated);
-    connect(m_thread.get(), &CTreeCreatorThread::picturesMade, this, &CMainWindow::updateTextures);
-    connect(m_thread.get(), &CTreeCreatorThread::failed, this, &CMainWindow::onFailed);
+    connect(m_presets, &CPresetBrowser::chosen, m_files, &CFileController::openPreset);
+    connect(m_presets, &CPresetBrowser::saveWanted, m_files, &CFileController::savePreset);
     connect(m_viewport, &CViewport::contextLost, this, &CMainWindow::onContextLost, Qt::QueuedConnection);
-    connect(&m_watch, &CFileWatch::changed, this, &CMainWindow::onFileChanged);
-    connect(m_autosave.get(), &CAutosave::failed, this,
-            [this](const QString& why) { onFailed(tr("Autosave: %1").arg(why)); });
     connect(&CSettings::instance(), &CSettings::changed, this, &CMainWindow::onSetting);
-    m_pause.setSingleShot(true);
-    connect(&m_pause, &QTimer::timeout, this, &CMainWindow::requestFull);
     m_progressTimer.setInterval(100);
     connect(&m_progressTimer, &QTimer::timeout, this, &CMainWindow::updateProgress);
+}
+
+void CMainWindow::connectControllers() {
+    CGrowthController* growth = m_growth.get();
+    growth->setHeld([this] { return m_panel->held() || m_viewController->held(); });
+    connect(m_panel, &CParamPanel::released, growth, &CGrowthController::handReleased);
+    connect(m_viewController, &CViewController::released, growth, &CGrowthController::handReleased);
+    connect(growth, &CGrowthController::created, this, &CMainWindow::onCreated);
+    connect(growth, &CGrowthController::surfaceRead, this, &CMainWindow::onSurfaceRead);
+    connect(growth, &CGrowthController::failed, this, &CMainWindow::onFailed);
+    connect(growth, &CGrowthController::refused, this, &CMainWindow::showPresets);
+    connect(growth, &CGrowthController::started, &m_progressTimer, qOverload<>(&QTimer::start));
+    connect(m_files, &CFileController::notice, m_notice, &QLabel::setText);
+    connect(m_files, &CFileController::failed, this, &CMainWindow::onFailed);
+    connect(m_files, &CFileController::presetSaved, m_presets, &CPresetBrowser::refresh);
+    connect(m_files, &CFileController::recentChanged, this, [this] { m_files->fillRecentMenu(*m_recentMenu); });
+    connect(m_files, &CFileController::saved, this,
+            [this] { m_panel->showParams(m_document->params(), m_document->savedParams()); });
+    connect(m_exporter, &CExportController::notice, m_notice, &QLabel::setText);
+    connect(m_exporter, &CExportController::started, &m_progressTimer, qOverload<>(&QTimer::start));
 }
 
 void CMainWindow::connectDocument() {
@@ -332,18 +344,29 @@ bool CMainWindow::eventFilter(QObject* watched, QEvent* event) {
     return QMainWindow::eventFilter(watched, event);
 }
 
-// From the document to the picture
-
-void CMainWindow::showOnly(Model model) {
-    m_only = model;
-    onChanged();
+void CMainWindow::closeEvent(QCloseEvent* event) {
+    if (!m_files->mayLoseChanges()) return event->ignore();
+    keepLayout();
+    event->accept();
 }
+
+void CMainWindow::dragEnterEvent(QDragEnterEvent* event) {
+    if (!CFileController::droppedFile(*event->mimeData()).isEmpty()) event->acceptProposedAction();
+}
+
+void CMainWindow::dropEvent(QDropEvent* event) {
+    const QString path = CFileController::droppedFile(*event->mimeData());
+    if (path.isEmpty()) return;
+    event->acceptProposedAction();
+    m_files->drop(path, mapToGlobal(event->position().toPoint()));
+}
+
+// From the document to the picture
 
 void CMainWindow::onReplaced() {
     m_recentreNext = true;
     m_viewController->clearSelection();
-    m_watch.watch(m_document->path());
-    m_bar->dismiss(QLatin1String(kAboutFile));
+    m_files->watchFile();
     updateTitle();
     updateMessages();
     onChanged();
@@ -353,74 +376,14 @@ void CMainWindow::onChanged() {
     m_panel->showParams(m_document->params(), m_document->savedParams());
     m_variants->showParams(m_document->params(), m_document->folder());
     m_viewController->updateOverlay();
-    updateTextures();
-    updateAutosave();
+    m_files->keepAside();
     m_notice->clear();
-    if (!mayGrow()) return;
-    request(m_only.value_or(Model::Simple));
-    if (!m_only) m_pause.start();
+    m_growth->follow();
 }
-
-bool CMainWindow::mayGrow() {
-    const CParams& params = m_document->params();
-    const Prediction size = predictSize(params, detailOf(Model::Full));
-    if (m_limits.allow(size) || params == m_allowed) {
-        if (m_limits.allow(size)) m_fitting = params;
-        m_bar->dismiss(QLatin1String(kAboutSize));
-        return true;
-    }
-    m_pause.stop();
-    offerSmaller(size);
-    showPresets();
-    return false;
-}
-
-/// When one value alone makes the tree too large, the nearest that does not is on offer.
-void CMainWindow::offerSmaller(const Prediction& size) {
-    const CParams& params = m_document->params();
-    std::vector<CMessageBar::Choice> choices;
-    std::vector<ParamRef> changed;
-    for (const ParamRef& ref : allParams(params.block()))
-        if (&m_fitting.block() == &params.block() && ref.differs(params, m_fitting)) changed.push_back(ref);
-    if (changed.size() == 1 && changed.front().info->numeric()) {
-        const ParamRef ref = changed.front();
-        const double value = nearestThatFits(params, ref, ref.get(m_fitting), detailOf(Model::Full), m_limits);
-        const QString shown = ref.info->unit == Unit::Metre ? lengthText(value) : QLocale().toString(value, 'g', 6);
-        choices.push_back({tr("%1 = %2 fits").arg(trText(ref.info->label), shown),
-                           [this, ref, value] { m_document->setValue(ref, value, 0); }});
-    }
-    if (size.bytes < 2 * SizeLimits::defaultMemory())
-        choices.push_back({tr("Grow it anyway"), [this] {
-                               m_allowed = m_document->params();
-                               onChanged();
-                           }});
-    choices.push_back({tr("Undo"), [this] { m_document->history().undo(); }});
-    const QLocale numbers;
-    m_bar->ask(QLatin1String(kAboutSize),
-               tr("This tree may have up to %1 stems, %2 leaves and %3 million vertices and take %4 GB of memory; the limit is "
-                  "%5 million vertices and %6 GB.")
-                   .arg(numbers.toString(size.stems, 'f', 0), numbers.toString(size.leaves, 'f', 0),
-                        numbers.toString(size.vertices / 1e6, 'f', 0), numbers.toString(size.bytes / 1e9, 'f', 1),
-                        numbers.toString(m_limits.vertices / 1e6, 'f', 0), numbers.toString(m_limits.bytes / 1e9, 'f', 1)),
-               choices);
-}
-
-SizeLimits CMainWindow::limits() const { return m_document->params() == m_allowed ? SizeLimits::none() : m_limits; }
 
 /// The first tree comes before the thumbnails.
 void CMainWindow::showPresets() {
     if (!std::exchange(m_started, true)) m_presets->refresh();
-}
-
-void CMainWindow::request(Model model, bool anew) {
-    m_thread->request(m_document->params(), detailOf(model), anew, limits());
-    m_progressTimer.start();
-}
-
-/// The full model follows when the hand rests.
-void CMainWindow::requestFull() {
-    if (m_panel->held() || m_viewController->held() || m_only) return;
-    request(Model::Full);
 }
 
 void CMainWindow::onCreated(const std::shared_ptr<const ViewModel>& view) {
@@ -430,10 +393,18 @@ void CMainWindow::onCreated(const std::shared_ptr<const ViewModel>& view) {
         m_viewport->recentre();
         m_recentreNext = false;
     }
-    updateTextures();
     updateCounts(*view->model);
     showPresets();
     emit modelShown();
+}
+
+void CMainWindow::onSurfaceRead(Surface surface, const std::shared_ptr<const SurfaceMaps>& maps) {
+    m_viewport->setSurface(surface, *maps);
+    if (!maps->problem.empty()) onFailed(QString::fromStdString(maps->problem));
+}
+
+std::shared_ptr<const TreeModel> CMainWindow::shownModel() const {
+    return m_shown && m_shown->model->params == m_document->params() ? m_shown->model : nullptr;
 }
 
 void CMainWindow::updateCounts(const TreeModel& model) {
@@ -456,10 +427,10 @@ void CMainWindow::onFailed(const QString& why) {
 void CMainWindow::onSetting(const QString& key) {
     CSettings& settings = CSettings::instance();
     if (key == QLatin1String("navigation")) m_viewport->setNavigation(navigationNamed(settings.text("navigation")));
-    if (key == QLatin1String("threads")) m_thread->setThreads(settings.number("threads"));
-    if (key == QLatin1String("fullModelDelay")) m_pause.setInterval(settings.number("fullModelDelay"));
-    if (key == QLatin1String("maxMemory")) setMaxMemory(settings.number("maxMemory"));
-    if (key == QLatin1String("autosave")) m_autosave->setInterval(settings.number("autosave"));
+    if (key == QLatin1String("threads")) m_growth->setThreads(settings.number("threads"));
+    if (key == QLatin1String("fullModelDelay")) m_growth->setFullModelDelay(settings.number("fullModelDelay"));
+    if (key == QLatin1String("maxMemory")) m_growth->setMaxMemory(settings.number("maxMemory"));
+    if (key == QLatin1String("autosave")) m_files->autosave().setInterval(settings.number("autosave"));
     if (key == QLatin1String("theme")) applyTheme(settings.text("theme"));
     if (key != QLatin1String("language") && key != QLatin1String("units")) return;
     if (m_preferencesOpen)
@@ -468,23 +439,8 @@ void CMainWindow::onSetting(const QString& key) {
         emit rebuildWanted();
 }
 
-/// Gigabytes; 0 is what the window was made with.
-void CMainWindow::setMaxMemory(int gigabytes) { m_limits.bytes = gigabytes > 0 ? 1e9 * gigabytes : m_givenMemory; }
-
-void CMainWindow::onFileChanged() {
-    const QString path = m_document->path();
-    const QString text = m_document->isModified()
-                             ? tr("Another program has changed %1. Opening it again loses your changes.")
-                             : tr("Another program has changed %1.");
-    m_bar->ask(QLatin1String(kAboutFile), text.arg(m_document->displayName()),
-               {{tr("Open it again"), [this, path] { open(path); }}, {tr("Keep mine"), [this] {
-                                                                          m_document->keepAgainstFile();
-                                                                          updateAutosave();
-                                                                      }}});
-}
-
 void CMainWindow::updateProgress() {
-    const auto done = m_export ? std::optional(m_export->progress()) : m_thread->progress();
+    const auto exported = m_exporter->progress(), done = exported ? exported : m_growth->progress();
     m_progress->setVisible(done.has_value());
     if (done)
         m_progress->setValue(static_cast<int>(*done * m_progress->maximum()));
@@ -503,8 +459,6 @@ void CMainWindow::updateMessages() {
         m_messages->addItem(QString::fromStdString(message.toString()));
     m_messageDock->setVisible(!m_document->warnings().empty());
 }
-
-void CMainWindow::tellError(const QString& title, const QString& text) { QMessageBox::critical(this, title, text); }
 
 // Commands
 
@@ -526,18 +480,12 @@ void CMainWindow::throwDice() {
     m_document->setValue(seed, double(randomSeed()), 0);
 }
 
-void CMainWindow::generate() { request(m_only.value_or(Model::Full), true); }
-
-void CMainWindow::showFullModel() {
-    m_pause.stop();
-    m_only.reset();
-    request(Model::Full);
+void CMainWindow::chooseTexture(const char* key) {
+    m_files->chooseTexture(*findParam(key, m_document->params().block()));
 }
 
 void CMainWindow::stop() {
-    m_pause.stop();
-    if (m_thread->progress()) m_notice->setText(tr("Stopped; F6 grows the full model"));
-    m_thread->cancel();
+    if (m_growth->stop()) m_notice->setText(tr("Stopped; F6 grows the full model"));
     m_viewController->clearSelection();
 }
 
@@ -547,7 +495,10 @@ void CMainWindow::setWireframe(Wireframe wireframe, const char* other) {
 }
 
 void CMainWindow::showManual() {
-    if (!CHelpWindow::available()) return tellError(tr("No manual"), tr("The pages of the manual are not installed."));
+    if (!CHelpWindow::available()) {
+        QMessageBox::critical(this, tr("No manual"), tr("The pages of the manual are not installed."));
+        return;
+    }
     if (!m_help) m_help = new CHelpWindow(this);
     m_help->open(QStringLiteral("manual"));
     m_help->show();

@@ -1,4 +1,5 @@
 #include "window/WindowKeeper.h"
+#include "document/FileController.h"
 #include "window/Languages.h"
 #include "window/Settings.h"
 #include "view/Viewport.h"
@@ -19,7 +20,7 @@ void CWindowKeeper::rebuild() {
     const std::unique_ptr<CMainWindow> old = std::move(m_window);
     old->keepLayout();
     make(old->sharedDocument());
-    m_window->autosave().flush(); // changes are kept aside by the new window before the old one lets go
+    m_window->files().autosave().flush(); // changes are kept aside by the new window before the old one lets go
     m_window->setVisible(old->isVisible());
 }
 

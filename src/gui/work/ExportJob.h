@@ -34,7 +34,6 @@ signals:
 
 private:
     void work();
-    std::vector<std::shared_ptr<const TreeModel>> createModels() const;
 
     Task m_task;
     CProgress m_progress;

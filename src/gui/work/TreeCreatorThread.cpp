@@ -1,5 +1,5 @@
 #include "work/TreeCreatorThread.h"
-#include "stromar/app/Pictures.h"
+#include "stromar/texture/Draw.h"
 #include <algorithm>
 #ifdef __GLIBC__
 #include <malloc.h>
@@ -24,6 +24,8 @@ void returnFreedMemory() {
 CTreeCreatorThread::CTreeCreatorThread(std::unique_ptr<CTreeCreator> creator, QObject* parent)
     : QThread(parent), m_creator(std::move(creator)), m_lastResult(Clock::now()) {
     qRegisterMetaType<std::shared_ptr<const ViewModel>>();
+    qRegisterMetaType<std::shared_ptr<const SurfaceMaps>>();
+    qRegisterMetaType<Surface>();
     start();
 }
 
@@ -37,10 +39,11 @@ CTreeCreatorThread::~CTreeCreatorThread() {
     wait();
 }
 
-void CTreeCreatorThread::request(const CParams& params, const Detail& detail, bool anew, const SizeLimits& limits) {
+void CTreeCreatorThread::request(Request request) {
     {
         const std::lock_guard lock(m_mutex);
-        m_wanted = Request{params, &detail, limits, anew || (m_wanted && m_wanted->anew)};
+        request.anew = request.anew || (m_wanted && m_wanted->anew);
+        m_wanted = std::move(request);
         if (m_running && !mayFinish()) m_running->cancel();
     }
     m_wake.notify_one();
@@ -97,15 +100,34 @@ void CTreeCreatorThread::run() {
             }
             emit created(view);
             // The tree does not wait for its bark. Leaves in small follow a dragged month: no newer step cancels them.
+            readSurfaces(*request);
             makePictures(request->params, CProgress(progress.threads()), Drawn::Preview);
-            emit picturesMade();
+            readSurfaces(*request);
             makePictures(request->params, progress);
-            emit picturesMade();
+            readSurfaces(*request);
         } catch (const CCancelled&) {
             // The next request says what to do instead.
         } catch (const std::exception& e) {
             emit failed(QString::fromUtf8(e.what()));
         }
+    }
+}
+
+/// Tells of the pictures that are there and were not told of: of a recipe's the whole one, else the small one.
+void CTreeCreatorThread::readSurfaces(const Request& request) {
+    const auto isThere = [](const std::filesystem::path& file) {
+        std::error_code problem;
+        return std::filesystem::exists(file, problem);
+    };
+    for (const Surface surface : kSurfaces) {
+        if (!hasSurface(request.params, surface)) continue;
+        std::filesystem::path& read = m_read[static_cast<std::size_t>(surface)];
+        std::filesystem::path wanted = textureOf(request.params, surface, request.folder);
+        const bool drawn = isRecipe(pictureOf(request.params, surface));
+        if (drawn && !isThere(wanted)) wanted = textureOf(request.params, surface, {}, Drawn::Preview);
+        if (wanted == read || (drawn && !isThere(wanted))) continue;
+        read = wanted;
+        emit surfaceRead(surface, readSurface(surface, wanted.string()));
     }
 }
 

@@ -1,4 +1,5 @@
 #pragma once
+#include "stromar/app/Pictures.h"
 #include "stromar/app/TreeCreator.h"
 #include "stromar/scene/ViewScene.h"
 #include <QThread>
@@ -13,6 +14,7 @@ namespace stromar {
 struct ViewModel {
     std::shared_ptr<const TreeModel> model;
     std::vector<ViewPart> parts;
+    std::array<std::shared_ptr<const SurfaceMaps>, kSurfaces.size()> surfaces{}; ///< of those it has; where they are asked for
 };
 
 /// Creates trees away from the GUI thread. One slot: a newer request replaces the waiting one and cancels the running
@@ -24,8 +26,15 @@ public:
     /// Cancels what runs and waits for it to stop.
     ~CTreeCreatorThread() override;
 
-    /// Any thread; returns at once. `anew` forgets what was made before. Fails when the tree may become larger.
-    void request(const CParams& params, const Detail& detail, bool anew = false, const SizeLimits& limits = {});
+    struct Request {
+        CParams params;
+        std::filesystem::path folder; ///< that the paths of pictures start at
+        const Detail* detail;
+        SizeLimits limits{}; ///< growing fails when the tree may become larger
+        bool anew = false;   ///< forgets what was made before
+    };
+    /// Any thread; returns at once.
+    void request(Request request);
     /// Gives up what runs and what waits.
     void cancel();
     /// Processors for the next trees; 0 takes all.
@@ -35,28 +44,24 @@ public:
 
 signals:
     void created(std::shared_ptr<const stromar::ViewModel> view);
-    /// The pictures of the last tree's recipes are there.
-    void picturesMade();
+    /// A surface of the last tree has other pictures than before. Those of recipes come after their tree, first in small.
+    void surfaceRead(Surface surface, std::shared_ptr<const stromar::SurfaceMaps> maps);
     void failed(const QString& why);
 
 protected:
     void run() override;
 
 private:
-    struct Request {
-        CParams params;
-        const Detail* detail;
-        SizeLimits limits;
-        bool anew;
-    };
     using Clock = std::chrono::steady_clock;
 
     std::optional<Request> nextRequest();
     std::shared_ptr<const ViewModel> create(const Request& request, const CProgress& progress);
+    void readSurfaces(const Request& request);
     bool mayFinish() const;
 
     std::unique_ptr<CTreeCreator> m_creator; // this and the next: run() only
     std::vector<ViewPart> m_parts; ///< of the last model
+    SurfaceTextures m_read;        ///< the pictures that were told of last
 
     mutable std::mutex m_mutex; // std: ThreadSanitizer cannot see QMutex. Guards all below.
     std::condition_variable m_wake;
@@ -71,3 +76,5 @@ private:
 } // namespace stromar
 
 Q_DECLARE_METATYPE(std::shared_ptr<const stromar::ViewModel>)
+Q_DECLARE_METATYPE(std::shared_ptr<const stromar::SurfaceMaps>)
+Q_DECLARE_METATYPE(stromar::Surface)

@@ -47,11 +47,11 @@ glm::dvec3 Rounding::turned(const glm::dvec3& normal, const glm::dvec3& place) c
     if (share <= 0 || distance < 1e-9) return normal;
     const glm::dvec3 sum = (1 - share) * normal + share / distance * away;
     const double length = glm::length(sum), front = glm::dot(sum, normal);
-    if (length > 1e-9 && front >= least * length) return sum / length;
+    if (length > 1e-9 && front >= minCosine * length) return sum / length;
     const glm::dvec3 across = sum - front * normal;
     const double side = glm::length(across);
     if (side < 1e-9) return normal;
-    return least * normal + std::sqrt(1 - least * least) / side * across;
+    return minCosine * normal + std::sqrt(1 - minCosine * minCosine) / side * across;
 }
 
 } // namespace stromar

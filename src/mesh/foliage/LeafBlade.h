@@ -10,9 +10,9 @@ class CBladePlacer {
 public:
     CBladePlacer(const CLeaf& leaf, double growth) : m_leaf(leaf), m_right(glm::cross(leaf.axis, leaf.normal)) {
         const glm::dvec3 p = glm::abs(leaf.position);
-        const double least = 1e-5 * std::max({p.x, p.y, p.z}); // seen in single precision
-        m_width = std::max(least, leaf.width * growth);
-        m_length = std::max(least, leaf.length * growth);
+        const double min = 1e-5 * std::max({p.x, p.y, p.z}); // seen in single precision
+        m_width = std::max(min, leaf.width * growth);
+        m_length = std::max(min, leaf.length * growth);
     }
 
     double width() const { return m_width; }

@@ -55,9 +55,9 @@ std::uint8_t CPointGenerator::skyVisibilityAt(const Tube& tube, double along) co
     const CStem& stem = m_generation.stems[tube.stem];
     const CPath& path = m_generation.paths[tube.path];
     const double start = m_generation.segments[path.firstSegment].start;
-    const double most = path.source >= 0 ? kHiddenInFork : stem.parent >= 0 ? kHiddenInCollar : kHiddenAtGround;
+    const double hidden = path.source >= 0 ? kHiddenInFork : stem.parent >= 0 ? kHiddenInCollar : kHiddenAtGround;
     const double radii = (along - start) / std::max(1e-9, stem.radius);
-    return static_cast<std::uint8_t>(255 * (1 - most * std::exp(-std::max(0.0, radii) / kHiddenReach)) + 0.5);
+    return static_cast<std::uint8_t>(255 * (1 - hidden * std::exp(-std::max(0.0, radii) / kHiddenReach)) + 0.5);
 }
 
 void CPointGenerator::setSlopes() {

@@ -47,8 +47,8 @@ public:
         return rise;
     }
 
-    /// The most that `out` can be at a height, of any trunk.
-    static double most(const BaseForm& g, double along) {
+    /// What `out` can be at most at a height, of any trunk.
+    static double maxOut(const BaseForm& g, double along) {
         const double left = g.roots > 0 ? std::max(0.0, 1 - along / g.rootHeight) : 0;
         return kOverlap * g.rootReach * (1 + kUneven) * left * left * left;
     }

@@ -37,7 +37,7 @@ public:
     double outerRadius(const CStem& stem, const CSegment& segment, double t) const {
         const double wood = woodRadius(stem, segment, t);
         if (roots() == 0) return wood;
-        return wood + stem.radius * CRootFlare::most(m_base, (segment.start + t * segment.length) / stem.length);
+        return wood + stem.radius * CRootFlare::maxOut(m_base, (segment.start + t * segment.length) / stem.length);
     }
 
     /// Whether the radius changes other than evenly along a segment.

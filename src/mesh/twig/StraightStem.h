@@ -36,12 +36,12 @@ public:
 
     /// Where on the stem a point is nearest to its axis.
     double nearest(const glm::dvec3& point) const {
-        double best = 0, least = -1;
+        double best = 0, smallest = -1;
         for (const CSegment& segment : m_segments) {
             const double along = std::clamp(glm::dot(point - segment.position, segment.frame[2]), 0.0, segment.length);
             const double distance = glm::distance(point, segment.axisPoint(along / segment.length));
-            if (least >= 0 && distance >= least) continue;
-            least = distance;
+            if (smallest >= 0 && distance >= smallest) continue;
+            smallest = distance;
             best = segment.start + along;
         }
         return best;

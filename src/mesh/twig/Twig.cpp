@@ -3,6 +3,7 @@
 #include "foliage/LeafBlade.h"
 #include "twig/StraightStem.h"
 #include "stem/TubeWriter.h"
+#include "stromar/util/Rasterise.h"
 #include <algorithm>
 #include <cmath>
 #include <numbers>
@@ -17,7 +18,7 @@ constexpr double kMaxTilt = 0.9;    // radians between a leaf that is seen best 
 constexpr double kShowsBack = -0.25; // of a normal's z
 constexpr double kMargin = 0.02;     // of the card, around what it shows
 constexpr int kCells = 128;          // of the grid that measures what leaves cover, on a side
-constexpr double kPi = std::numbers::pi;
+using std::numbers::pi;
 
 /// What is known of the stems that bear leaves.
 struct Bearers {
@@ -74,17 +75,17 @@ Spread spreadOf(const CStraightStem& stem, const std::vector<const CLeaf*>& leav
     }
     const double widest = 0.5 * std::atan2(2 * xy, xx - yy), mean = (xx + yy) / 2,
                  apart = std::hypot((xx - yy) / 2, xy);
-    const double turn = widest + kPi / 2;
+    const double turn = widest + pi / 2;
     const bool behind = std::cos(turn) * frontX + std::sin(turn) * frontY < 0; // most leaves would show their backs
-    return {behind ? turn + kPi : turn, std::sqrt(std::max(0.0, mean - apart)) < kFlat * std::sqrt(mean + apart)};
+    return {behind ? turn + pi : turn, std::sqrt(std::max(0.0, mean - apart)) < kFlat * std::sqrt(mean + apart)};
 }
 
 /// A normal turned about its leaf's axis until the leaf is no longer seen edge-on, as in a pressed twig.
 glm::dvec3 pressed(const glm::dvec3& axis, const glm::dvec3& normal) {
     const glm::dvec3 viewer(0, 0, 1), flat = viewer - axis.z * axis; // the normal that shows most of it
-    const double most = glm::length(flat), side = normal.z < kShowsBack ? -1 : 1;
-    if (most < 0.1) return normal;
-    const glm::dvec3 best = side / most * flat;
+    const double seen = glm::length(flat), side = normal.z < kShowsBack ? -1 : 1;
+    if (seen < 0.1) return normal;
+    const glm::dvec3 best = side / seen * flat;
     const double angle = std::acos(glm::clamp(glm::dot(normal, best), -1.0, 1.0));
     if (angle <= kMaxTilt) return normal;
     const glm::dvec3 across = glm::cross(axis, best);
@@ -128,7 +129,7 @@ std::shared_ptr<const CMesh> straightWood(const CStraightStem& stem, double minR
         const bool tip = r == segments.size();
         const double radius = std::max(minRadius, tip ? segment.radiusEnd : segment.radiusBase);
         for (std::uint32_t i = 0; i < kAcross; ++i) {
-            const double angle = kPi * (1 - double(i) / (kAcross - 1));
+            const double angle = pi * (1 - double(i) / (kAcross - 1));
             const glm::dvec3 out(std::cos(angle), 0, std::sin(angle));
             sink.add(radius * out + glm::dvec3(0, tip ? segment.end() : segment.start, 0), out, 0.5, 0.5, 255);
             if (r == 0 || i == 0) continue;
@@ -142,23 +143,12 @@ std::shared_ptr<const CMesh> straightWood(const CStraightStem& stem, double minR
 /// The part of the card that lies behind some triangle.
 double coverage(const Twig& twig, const CMesh& mesh) {
     std::vector<bool> covered(kCells * kCells);
-    const auto cell = [&](const glm::vec3& p) {
-        return (glm::dvec2(p) - twig.low) / (twig.high - twig.low) * double(kCells);
+    const auto cell = [&](std::uint32_t vertex) {
+        return (glm::dvec2(mesh.positions[vertex]) - twig.low) / (twig.high - twig.low) * double(kCells);
     };
-    for (std::size_t t = 0; t < mesh.indices.size(); t += 3) {
-        const glm::dvec2 a = cell(mesh.positions[mesh.indices[t]]), b = cell(mesh.positions[mesh.indices[t + 1]]) - a,
-                         c = cell(mesh.positions[mesh.indices[t + 2]]) - a;
-        const double twice = b.x * c.y - b.y * c.x;
-        if (std::abs(twice) < 1e-9) continue;
-        const auto [x0, x1] = std::minmax({0.0, b.x, c.x});
-        const auto [y0, y1] = std::minmax({0.0, b.y, c.y});
-        for (int y = static_cast<int>(a.y + y0); y <= static_cast<int>(a.y + y1); ++y)
-            for (int x = static_cast<int>(a.x + x0); x <= static_cast<int>(a.x + x1); ++x) {
-                const glm::dvec2 p = glm::dvec2(x + 0.5, y + 0.5) - a;
-                const double u = (p.x * c.y - p.y * c.x) / twice, v = (b.x * p.y - b.y * p.x) / twice;
-                if (u >= 0 && v >= 0 && u + v <= 1) covered[static_cast<std::size_t>(y * kCells + x)] = true;
-            }
-    }
+    for (std::size_t t = 0; t < mesh.indices.size(); t += 3)
+        rasterise(cell(mesh.indices[t]), cell(mesh.indices[t + 1]), cell(mesh.indices[t + 2]), kCells, kCells,
+                  [&](int x, int y, double, double) { covered[static_cast<std::size_t>(y * kCells + x)] = true; });
     return double(std::ranges::count(covered, true)) / double(covered.size());
 }
 
@@ -182,15 +172,15 @@ std::optional<std::uint32_t> typicalStem(const CTree& tree, const COrgans& leave
     const CGeneration& last = tree.generation(cardGeneration(tree));
     const Bearers bearers = bearersOf(tree, leaves, params.seasonOf(Organ::Leaf).share);
     std::optional<std::uint32_t> best;
-    double least = 0;
+    double nearest = 0;
     for (std::uint32_t s = 0; s < last.stems.size(); ++s) {
         if (bearers.leaves[s] == 0) continue;
         const CStem& stem = last.stems[s];
         const double off = std::abs(bearers.leaves[s] * bearers.count / bearers.total - 1) +
                            std::abs(stem.length / bearers.stemLength - 1) +
                            (stem.pathCount - 1); // rather one without clones
-        if (best && off >= least) continue;
-        least = off;
+        if (best && off >= nearest) continue;
+        nearest = off;
         best = s;
     }
     return best;

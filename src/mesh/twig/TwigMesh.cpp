@@ -45,8 +45,8 @@ CardPlan planCards(const CTree& tree, const COrgans& leaves, const Twig& twig, d
     const double wanted = std::clamp(std::ceil(twig.bend / kBendPerRow), 1.0, double(kMaxRows));
     plan.planes = static_cast<std::uint32_t>(planes);
     plan.rows = static_cast<std::uint32_t>(std::clamp(std::floor(perStem / planes), 1.0, wanted));
-    const auto most = static_cast<std::size_t>(budget) / (plan.planes * plan.rows);
-    const std::size_t count = std::min(bearers.size(), most);
+    const auto max = static_cast<std::size_t>(budget) / (plan.planes * plan.rows);
+    const std::size_t count = std::min(bearers.size(), max);
     for (std::size_t i = 0; i < count; ++i) plan.stems.push_back(bearers[evenly(i, count, bearers.size())]);
     plan.each = count > 0 ? double(bearers.size()) / double(count) : 1;
     return plan;
@@ -88,7 +88,7 @@ private:
     };
     struct Point {
         glm::dvec3 place, front;
-        double least; ///< cosine to `front` of a normal that looks out of all triangles around
+        double minCosine; ///< to `front` of a normal that looks out of all triangles around
     };
 
     /// How far the card reaches, so that it shows an area of leaves.
@@ -136,12 +136,12 @@ private:
         forEachTriangle([](Point& point, const glm::dvec3& front) { point.front += front; });
         for (Point& point : m_points) point.front /= std::max(1e-12, glm::length(point.front));
         forEachTriangle([](Point& point, const glm::dvec3& front) {
-            point.least = std::min(point.least, glm::dot(point.front, front));
+            point.minCosine = std::min(point.minCosine, glm::dot(point.front, front));
         });
         bool good = true;
         for (Point& point : m_points) {
-            good = good && point.least > kMaxBent;
-            point.least = std::min(0.99, 0.05 + std::sqrt(std::max(0.0, 1 - point.least * point.least)));
+            good = good && point.minCosine > kMaxBent;
+            point.minCosine = std::min(0.99, 0.05 + std::sqrt(std::max(0.0, 1 - point.minCosine * point.minCosine)));
         }
         return good;
     }
@@ -158,7 +158,7 @@ private:
 
     glm::dvec3 normalOf(const Point& point) const {
         Rounding rounding = m_rounding;
-        rounding.least = std::max(rounding.least, point.least);
+        rounding.minCosine = std::max(rounding.minCosine, point.minCosine);
         return rounding.turned(point.front, point.place);
     }
 

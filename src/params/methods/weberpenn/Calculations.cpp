@@ -6,7 +6,7 @@
 namespace stromar {
 
 namespace {
-constexpr double kPi = std::numbers::pi;
+using std::numbers::pi;
 
 double flame(double r) { return r <= 0.7 ? r / 0.7 : (1 - r) / 0.3; }
 
@@ -23,8 +23,8 @@ double shapeRatio(int shape, double ratio, const WeberPennParams& global) {
     const double r = std::clamp(ratio, 0.0, 1.0);
     switch (shape) {
     case 0: return 0.2 + 0.8 * r;
-    case 1: return 0.2 + 0.8 * std::sin(kPi * r);
-    case 2: return 0.2 + 0.8 * std::sin(0.5 * kPi * r);
+    case 1: return 0.2 + 0.8 * std::sin(pi * r);
+    case 2: return 0.2 + 0.8 * std::sin(0.5 * pi * r);
     case 3: return 1;
     case 4: return 0.5 + 0.5 * r;
     case 5: return flame(r);

@@ -1,0 +1,279 @@
+#include "document/FileController.h"
+#include "library/PresetBrowser.h"
+#include "library/TextureWorkshop.h"
+#include "window/MessageBar.h"
+#include "window/QtText.h"
+#include "stromar/app/Pictures.h"
+#include "stromar/texture/Draw.h"
+#include <QDir>
+#include <QFileDialog>
+#include <QFileInfo>
+#include <QImageReader>
+#include <QInputDialog>
+#include <QLocale>
+#include <QMenu>
+#include <QMessageBox>
+#include <QMimeData>
+#include <QPushButton>
+#include <QRegularExpression>
+#include <QSettings>
+
+namespace stromar {
+
+namespace {
+constexpr int kMaxRecent = 10;
+constexpr const char* kRecentKey = "recentFiles";
+constexpr const char* kAboutFile = "file";
+
+QString treeFilter() { return CFileController::tr("Trees (*.tree);;All files (*)"); }
+
+
+bool isPicture(const QString& path) {
+    return QImageReader::supportedImageFormats().contains(QFileInfo(path).suffix().toLower().toLatin1());
+}
+} // namespace
+
+CFileController::CFileController(CDocument& document, CMessageBar& bar, QWidget* window)
+    : QObject(window), m_document(document), m_bar(bar), m_window(window), m_autosave(CAutosave::standardFolder()) {
+    connect(&m_watch, &CFileWatch::changed, this, &CFileController::onFileChanged);
+    connect(&m_autosave, &CAutosave::failed, this, [this](const QString& why) { emit failed(tr("Autosave: %1").arg(why)); });
+}
+
+CFileController::~CFileController() = default;
+
+QString CFileController::droppedFile(const QMimeData& data) {
+    const QList<QUrl> urls = data.urls();
+    if (urls.size() != 1 || !urls.front().isLocalFile()) return {};
+    const QString path = urls.front().toLocalFile();
+    return path.endsWith(QLatin1String(".tree"), Qt::CaseInsensitive) || isPicture(path) ? path : QString();
+}
+
+void CFileController::tellError(const QString& title, const QString& text) {
+    QMessageBox::critical(m_window, title, text);
+}
+
+bool CFileController::open(const QString& path) {
+    try {
+        m_document.open(path);
+    } catch (const std::exception& e) {
+        tellError(tr("Cannot open the tree"), QString::fromUtf8(e.what()));
+        return false;
+    }
+    remember(m_document.path());
+    return true;
+}
+
+bool CFileController::openPreset(const QString& path) {
+    if (!mayLoseChanges()) return false;
+    try {
+        m_document.loadPreset(path);
+    } catch (const std::exception& e) {
+        tellError(tr("Cannot open the preset"), QString::fromUtf8(e.what()));
+        return false;
+    }
+    return true;
+}
+
+bool CFileController::save(const QString& path) {
+    try {
+        m_document.save(path);
+    } catch (const std::exception& e) {
+        tellError(tr("Cannot save the tree"), QString::fromUtf8(e.what()));
+        return false;
+    }
+    m_watch.watch(m_document.path());
+    remember(m_document.path());
+    emit saved();
+    keepAside();
+    emit notice(tr("Saved %1").arg(m_document.path()));
+    return true;
+}
+
+void CFileController::startNew(const ParamBlock& block) {
+    if (mayLoseChanges()) m_document.startNew(block);
+}
+
+void CFileController::chooseAndOpen() {
+    if (!mayLoseChanges()) return;
+    const QString start = m_document.path().isEmpty() ? fromPath(dataFolder() / "presets") : m_document.path();
+    const QString path = QFileDialog::getOpenFileName(m_window, tr("Open a tree"), start, treeFilter());
+    if (!path.isEmpty()) open(path);
+}
+
+void takeTyped(QWidget& window) {
+    if (QWidget* editor = window.focusWidget()) {
+        editor->clearFocus();
+        editor->setFocus();
+    }
+}
+
+bool CFileController::saveOrChoose() {
+    takeTyped(*m_window);
+    if (!m_document.path().isEmpty()) return save(m_document.path());
+    chooseAndSave();
+    return !m_document.isModified();
+}
+
+void CFileController::chooseAndSave() {
+    takeTyped(*m_window);
+    const QString start = m_document.path().isEmpty() ? m_document.displayName() : m_document.path();
+    QFileDialog dialog(m_window, tr("Save the tree"), start, treeFilter());
+    dialog.setAcceptMode(QFileDialog::AcceptSave);
+    dialog.setDefaultSuffix(QStringLiteral("tree"));
+    dialog.selectFile(start);
+    if (dialog.exec() == QDialog::Accepted) save(dialog.selectedFiles().front());
+}
+
+void CFileController::savePreset() {
+    takeTyped(*m_window);
+    const QString suggestion = toQString(m_document.params().text.species);
+    bool wanted = false;
+    const QString name = QInputDialog::getText(m_window, tr("Save as Preset"), tr("Name of the preset"), QLineEdit::Normal,
+                                               suggestion, &wanted)
+                             .trimmed();
+    if (!wanted || name.isEmpty()) return;
+    QString file = name;
+    file.replace(QRegularExpression(QStringLiteral("[^\\w-]+"), QRegularExpression::UseUnicodePropertiesOption),
+                 QStringLiteral("_"));
+    const QString path = QDir(CPresetBrowser::ownFolder()).filePath(file + QStringLiteral(".tree"));
+    if (QFileInfo::exists(path) &&
+        QMessageBox::question(m_window, tr("Save as Preset"), tr("Replace the preset “%1”?").arg(name)) != QMessageBox::Yes)
+        return;
+    try {
+        m_document.saveCopy(path, name);
+        emit presetSaved();
+        emit notice(tr("Saved %1").arg(path));
+    } catch (const std::exception& e) {
+        tellError(tr("Cannot save the preset"), QString::fromUtf8(e.what()));
+    }
+}
+
+// Pictures on the tree
+
+void CFileController::chooseTexture(const ParamRef& text) {
+    const QString start =
+        m_document.folder().empty() ? fromPath(dataFolder() / "textures") : fromPath(m_document.folder());
+    const QString path = QFileDialog::getOpenFileName(
+        m_window, trText(text.info->label), start, tr("Pictures (*.png *.jpg *.jpeg *.tga *.tif *.tiff *.bmp);;All files (*)"));
+    if (!path.isEmpty()) setTexture(text, path);
+}
+
+void CFileController::setTexture(const ParamRef& text, const QString& path) {
+    const bool saved = !m_document.path().isEmpty();
+    const std::string own = saved ? rebasedPath(QFileInfo(path).fileName().toStdString(),
+                                                toPath(QFileInfo(path).absolutePath()), m_document.folder())
+                                  : path.toStdString();
+    m_document.setValue(text, own, 0);
+}
+
+/// With the recipe that the surface has, or with the first of the book.
+void CFileController::openWorkshop(const ParamRef& text) {
+    const std::string& own = text.text(m_document.params());
+    std::string start = isRecipe(own) ? own : plainRecipes(text.info->recipes).front();
+    try {
+        CTextureWorkshop workshop{CRecipe(start), m_window};
+        if (workshop.exec() == QDialog::Accepted)
+            m_document.setValue(text, workshop.recipe().text(), 0);
+    } catch (const CError& e) {
+        emit failed(QString::fromUtf8(e.what()));
+    }
+}
+
+void CFileController::drop(const QString& path, const QPoint& at) {
+    if (!isPicture(path)) {
+        if (mayLoseChanges()) open(path);
+        return;
+    }
+    QMenu menu;
+    const auto offer = [&](const QString& text, const char* key) {
+        menu.addAction(text, this, [this, path, key] { setTexture(*findParam(key, m_document.params().block()), path); });
+    };
+    offer(tr("As the &bark"), "BarkTexture");
+    offer(tr("As the &leaf"), "LeafTexture");
+    menu.exec(at);
+}
+
+// What must not be lost
+
+void CFileController::watchFile() {
+    m_watch.watch(m_document.path());
+    m_bar.dismiss(QLatin1String(kAboutFile));
+}
+
+void CFileController::onFileChanged() {
+    const QString path = m_document.path();
+    const QString text = m_document.isModified()
+                             ? tr("Another program has changed %1. Opening it again loses your changes.")
+                             : tr("Another program has changed %1.");
+    m_bar.ask(QLatin1String(kAboutFile), text.arg(m_document.displayName()),
+              {{tr("Open it again"), [this, path] { open(path); }}, {tr("Keep mine"), [this] {
+                                                                         m_document.keepAgainstFile();
+                                                                         keepAside();
+                                                                     }}});
+}
+
+void CFileController::keepAside() {
+    if (m_document.isModified())
+        m_autosave.keep(m_document.kept());
+    else
+        m_autosave.clear();
+}
+
+void CFileController::offerRestore() {
+    for (const CAutosave::Leftover& leftover : CAutosave::leftovers(CAutosave::standardFolder())) {
+        const QString name = leftover.path.isEmpty() ? tr("A tree that was never saved") : leftover.path;
+        QMessageBox box(QMessageBox::Question, tr("Restore unsaved changes"),
+                        tr("Stromar ended without saving these changes of %1:\n%2")
+                            .arg(QLocale().toString(leftover.time, QLocale::ShortFormat), name),
+                        QMessageBox::NoButton, m_window);
+        const QPushButton* restore = box.addButton(tr("&Restore"), QMessageBox::AcceptRole);
+        const QPushButton* discard = box.addButton(tr("&Discard"), QMessageBox::DestructiveRole);
+        box.addButton(tr("Ask &Later"), QMessageBox::RejectRole);
+        box.exec();
+        if (box.clickedButton() == discard) CAutosave::remove(leftover);
+        if (box.clickedButton() != restore) continue;
+        try {
+            m_document.restore(leftover.path, CTreeFile::read(toPath(leftover.file)).params());
+            keepAside();
+            if (m_autosave.flush()) CAutosave::remove(leftover); // it is safe again
+        } catch (const std::exception& e) {
+            tellError(tr("Cannot restore"), QString::fromUtf8(e.what()));
+        }
+        return; // one document per window; the others are offered next time
+    }
+}
+
+bool CFileController::mayLoseChanges() {
+    takeTyped(*m_window);
+    if (!m_document.isModified()) return true;
+    const auto answer =
+        QMessageBox::question(m_window, tr("Unsaved changes"), tr("Save the changes of %1?").arg(m_document.displayName()),
+                              QMessageBox::Save | QMessageBox::Discard | QMessageBox::Cancel, QMessageBox::Save);
+    if (answer == QMessageBox::Save) return saveOrChoose();
+    return answer == QMessageBox::Discard;
+}
+
+// Recent files
+
+void CFileController::remember(const QString& path) {
+    QSettings settings;
+    QStringList files = settings.value(QLatin1String(kRecentKey)).toStringList();
+    files.removeAll(path);
+    files.prepend(path);
+    settings.setValue(QLatin1String(kRecentKey), QStringList(files.mid(0, kMaxRecent)));
+    emit recentChanged();
+}
+
+void CFileController::fillRecentMenu(QMenu& menu) {
+    menu.clear();
+    const QStringList files = QSettings().value(QLatin1String(kRecentKey)).toStringList();
+    for (const QString& file : files)
+        menu.addAction(QFileInfo(file).fileName(), this,
+                       [this, file] {
+                           if (mayLoseChanges()) open(file);
+                       })
+            ->setStatusTip(file);
+    menu.setEnabled(!files.isEmpty());
+}
+
+} // namespace stromar

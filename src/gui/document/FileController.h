@@ -1,0 +1,76 @@
+#pragma once
+#include "document/Autosave.h"
+#include "document/Document.h"
+#include "document/FileWatch.h"
+#include <QObject>
+#include <memory>
+
+class QDropEvent;
+class QMenu;
+class QMimeData;
+class QWidget;
+
+namespace stromar {
+
+class CMessageBar;
+
+/// What a window does with files: trees, presets, pictures on the tree, and what a crash has left. Asks and tells by
+/// dialogs of the window.
+class CFileController : public QObject {
+    Q_OBJECT
+public:
+    CFileController(CDocument& document, CMessageBar& bar, QWidget* window);
+    ~CFileController() override;
+
+    /// False, with a message shown, when the file cannot be read; then nothing has changed.
+    bool open(const QString& path);
+    bool save(const QString& path);
+    /// Puts the tree of a preset into the document, which can be undone. False, with a message, when it cannot be read.
+    bool openPreset(const QString& path);
+    void startNew(const ParamBlock& block);
+    void chooseAndOpen();
+    /// To the document's file, or to one that is asked for. False when nothing was saved.
+    bool saveOrChoose();
+    void chooseAndSave();
+    void savePreset();
+    void chooseTexture(const ParamRef& text);
+    void openWorkshop(const ParamRef& text);
+    /// Asks whether changes are to be saved; false: the user wants to go on with them.
+    bool mayLoseChanges();
+    /// Offers what a crash has left.
+    void offerRestore();
+    void fillRecentMenu(QMenu& menu);
+    /// The one local file of a drag; empty when there is none that can be taken.
+    static QString droppedFile(const QMimeData& data);
+    void drop(const QString& path, const QPoint& at);
+
+    /// After a change of the document.
+    void keepAside();
+    /// After the document was replaced.
+    void watchFile();
+    CAutosave& autosave() { return m_autosave; }
+
+signals:
+    void notice(const QString& text);
+    void failed(const QString& why);
+    void saved();
+    void presetSaved();
+    void recentChanged();
+
+private:
+    void setTexture(const ParamRef& text, const QString& path);
+    void onFileChanged();
+    void remember(const QString& path);
+    void tellError(const QString& title, const QString& text);
+
+    CDocument& m_document;
+    CMessageBar& m_bar;
+    QWidget* m_window;
+    CFileWatch m_watch;
+    CAutosave m_autosave;
+};
+
+/// What is typed into a window but not yet taken counts.
+void takeTyped(QWidget& window);
+
+} // namespace stromar

@@ -1,0 +1,70 @@
+#include "work/ExportController.h"
+#include "document/FileController.h"
+#include "window/QtText.h"
+#include "work/ExportDialog.h"
+#include "stromar/app/Prediction.h"
+#include <QFileInfo>
+#include <QMessageBox>
+#include <QProgressDialog>
+#include <QTimer>
+
+namespace stromar {
+
+CExportController::CExportController(CDocument& document, Shown shown, Limits limits, QWidget* window)
+    : QObject(window), m_document(document), m_shown(std::move(shown)), m_limits(std::move(limits)), m_window(window) {}
+
+CExportController::~CExportController() = default;
+
+void CExportController::chooseAndExport() {
+    takeTyped(*m_window);
+    const Detail& full = detailOf(Model::Full);
+    const auto shown = m_shown();
+    const double vertices = shown && shown->detail == &full ? double(shown->vertexCount())
+                                                            : predictSize(m_document.params(), full).vertices;
+    CExportDialog dialog(QFileInfo(m_document.displayName()).completeBaseName(), vertices, m_window);
+    if (dialog.exec() == QDialog::Accepted) exportTo(dialog.path(), dialog.options());
+}
+
+void CExportController::exportTo(const QString& path, const ExportOptions& options) {
+    if (m_job) return;
+    m_job = std::make_unique<CExportJob>(
+        CExportJob::Task{m_document.params(), m_shown(), options, m_document.folder(), toPath(path), m_limits()});
+    QProgressDialog* dialog = showProgress(path);
+    connect(
+        m_job.get(), &CExportJob::finished, this,
+        [this, dialog, path](const QString& why, bool cancelled) {
+            dialog->disconnect(this);
+            dialog->close();
+            finish(path, why, cancelled);
+        },
+        Qt::QueuedConnection);
+    m_job->start();
+    emit started();
+}
+
+QProgressDialog* CExportController::showProgress(const QString& path) {
+    auto* dialog = new QProgressDialog(tr("Writing %1").arg(QFileInfo(path).fileName()), tr("Cancel"), 0, 1000, m_window);
+    dialog->setWindowModality(Qt::WindowModal);
+    dialog->setMinimumDuration(300);
+    dialog->setAttribute(Qt::WA_DeleteOnClose);
+    auto* poll = new QTimer(dialog);
+    connect(poll, &QTimer::timeout, this, [this, dialog] {
+        if (m_job) dialog->setValue(std::min(999, static_cast<int>(m_job->progress() * 1000)));
+    });
+    poll->start(100);
+    connect(dialog, &QProgressDialog::canceled, this, [this] {
+        if (m_job) m_job->cancel();
+    });
+    return dialog;
+}
+
+void CExportController::finish(const QString& path, const QString& why, bool cancelled) {
+    m_job.reset();
+    if (!why.isEmpty())
+        QMessageBox::critical(m_window, tr("Cannot export the tree"), why);
+    else
+        emit notice(cancelled ? tr("Export cancelled; no file was changed") : tr("Exported %1").arg(path));
+    emit ended(why, cancelled);
+}
+
+} // namespace stromar

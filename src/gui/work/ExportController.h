@@ -1,0 +1,47 @@
+#pragma once
+#include "document/Document.h"
+#include "work/ExportJob.h"
+#include <QObject>
+#include <functional>
+#include <memory>
+#include <optional>
+
+class QProgressDialog;
+class QWidget;
+
+namespace stromar {
+
+/// Exports the tree of a document, one at a time, beside everything else.
+class CExportController : public QObject {
+    Q_OBJECT
+public:
+    /// What is ready: the model that is shown, or null; what a tree may take.
+    using Shown = std::function<std::shared_ptr<const TreeModel>()>;
+    using Limits = std::function<SizeLimits()>;
+    CExportController(CDocument& document, Shown shown, Limits limits, QWidget* window);
+    ~CExportController() override;
+
+    /// Asks for format, file and choices.
+    void chooseAndExport();
+    /// Returns at once; `ended` tells how it went.
+    void exportTo(const QString& path, const ExportOptions& options = {});
+    /// 0..1; nothing when idle.
+    std::optional<double> progress() const { return m_job ? std::optional(m_job->progress()) : std::nullopt; }
+
+signals:
+    void started();
+    void notice(const QString& text);
+    void ended(const QString& why, bool cancelled);
+
+private:
+    QProgressDialog* showProgress(const QString& path);
+    void finish(const QString& path, const QString& why, bool cancelled);
+
+    CDocument& m_document;
+    Shown m_shown;
+    Limits m_limits;
+    QWidget* m_window;
+    std::unique_ptr<CExportJob> m_job;
+};
+
+} // namespace stromar

@@ -1,0 +1,110 @@
+#include "work/GrowthController.h"
+#include "window/Display.h"
+#include "window/MessageBar.h"
+#include "window/QtText.h"
+#include "window/Settings.h"
+#include "stromar/app/Prediction.h"
+#include <QLocale>
+
+namespace stromar {
+
+namespace {
+constexpr const char* kAboutSize = "size";
+}
+
+CGrowthController::CGrowthController(CDocument& document, CMessageBar& bar, const SizeLimits& limits, QObject* parent)
+    : QObject(parent), m_document(document), m_bar(bar), m_limits(limits), m_givenMemory(limits.bytes),
+      m_thread(std::make_unique<CTreeCreator>(true, limits)) {
+    m_pause.setSingleShot(true);
+    connect(&m_pause, &QTimer::timeout, this, &CGrowthController::requestFull);
+    connect(&m_thread, &CTreeCreatorThread::created, this, &CGrowthController::created);
+    connect(&m_thread, &CTreeCreatorThread::surfaceRead, this, &CGrowthController::surfaceRead);
+    connect(&m_thread, &CTreeCreatorThread::failed, this, &CGrowthController::failed);
+}
+
+void CGrowthController::follow() {
+    if (!mayGrow()) return;
+    request(m_only.value_or(Model::Simple));
+    if (!m_only) m_pause.start();
+}
+
+void CGrowthController::growFull() {
+    m_pause.stop();
+    m_only.reset();
+    request(Model::Full);
+}
+
+void CGrowthController::generate() { request(m_only.value_or(Model::Full), true); }
+
+bool CGrowthController::stop() {
+    m_pause.stop();
+    const bool growing = m_thread.progress().has_value();
+    m_thread.cancel();
+    return growing;
+}
+
+void CGrowthController::showOnly(Model model) {
+    m_only = model;
+    follow();
+}
+
+void CGrowthController::setMaxMemory(int gigabytes) { m_limits.bytes = gigabytes > 0 ? 1e9 * gigabytes : m_givenMemory; }
+
+SizeLimits CGrowthController::limits() const {
+    return m_document.params() == m_allowed ? SizeLimits::none() : m_limits;
+}
+
+void CGrowthController::request(Model model, bool anew) {
+    m_thread.request({m_document.params(), m_document.folder(), &detailOf(model), limits(), anew});
+    emit started();
+}
+
+void CGrowthController::requestFull() {
+    if (!m_held() && !m_only) request(Model::Full);
+}
+
+bool CGrowthController::mayGrow() {
+    const CParams& params = m_document.params();
+    const Prediction size = predictSize(params, detailOf(Model::Full));
+    if (m_limits.allow(size) || params == m_allowed) {
+        if (m_limits.allow(size)) m_fitting = params;
+        m_bar.dismiss(QLatin1String(kAboutSize));
+        return true;
+    }
+    m_pause.stop();
+    offerSmaller(size);
+    emit refused();
+    return false;
+}
+
+/// When one value alone makes the tree too large, the nearest that does not is on offer.
+void CGrowthController::offerSmaller(const Prediction& size) {
+    const CParams& params = m_document.params();
+    std::vector<CMessageBar::Choice> choices;
+    std::vector<ParamRef> changed;
+    for (const ParamRef& ref : allParams(params.block()))
+        if (&m_fitting.block() == &params.block() && ref.differs(params, m_fitting)) changed.push_back(ref);
+    if (changed.size() == 1 && changed.front().info->numeric()) {
+        const ParamRef ref = changed.front();
+        const double value = nearestThatFits(params, ref, ref.get(m_fitting), detailOf(Model::Full), m_limits);
+        const QString shown = ref.info->unit == Unit::Metre ? lengthText(value) : QLocale().toString(value, 'g', 6);
+        choices.push_back({tr("%1 = %2 fits").arg(trText(ref.info->label), shown),
+                           [this, ref, value] { m_document.setValue(ref, value, 0); }});
+    }
+    if (size.bytes < 2 * SizeLimits::defaultMemory())
+        choices.push_back({tr("Grow it anyway"), [this] {
+                               m_allowed = m_document.params();
+                               follow();
+                           }});
+    choices.push_back({tr("Undo"), [this] { m_document.history().undo(); }});
+    const QLocale numbers;
+    m_bar.ask(QLatin1String(kAboutSize),
+              tr("This tree may have up to %1 stems, %2 leaves and %3 million vertices and take %4 GB of memory; the limit is "
+                 "%5 million vertices and %6 GB.")
+                  .arg(numbers.toString(size.stems, 'f', 0), numbers.toString(size.leaves, 'f', 0),
+                       numbers.toString(size.vertices / 1e6, 'f', 0), numbers.toString(size.bytes / 1e9, 'f', 1),
+                       numbers.toString(m_limits.vertices / 1e6, 'f', 0), numbers.toString(m_limits.bytes / 1e9, 'f', 1)),
+              choices);
+}
+
+} // namespace stromar

@@ -1,0 +1,68 @@
+#pragma once
+#include "document/Document.h"
+#include "work/TreeCreatorThread.h"
+#include <QObject>
+#include <QTimer>
+#include <functional>
+#include <memory>
+#include <optional>
+
+namespace stromar {
+
+class CMessageBar;
+
+/// Grows the tree of a document: a simple model at every change, the full one when the hand rests. A tree that would
+/// become too large is not grown; the bar asks what to do instead.
+class CGrowthController : public QObject {
+    Q_OBJECT
+public:
+    CGrowthController(CDocument& document, CMessageBar& bar, const SizeLimits& limits, QObject* parent = nullptr);
+
+    /// After a change of the document.
+    void follow();
+    /// The full model waits for the hand to let go of everything.
+    void setHeld(std::function<bool()> held) { m_held = std::move(held); }
+    void handReleased() { m_pause.start(); }
+    void growFull();
+    /// Everything from nothing.
+    void generate();
+    /// Whether something was growing.
+    bool stop();
+    /// Which model follows a change; the default is the simple one first, then the full one.
+    void showOnly(Model model);
+
+    void setThreads(int threads) { m_thread.setThreads(threads); }
+    void setFullModelDelay(int milliseconds) { m_pause.setInterval(milliseconds); }
+    /// Gigabytes; 0 is what the controller was made with.
+    void setMaxMemory(int gigabytes);
+    /// For the tree as it is: none where the user let a large one grow.
+    SizeLimits limits() const;
+    /// Share of the running work that is done, 0..1; nothing when idle.
+    std::optional<double> progress() const { return m_thread.progress(); }
+
+signals:
+    void started();
+    void created(const std::shared_ptr<const ViewModel>& view);
+    void surfaceRead(Surface surface, const std::shared_ptr<const SurfaceMaps>& maps);
+    void failed(const QString& why);
+    void refused();
+
+private:
+    void request(Model model, bool anew = false);
+    void requestFull();
+    bool mayGrow();
+    void offerSmaller(const Prediction& size);
+
+    CDocument& m_document;
+    CMessageBar& m_bar;
+    std::function<bool()> m_held = [] { return false; };
+    QTimer m_pause; ///< until the full model follows
+    std::optional<Model> m_only;
+    SizeLimits m_limits;
+    double m_givenMemory; ///< bytes; the limit where the user sets none
+    CParams m_allowed;    ///< may grow although they are large
+    CParams m_fitting;    ///< the last values that were not too large
+    CTreeCreatorThread m_thread; ///< last: it stops before anything it reports to is gone
+};
+
+} // namespace stromar
