@@ -12,6 +12,8 @@
 namespace stromar {
 
 namespace {
+constexpr double kManyLeaves = 1000;
+
 bool showsCards(const CParams& params, const SizeBound& bound, const MeshParams& mesh, const Detail& detail) {
     return detail.twigPlanes > 0 && isBakeable(params) && suitsCards(bound.bearers, mesh.seasonOf(Organ::Leaf));
 }
@@ -34,8 +36,9 @@ std::string memoryText(double bytes) {
 Prediction predictSize(const CParams& params, const Detail& detail) {
     const SizeBound bound = methodOf(params).bound(params);
     const MeshParams mesh = meshParamsOf(params);
-    // Where some leaves have fallen, none may be left by chance.
-    const bool onCards = mesh.seasonOf(Organ::Leaf).share == 1 && showsCards(params, bound, mesh, detail);
+    // Where few leaves are left, there may be none by chance.
+    const double left = mesh.seasonOf(Organ::Leaf).share, leaves = bound.organs[static_cast<std::size_t>(Organ::Leaf)];
+    const bool onCards = (left == 1 || left * leaves > kManyLeaves) && showsCards(params, bound, mesh, detail);
     const MeshBound drawn = meshBound(bound, mesh, detail, onCards);
     return {bound.stems(),  bound.segments(), bound.organCount(), bound.organs[static_cast<std::size_t>(Organ::Leaf)],
             drawn.vertices, bound.bytes() + drawn.bytes};

@@ -9,20 +9,21 @@
 namespace stromar {
 
 namespace {
-constexpr double kUnevenRings = 60;   // that a flare or roots ask for along a path, at most
+constexpr double kRingsPerReach = 14; // of a flare or roots
 constexpr double kRoundEndRings = 40; // likewise a round end
 constexpr double kBytesPerVertex = 2 * sizeof(glm::vec3) + sizeof(glm::vec2) + 1;
 constexpr double kCornersPerVertex = 6; // of the triangles, per vertex
 constexpr double kCopies = 2;           // the mesh, and what the graphics card or a writer gets
 
-class CGenerationMeshBound {
+/// Of stems of one thickness in a generation.
+class CStemMeshBound {
 public:
-    CGenerationMeshBound(const SizeBound& tree, std::size_t generation, const Detail& detail)
-        : m_base(tree.base), m_bound(tree.generations[generation]), m_trunk(generation == 0),
+    CStemMeshBound(const SizeBound& tree, std::size_t generation, double thickness, const Detail& detail)
+        : m_base(tree.base), m_bound(tree.generations[generation]), m_thickness(thickness), m_trunk(generation == 0),
           m_smooth(static_cast<int>(generation) < detail.smoothGenerations), m_detail(detail) {}
 
     double points() const {
-        const int round = roundRingPoints(m_detail, std::sqrt(m_bound.thickness));
+        const int round = roundRingPoints(m_detail, std::sqrt(m_thickness));
         const int ridges = m_trunk ? std::max(m_base.lobeCount(), m_base.rootCount()) : 0;
         return std::max(round, m_detail.lobePoints * ridges);
     }
@@ -30,55 +31,91 @@ public:
         const double collars = m_trunk ? 0 : points() > 3 ? m_detail.collarRings : std::min(1, m_detail.collarRings);
         return m_bound.segments + 2 * m_bound.paths + collars + addedRings();
     }
-    double vertices() const { return m_bound.stems * (rings() + 2 * m_bound.paths) * (points() + 1); }
+    double vertices() const { return (rings() + 2 * m_bound.paths) * (points() + 1); }
     double planBytes() const {
-        return m_bound.stems * (rings() * sizeof(Ring) + m_bound.paths * (sizeof(Tube) + sizeof(std::int32_t)) +
-                                points() * sizeof(SurfacePoint) + 1);
+        return rings() * sizeof(Ring) + m_bound.paths * (sizeof(Tube) + sizeof(std::int32_t)) +
+               points() * sizeof(SurfacePoint) + 1;
     }
 
 private:
     /// Rings that CSmoother and CCentreLine may add between the ends of a stem's segments.
     double addedRings() const {
         if (!m_smooth) return 0;
-        const double bends = ringsPerBend() * (m_bound.segments - 1);
+        const double bends = bendRings();
         const double helix = m_bound.helix ? (m_detail.helixRings - 1) * m_bound.segments : 0;
         const double max = double(CSmoother::ringLimit(1 / m_bound.along)) * m_bound.segments;
         if (m_bound.spheres) return bends + std::max(helix, max);
-        const double uneven = (m_bound.roundEnds ? kRoundEndRings : 0) +
-                              (m_trunk && m_base.flare != 0 ? kUnevenRings : 0) +
-                              (m_trunk && m_base.rootCount() > 0 ? kUnevenRings : 0);
-        return bends + std::max(helix, std::min(max, uneven * m_bound.paths));
+        const double uneven = (m_bound.roundEnds ? kRoundEndRings * m_bound.paths : 0) + (m_trunk ? baseRings() : 0);
+        return bends + std::max(helix, std::min(max, uneven));
     }
 
-    double ringsPerBend() const {
+    /// Where flare and roots bend the lowest paths. Halving until the radius is met takes rings by the root of how far
+    /// they reach, at whatever height.
+    double baseRings() const {
+        const auto rings = [](double reach) { return reach == 0 ? 0 : 8 + kRingsPerReach * std::sqrt(std::abs(reach)); };
+        const double height = m_base.rootCount() > 0 ? std::max(0.125, m_base.rootHeight) : 0.125;
+        const double paths = m_bound.along * height > 1 ? m_bound.paths : 1;
+        return paths * (rings(m_base.flare) + (m_base.rootCount() > 0 ? rings(m_base.rootReach) : 0));
+    }
+
+    /// Of a stem: at every joint, at its forks, and where its paths turn back from those.
+    double bendRings() const {
         constexpr double kMax = CCentreLine::kMaxBendRings;
         if (m_detail.maxTurn <= 0 || points() <= 3) return 0;
-        if (m_bound.forks) return kMax;
-        const double between = m_detail.maxTurn / std::sqrt(m_bound.thickness);
-        const double pieces = std::ceil(m_bound.turn / std::min(between, kCoarsestTurn * m_detail.maxTurn));
-        return pieces <= 1 ? 0 : std::min(kMax, 2 * std::floor((pieces + 1) / 2));
+        const double between =
+            std::min(m_detail.maxTurn / std::sqrt(m_thickness), kCoarsestTurn * m_detail.maxTurn);
+        const double pieces = std::ceil(m_bound.turn / between);
+        const double joint = pieces <= 1 ? 0 : std::min(kMax, 2 * std::floor((pieces + 1) / 2));
+        const double fork = m_bound.forks ? 2 * kMax + 2 * (3 * m_bound.forkTurn / between) : 0;
+        return std::min(kMax * (m_bound.segments - 1),
+                        joint * (m_bound.segments - 1) + fork * (m_bound.paths - 1));
     }
 
     const BaseForm& m_base;
     const GenerationBound& m_bound;
+    double m_thickness;
     bool m_trunk, m_smooth;
     const Detail& m_detail;
 };
 
+double stemVertices(const SizeBound& tree, std::size_t generation, const Detail& detail) {
+    double vertices = 0;
+    for (const auto& [share, thickness] : tree.generations[generation].thickness)
+        vertices += share * CStemMeshBound(tree, generation, thickness, detail).vertices();
+    return vertices * tree.generations[generation].stems;
+}
+
+/// The part of the last generation's stems that is drawn: see planRings(). What it is told of is itself a bound, hence
+/// the margin.
+double twigShareBound(const SizeBound& tree, const Detail& detail) {
+    constexpr double kMargin = 1.3;
+    if (detail.share >= 1) return 1;
+    double left = 0;
+    for (std::size_t g = 0; g < tree.generations.size(); ++g)
+        left += detail.share * stemVertices(tree, g, detailOf(detail.model, 0));
+    for (std::size_t g = 0; g + 1 < tree.generations.size(); ++g) left -= stemVertices(tree, g, detail);
+    const double share = left / std::max(1.0, stemVertices(tree, tree.generations.size() - 1, detail));
+    const double sampled = 8 / std::sqrt(std::max(1.0, tree.generations.back().stems)); // chosen by chance
+    return std::min(1.0, kMargin * std::max(share, detail.share) + sampled);
+}
+
 /// Organs that are grown for a detail, and what is drawn of them.
 struct OrganBound {
-    double grown = 0, vertices = 0;
+    double grown = 0, vertices = 0, corners = 0;
 };
 
 OrganBound organBound(const SizeBound& tree, Organ organ, const MeshParams& params, const Detail& detail, bool onCards) {
     const double count = tree.organs[static_cast<std::size_t>(organ)];
     // Which of them have fallen is chance: of none or all of them it is known.
     const bool all = params.seasonOf(organ).share > 0;
-    if (organ == Organ::Leaf && onCards)
-        return {std::min(count, 2 * tree.bearers.leaves),
-                !all ? 0 : std::min(4 * std::ceil(count * detail.share), tree.generations.back().stems * double(maxVerticesOfCard(detail)))};
+    if (organ == Organ::Leaf && onCards) {
+        const double cards = std::min(4 * std::ceil(count * detail.share),
+                                      tree.generations.back().stems * double(maxVerticesOfCard(detail)));
+        return {std::min(count, 2 * tree.bearers.leaves), all ? cards : 0, all ? 1.5 * cards : 0}; // rectangles
+    }
     const double grown = demandOf(detail, {}).bound(count);
-    return {grown, all ? grown * double(verticesPerOrgan(params, organ, detail)) : 0};
+    const LeafBlade blade = bladeOf(params, organ, detail);
+    return {grown, all ? grown * double(blade.points.size()) : 0, all ? grown * double(blade.indices.size()) : 0};
 }
 } // namespace
 
@@ -86,17 +123,23 @@ MeshBound meshBound(const SizeBound& tree, const MeshParams& params, const Detai
     MeshBound bound;
     for (std::size_t g = 0; g < tree.generations.size(); ++g) {
         if (onCards && g + 1 == tree.generations.size()) continue;
-        const CGenerationMeshBound own(tree, g, detail);
-        bound.vertices += own.vertices();
-        bound.bytes += 2 * own.planBytes(); // its parts and the whole
+        const double drawn = g >= 2 && g + 1 == tree.generations.size() ? twigShareBound(tree, detail) : 1;
+        for (const auto& [share, thickness] : tree.generations[g].thickness) {
+            const CStemMeshBound each(tree, g, thickness, detail);
+            const double stems = drawn * share * tree.generations[g].stems;
+            bound.vertices += stems * each.vertices();
+            bound.bytes += 2 * stems * each.planBytes(); // its parts and the whole
+        }
     }
+    double corners = kCornersPerVertex * bound.vertices;
     for (const Organ organ : kOrgans) {
         const OrganBound own = organBound(tree, organ, params, detail, onCards);
         bound.vertices += own.vertices;
+        corners += own.corners;
         bound.bytes += own.grown * (sizeof(CLeaf) + sizeof(std::uint32_t) + kCopies * sizeof(InstancePlace));
         if (tree.organs[static_cast<std::size_t>(organ)] > 0) bound.bytes += tree.stems() * sizeof(std::uint32_t); // counts
     }
-    bound.bytes += kCopies * bound.vertices * (kBytesPerVertex + kCornersPerVertex * sizeof(std::uint32_t));
+    bound.bytes += kCopies * (bound.vertices * kBytesPerVertex + corners * sizeof(std::uint32_t));
     return bound;
 }
 

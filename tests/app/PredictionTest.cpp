@@ -2,29 +2,64 @@
 #include "stromar/app/Prediction.h"
 #include "app/SameModel.h"
 #include "mesh/SampleTrees.h"
-#include "stromar/params/Season.h"
+#include "stromar/app/Methods.h"
 #include <cmath>
 #include <cstdlib>
 #include <gtest/gtest.h>
+#include <limits>
 
 namespace stromar::test {
 
 namespace {
 constexpr Caps kCaps{{0, 14, 6, 3}, 0.9, 8, 30, 4};
 
-std::string sizes(double stems, double leaves, double vertices) {
-    return std::to_string(stems) + " stems, " + std::to_string(leaves) + " leaves, " + std::to_string(vertices) +
-           " vertices";
+/// What is held at once: the structure with the builder's scratch, its largest generation twice; organs; meshes, and
+/// a writer's copy of them.
+double heldBytes(const TreeModel& model, const SizeBound& scratch) {
+    double bytes = 0, largest = 0;
+    for (const auto& generation : model.tree->generations()) {
+        const double own = double(generation->stems.size()) * (sizeof(CStem) + scratch.scratchPerStem) +
+                           double(generation->paths.size()) * (sizeof(CPath) + sizeof(double)) +
+                           double(generation->segments.size()) * (sizeof(CSegment) + scratch.scratchPerSegment);
+        bytes += own;
+        largest = std::max(largest, own);
+    }
+    for (const Organ organ : kOrgans) bytes += double(model.tree->grown(organ).size()) * sizeof(CLeaf);
+    for (const auto& mesh : model.meshes()) bytes += 2 * double(mesh->bytes());
+    return bytes + largest;
 }
 
-void expectWithin(const CParams& params, const Detail& detail, bool varied, const std::string& label) {
-    const Prediction predicted = predictSize(params, detail);
-    const auto model = CTreeCreator(varied).create(params, detail, CProgress(2));
-    const double stems = double(model->tree->stemCount()), leaves = double(model->tree->organs(Organ::Leaf)->total),
-                 vertices = double(model->vertexCount());
-    EXPECT_TRUE(stems <= predicted.stems && leaves <= predicted.leaves && vertices <= predicted.vertices)
-        << label << ": " << sizes(stems, leaves, vertices) << "; predicted "
-        << sizes(predicted.stems, predicted.leaves, predicted.vertices);
+struct Built {
+    double stems, segments, organs, vertices, bytes;
+};
+constexpr std::pair<const char*, double Built::*> kFields[] = {{"stems", &Built::stems},
+                                                               {"segments", &Built::segments},
+                                                               {"organs", &Built::organs},
+                                                               {"vertices", &Built::vertices},
+                                                               {"bytes", &Built::bytes}};
+
+Built builtOf(const TreeModel& model) {
+    Built built{};
+    for (const auto& generation : model.tree->generations()) {
+        built.stems += double(generation->stems.size());
+        built.segments += double(generation->segments.size());
+    }
+    for (const Organ organ : kOrgans) built.organs += double(model.tree->organs(organ)->total);
+    built.vertices = double(model.vertexCount());
+    built.bytes = heldBytes(model, methodOf(model.params).bound(model.params));
+    return built;
+}
+
+/// Never more than predicted; `near` times as much is predicted at most.
+void expectWithin(const CParams& params, const Detail& detail, bool varied, const std::string& label,
+                  double near = std::numeric_limits<double>::max()) {
+    const Prediction size = predictSize(params, detail);
+    const Built predicted{size.stems, size.segments, size.organs, size.vertices, size.bytes};
+    const Built built = builtOf(*CTreeCreator(varied, SizeLimits::none()).create(params, detail, CProgress(2)));
+    for (const auto& [name, field] : kFields) {
+        EXPECT_LE(built.*field, predicted.*field * (1 + 1e-9)) << label << ": " << name;
+        EXPECT_LE(predicted.*field / near, built.*field + 1) << label << ": " << name;
+    }
 }
 
 /// The numbers before " million vertices" in a refusal.
@@ -60,15 +95,8 @@ TEST(Prediction, BoundsThePresets) {
 
 TEST(Prediction, IsNearForThePresets) {
     for (const Sample& sample : presets())
-        for (const Detail& detail : detailTable()) {
-            const Prediction predicted = predictSize(sample.params, detail);
-            const bool full = phenologyOf(sample.params.common).leaves == 1; // what has fallen is known less well
-            const auto model = createAnew(sample.params, detail);
-            EXPECT_LE(predicted.stems, 8 * double(model->tree->stemCount())) << sample.name;
-            EXPECT_LE(predicted.leaves, 8 * double(model->tree->organs(Organ::Leaf)->total)) << sample.name;
-            EXPECT_LE(predicted.vertices, (full ? 9 : 18) * double(model->vertexCount()))
-                << sample.name << ", " << detail.name;
-        }
+        for (const Detail& detail : detailTable())
+            expectWithin(sample.params, detail, true, sample.name + ", " + std::string(detail.name), 4);
 }
 
 TEST(Prediction, BoundsRandomTrees) {
@@ -160,6 +188,34 @@ TEST(Prediction, ARefusedTreeLeavesTheCreatorAsItWas) {
     weberPenn(large).level[1].branches = weberPenn(large).level[2].branches = 5000;
     EXPECT_THROW(creator.create(large, detailOf(Model::Simple), CProgress(2)), CError);
     EXPECT_EQ(creator.create(params, detailOf(Model::Simple), CProgress(2))->stems, before->stems);
+}
+
+TEST(Prediction, LeavesThatAreNotShownTakeNoMemory) {
+    CParams params = preset("weeping_willow");
+    weberPenn(params).leaves = -5000;
+    weberPenn(params).level[3].curve = 1592;
+    const Detail& cards = detailOf(Model::Full, 2);
+    EXPECT_LT(predictSize(params, cards).bytes, 1e9);
+    EXPECT_GT(predictSize(params, detailOf(Model::Full)).bytes, 1e10) << "LOD 0 would show them";
+    const auto model = CTreeCreator().create(params, cards, CProgress(2));
+    EXPECT_GT(model->tree->organs(Organ::Leaf)->total, 1e8);
+    EXPECT_LT(model->tree->leaves().size(), 20000u) << "those of one twig";
+}
+
+TEST(Prediction, ATreeThatWouldFillTheMemoryIsRefusedWithBothNumbers) {
+    CParams params = preset("scots_pine");
+    weberPenn(params).trunks = 100;
+    weberPenn(params).scaleV = 240;
+    weberPenn(params).leaves = 1873;
+    weberPenn(params).level[2].segSplits = 9.1;
+    try {
+        CTreeCreator(true, {.bytes = 8e9}).create(params, detailOf(Model::Full, 3), CProgress(2));
+        FAIL() << "it was grown";
+    } catch (const CError& e) {
+        const std::string why = e.what();
+        EXPECT_NE(why.find(" GB of memory"), std::string::npos) << why;
+        EXPECT_NE(why.find("the limit is 8 GB"), std::string::npos) << why;
+    }
 }
 
 } // namespace stromar::test

@@ -150,7 +150,7 @@ TEST(HandBuiltTree, LeavesOfTheTrunkAreDrawnBesideCards) {
     ASSERT_TRUE(twig);
     EXPECT_GT(meshOfTwigs(tree, *tree.organs(Organ::Leaf), *twig, meshParams(), detail, CProgress(2))->vertexCount(), 0u);
     const auto own = meshOfOrgans(tree, Organ::Leaf, plansOf(all), meshParams(), detail, CProgress(2), cardGeneration(tree));
-    EXPECT_EQ(own->vertexCount(), 8 * verticesPerOrgan(meshParams(), Organ::Leaf, detail)) << "those of the trunk";
+    EXPECT_EQ(own->vertexCount(), 8 * bladeOf(meshParams(), Organ::Leaf, detail).points.size()) << "those of the trunk";
 }
 
 TEST(HandBuiltTree, RingsStandAtTheSegmentsEnds) {

@@ -70,7 +70,7 @@ TEST(LeafMesh, ThinningKeepsTheAreaAndTheCrown) {
         for (const Detail& detail : detailTable()) {
             if (onCards && detail.twigPlanes > 0) continue;
             const auto mesh = leavesOf(*tree, sample.params, detail);
-            const std::size_t drawn = mesh->vertexCount() / verticesPerOrgan(meshParamsOf(sample.params), Organ::Leaf, detail);
+            const std::size_t drawn = mesh->vertexCount() / bladeOf(meshParamsOf(sample.params), Organ::Leaf, detail).points.size();
             EXPECT_LE(double(drawn), demandOf(detail, {}).bound(double(tree->leaves().size())));
             const double growth = std::sqrt(double(tree->leaves().size()) / double(drawn));
             const double kept = growth <= kMaxLeafGrowth ? 1 : std::pow(kMaxLeafGrowth / growth, 2);
@@ -117,7 +117,7 @@ TEST(LeafMesh, EveryShapeIsSoundAndAboutAsLargeAsItsCard) {
                 SCOPED_TRACE("shape " + std::to_string(shape) + ", fold " + std::to_string(fold));
                 EXPECT_EQ(inWords(checkLeaves(*mesh)), "");
                 EXPECT_EQ(mesh->vertexCount(),
-                          tree->leaves().size() * verticesPerOrgan(meshParamsOf(params), Organ::Leaf, detailOf(Model::Full)));
+                          tree->leaves().size() * bladeOf(meshParamsOf(params), Organ::Leaf, detailOf(Model::Full)).points.size());
                 EXPECT_LT(mesh->area(), 1.01 * cards);
                 EXPECT_GT(mesh->area(), (shape == 7 ? 0.1 : 0.3) * cards);
                 for (const glm::vec2& at : mesh->texCoords) {

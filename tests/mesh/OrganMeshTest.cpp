@@ -30,7 +30,7 @@ TEST(OrganMesh, FruitsAreClosedAndSound) {
         ASSERT_GT(fruits->triangleCount(), 0u) << detail.name;
         EXPECT_TRUE(checkLeaves(*fruits).sound()) << detail.name;
         EXPECT_EQ(fruits->surface, Surface::Fruit);
-        const std::size_t each = verticesPerOrgan(meshParamsOf(orchard()), Organ::Fruit, detail);
+        const std::size_t each = bladeOf(meshParamsOf(orchard()), Organ::Fruit, detail).points.size();
         EXPECT_EQ(fruits->vertexCount() % each, 0u);
         EXPECT_GT(signedVolume(*fruits), 0) << detail.name << ": they face outwards";
     }

@@ -93,6 +93,4 @@ std::shared_ptr<const COrganMesh> meshOfOrgans(const CTree& tree, Organ organ, s
                                                const MeshParams& params, const Detail& detail,
                                                const CProgress& progress, std::uint32_t except = kNoGeneration);
 
-std::size_t verticesPerOrgan(const MeshParams& params, Organ organ, const Detail& detail);
-
 } // namespace stromar

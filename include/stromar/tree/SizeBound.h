@@ -5,13 +5,19 @@
 
 namespace stromar {
 
+/// A part of a generation's stems, and how thick they are at most: the radius over the first trunk's.
+struct ThicknessShare {
+    double share, thickness;
+};
+
 /// At most so much in one generation of stems. Whole numbers, but possibly beyond any integer.
 struct GenerationBound {
     double stems = 0;               ///< of the whole tree
     double paths = 1, segments = 1; ///< of one stem
     double along = 1;               ///< segments from a stem's base to a tip, at least
-    double thickness = 1;           ///< radius of a stem over the first trunk's
+    std::vector<ThicknessShare> thickness{{1, 1}}; ///< the shares are 1 together
     double turn = 0;                ///< degrees between two segments that follow each other
+    double forkTurn = 0;            ///< degrees that a fork turns its paths, and that they turn back later
     bool forks = false, helix = false, roundEnds = false, spheres = false;
 };
 

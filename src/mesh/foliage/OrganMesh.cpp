@@ -153,8 +153,4 @@ std::shared_ptr<const COrganMesh> meshOfOrgans(const CTree& tree, Organ organ, s
                                               thinned * season.size, rounding);
 }
 
-std::size_t verticesPerOrgan(const MeshParams& params, Organ organ, const Detail& detail) {
-    return bladeOf(params, organ, detail).points.size();
-}
-
 } // namespace stromar
