@@ -59,6 +59,20 @@ protected:
 bool isGreen(const std::array<int, 4>& c) { return c[1] > c[0] && c[1] > c[2]; }
 } // namespace
 
+/// Mesa draws without the extension as older drivers do.
+TEST_F(Render, OpenGlBeforeInstancesDrawsTheSame) {
+    const Picture instances = render({});
+    setenv("MESA_GL_VERSION_OVERRIDE", "3.0", 1);
+    setenv("MESA_EXTENSION_OVERRIDE", "-GL_ARB_instanced_arrays", 1);
+    const Picture vertices = render({});
+    unsetenv("MESA_GL_VERSION_OVERRIDE");
+    unsetenv("MESA_EXTENSION_OVERRIDE");
+    ASSERT_EQ(instances.width, 200u);
+    ASSERT_EQ(vertices.width, 200u);
+    const TileDifference worst = worstTile(instances.bytes(), vertices.bytes());
+    EXPECT_LT(worst.mean, kMaxTileDifference) << worst;
+}
+
 TEST_F(Render, ShowsSkyTreeAndGround) {
     const Picture picture = render({});
     ASSERT_EQ(picture.width, 200u);

@@ -81,4 +81,57 @@ TEST(OrganMesh, EveryLeafShapeIsSound) {
     }
 }
 
+namespace {
+std::shared_ptr<const COrganMesh> instancesOf(const CParams& params, const Detail& detail) {
+    const auto tree = grow(params);
+    const auto all = meshAllStems(*tree, meshParamsOf(params), detail, CProgress(2));
+    return meshOfOrgans(*tree, Organ::Leaf, plansOf(all), meshParamsOf(params), detail, CProgress(2));
+}
+} // namespace
+
+TEST(OrganMesh, InstancesStandWhereTheirVerticesDo) {
+    CParams params = preset("european_beech");
+    params.common.leafForm = 1;
+    params.common.leafFold = 20;
+    const auto leaves = instancesOf(params, full());
+    const auto mesh = leaves->expanded(CProgress(2));
+    ASSERT_EQ(mesh->vertexCount(), leaves->vertexCount());
+    ASSERT_EQ(mesh->triangleCount(), leaves->triangleCount());
+    const auto& points = leaves->blade().points;
+    for (std::size_t i = 0; i < leaves->count(); i += 97) {
+        const InstancePlace place = leaves->place(i);
+        const glm::dvec3 q(place.turn), size(place.width, place.length, place.width);
+        for (std::size_t p = 0; p < points.size(); ++p) { // as the shader turns them
+            const glm::dvec3 v = points[p].place * size;
+            const glm::dvec3 turned = v + 2.0 * glm::cross(q, glm::cross(q, v) + double(place.turn.w) * v);
+            const glm::dvec3 wanted(mesh->positions[i * points.size() + p]);
+            ASSERT_LT(glm::distance(glm::dvec3(place.position) + turned, wanted), 1e-5) << i;
+        }
+    }
+    const Bounds box = mesh->bounds(), own = leaves->bounds(CProgress(2));
+    EXPECT_EQ(box.min, own.min);
+    EXPECT_EQ(box.max, own.max);
+}
+
+TEST(OrganMesh, ARayMeetsTheNearestLeaf) {
+    const auto leaves = instancesOf(preset("quaking_aspen"), full());
+    const auto mesh = leaves->expanded(CProgress(2));
+    int met = 0;
+    for (std::size_t i = 0; i < leaves->count(); i += 311) {
+        const glm::dvec3 from(20, -30, 9), middle = leaves->leaf(i).position + 0.4 * leaves->leaf(i).length * leaves->leaf(i).axis;
+        const auto hit = leaves->meet(from, middle - from);
+        if (hit.instance < 0) continue; // it is seen edge-on
+        ++met;
+        EXPECT_LE(hit.distance, 1 + 1e-6) << "that leaf, or one before it";
+        const Bounds box = mesh->bounds();
+        const glm::dvec3 at = from + hit.distance * (middle - from);
+        for (int k = 0; k < 3; ++k) {
+            EXPECT_GE(at[k], box.min[k] - 1e-4);
+            EXPECT_LE(at[k], box.max[k] + 1e-4);
+        }
+    }
+    EXPECT_GT(met, 20);
+    EXPECT_EQ(leaves->meet({20, -30, 9}, {0, -1, 0}).instance, -1) << "behind";
+}
+
 } // namespace stromar::test
