@@ -17,9 +17,9 @@ constexpr int kTileSize = 1024, kCutOutSize = 512, kPreviewSize = 96;
 constexpr double kSeasonSteps = 0.2;      // of a month: the picture follows the slider in so many
 constexpr std::uint64_t kLookVersion = 2; // rises when the same recipe is drawn differently
 
-int sizeOf(Surface surface, Drawn drawn) {
+int sizeOf(Surface surface, PictureQuality quality) {
     if (!surfaceOf(surface).cutOut) return kTileSize;
-    return drawn == Drawn::Preview ? kPreviewSize : kCutOutSize;
+    return quality == PictureQuality::Preview ? kPreviewSize : kCutOutSize;
 }
 
 /// " season=9.4" where the month changes the picture.
@@ -79,9 +79,9 @@ std::string pictureOf(const CParams& params, Surface surface) {
     return ages ? chosen + seasonWords(params) : chosen;
 }
 
-fs::path textureOf(const CParams& params, Surface surface, const fs::path& folder, Drawn drawn) {
+fs::path textureOf(const CParams& params, Surface surface, const fs::path& folder, PictureQuality quality) {
     const std::string chosen = pictureOf(params, surface);
-    if (isRecipe(chosen)) return recipeFile(chosen, sizeOf(surface, drawn));
+    if (isRecipe(chosen)) return recipeFile(chosen, sizeOf(surface, quality));
     const bool own = !(params.text.*surfaceOf(surface).texture).empty();
     return own ? folder / chosen : dataFolder() / "textures" / chosen;
 }
@@ -98,17 +98,17 @@ SurfaceTextures texturesOf(const CParams& params, const fs::path& folder) {
     return all;
 }
 
-void makePictures(const CParams& params, const CProgress& progress, Drawn drawn) {
+void makePictures(const CParams& params, const CProgress& progress, PictureQuality quality) {
     for (const Surface surface : kSurfaces) {
         if (!hasSurface(params, surface)) continue;
         const std::string recipe = pictureOf(params, surface);
         if (!isRecipe(recipe)) continue;
         const CRecipe read(recipe);
-        const fs::path file = textureOf(params, surface, {}, drawn);
-        const bool enough = drawn == Drawn::Preview &&
-                            (!surfaceOf(surface).cutOut || fs::exists(textureOf(params, surface, {}, Drawn::Whole)));
+        const fs::path file = textureOf(params, surface, {}, quality);
+        const bool enough = quality == PictureQuality::Preview &&
+                            (!surfaceOf(surface).cutOut || fs::exists(textureOf(params, surface, {}, PictureQuality::Full)));
         if (enough || fs::exists(file)) continue;
-        keepPicture(read.draw(sizeOf(surface, drawn), progress), file);
+        keepPicture(read.draw(sizeOf(surface, quality), progress), file);
     }
 }
 

@@ -41,17 +41,17 @@ TEST_F(RecipeTest, IsDrawnOnceAndKept) {
 
 TEST_F(RecipeTest, OfLeavesHasAPreviewUntilTheWholeIsThere) {
     m_params.text.leafTexture = "leaf:maple";
-    const fs::path small = textureOf(m_params, Surface::Leaf, {}, Drawn::Preview),
+    const fs::path small = textureOf(m_params, Surface::Leaf, {}, PictureQuality::Preview),
                    whole = textureOf(m_params, Surface::Leaf, {});
     EXPECT_NE(small, whole);
-    EXPECT_EQ(textureOf(m_params, Surface::Bark, {}, Drawn::Preview), bark()) << "barks have none";
-    makePictures(m_params, CProgress(), Drawn::Preview);
+    EXPECT_EQ(textureOf(m_params, Surface::Bark, {}, PictureQuality::Preview), bark()) << "barks have none";
+    makePictures(m_params, CProgress(), PictureQuality::Preview);
     EXPECT_TRUE(fs::exists(small));
     EXPECT_FALSE(fs::exists(whole) || fs::exists(bark()));
     makePictures(m_params, CProgress());
     EXPECT_TRUE(fs::exists(whole));
     fs::remove(small);
-    makePictures(m_params, CProgress(), Drawn::Preview);
+    makePictures(m_params, CProgress(), PictureQuality::Preview);
     EXPECT_FALSE(fs::exists(small)) << "the whole is better";
 }
 

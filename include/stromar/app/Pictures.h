@@ -16,7 +16,7 @@ std::filesystem::path dataFolder();
 std::string pictureOf(const CParams& params, Surface surface);
 
 /// A preview of a leaf is small and quickly drawn, for a slider that is being dragged.
-enum class Drawn { Whole, Preview };
+enum class PictureQuality { Full, Preview };
 
 /// Whether pictures of twigs can be made of the leaf's: a recipe or a PNG.
 bool isBakeable(const CParams& params);
@@ -24,7 +24,7 @@ bool isBakeable(const CParams& params);
 /// The file of that picture: the tree's own (its path starts at `folder`, that of the .tree file), that of a recipe,
 /// which makePictures() draws, or the built-in one.
 std::filesystem::path textureOf(const CParams& params, Surface surface, const std::filesystem::path& folder,
-                                Drawn drawn = Drawn::Whole);
+                                PictureQuality quality = PictureQuality::Full);
 
 /// The same for all surfaces; empty for blossoms and fruits that the tree has not, and for twigs, which are a model's.
 using SurfaceTextures = std::array<std::filesystem::path, kSurfaces.size()>;
@@ -33,7 +33,7 @@ SurfaceTextures texturesOf(const CParams& params, const std::filesystem::path& f
 /// Draws the pictures of a tree's recipes that are not there yet; they are kept in the user's cache. A second or two
 /// each; previews, which only leaves have, some hundredths. Any thread. Throws CError, which says what is wrong with a
 /// recipe, and CCancelled.
-void makePictures(const CParams& params, const CProgress& progress, Drawn drawn = Drawn::Whole);
+void makePictures(const CParams& params, const CProgress& progress, PictureQuality quality = PictureQuality::Full);
 
 /// The same with what a model shows, and the picture of its twigs, if it has some.
 std::filesystem::path textureOf(const TreeModel& model, Surface surface, const std::filesystem::path& folder);

@@ -101,7 +101,7 @@ void CTreeCreatorThread::run() {
             emit created(view);
             // The tree does not wait for its bark. Leaves in small follow a dragged month: no newer step cancels them.
             readSurfaces(*request);
-            makePictures(request->params, CProgress(progress.threads()), Drawn::Preview);
+            makePictures(request->params, CProgress(progress.threads()), PictureQuality::Preview);
             readSurfaces(*request);
             makePictures(request->params, progress);
             readSurfaces(*request);
@@ -124,7 +124,7 @@ void CTreeCreatorThread::readSurfaces(const Request& request) {
         std::filesystem::path& read = m_read[static_cast<std::size_t>(surface)];
         std::filesystem::path wanted = textureOf(request.params, surface, request.folder);
         const bool drawn = isRecipe(pictureOf(request.params, surface));
-        if (drawn && !isThere(wanted)) wanted = textureOf(request.params, surface, {}, Drawn::Preview);
+        if (drawn && !isThere(wanted)) wanted = textureOf(request.params, surface, {}, PictureQuality::Preview);
         if (wanted == read || (drawn && !isThere(wanted))) continue;
         read = wanted;
         emit surfaceRead(surface, readSurface(surface, wanted.string()));
