@@ -1,0 +1,74 @@
+#pragma once
+#include "stromar/tree/lsystem/Grammar.h"
+#include "stromar/util/Progress.h"
+#include "stromar/util/RawVector.h"
+#include <cstdint>
+#include <span>
+
+namespace stromar {
+
+/// The modules that a grammar has derived so far. 13 bytes a module and 8 for each of its numbers.
+class CWord {
+public:
+    std::size_t size() const { return m_symbols.size(); }
+    Symbol symbol(std::size_t i) const { return m_symbols[i]; }
+    std::span<const double> numbers(std::size_t i) const {
+        return {m_numbers.data() + m_firstNumber[i], m_numbers.data() + m_firstNumber[i + 1]};
+    }
+    /// The same in every word in which the module came about in the same way: a hash of its parent's and of its place in
+    /// the successor.
+    std::uint64_t id(std::size_t i) const { return m_ids[i]; }
+    std::size_t bytes() const {
+        return size() * (sizeof(Symbol) + sizeof(std::uint64_t) + sizeof(std::uint32_t)) +
+               m_numbers.size() * sizeof(double);
+    }
+    /// "F(1)[+A(0.5,2)]"
+    std::string text(std::size_t first, std::size_t count) const;
+
+private:
+    friend class CRewriter;
+    void resize(std::size_t modules, std::size_t numbers);
+
+    RawVector<Symbol> m_symbols;
+    RawVector<std::uint64_t> m_ids;
+    RawVector<std::uint32_t> m_firstNumber; ///< one more than there are modules
+    RawVector<double> m_numbers;
+};
+
+/// Rewrites words. All modules of a word are rewritten at once; those without a matching production are copied. Which of
+/// several productions is taken is a pure function of the seed and the module's identity. The same result for every
+/// number of threads.
+class CRewriter {
+public:
+    static constexpr std::size_t kMaxModules = 100'000'000;
+
+    CRewriter(const Grammar& grammar, std::uint64_t seed, std::size_t maxModules = kMaxModules);
+
+    CWord axiom() const;
+    /// The next word. Throws CInputError with the place of a number that is not finite, CError when there are more
+    /// modules than allowed, CCancelled.
+    CWord derive(const CWord& word, const CProgress& progress) const;
+    CWord derive(int times, const CProgress& progress) const;
+
+private:
+    struct Match;
+    struct Chunk;
+
+    const Production* productionOf(const CWord& word, std::size_t i, Match& match) const;
+    bool matches(const CWord& word, std::size_t i, const Production& production, Match& match) const;
+    bool matchesLeft(const CWord& word, std::size_t i, const Production& production, Match& match) const;
+    bool matchesRight(const CWord& word, std::size_t i, const Production& production, Match& match) const;
+    const Production* drawn(const CWord& word, std::size_t i, std::size_t first, Match& match) const;
+    ExpressionInput inputOf(const CWord& word, std::size_t i, const Production& production, const Match& match) const;
+    void write(const CWord& word, std::size_t i, const Production* production, CWord& next, std::size_t module,
+               std::size_t number) const;
+    CWord cut(const CWord& word) const;
+
+    const Grammar& m_grammar;
+    std::uint64_t m_seed;
+    std::size_t m_maxModules;
+    std::array<std::vector<std::uint16_t>, 256> m_productions; ///< by predecessor, in their order
+    bool m_cuts; ///< some word may have a %
+};
+
+} // namespace stromar

@@ -1,0 +1,257 @@
+#include "stromar/tree/lsystem/Word.h"
+#include "stromar/util/Parallel.h"
+#include "stromar/util/Random.h"
+#include "stromar/util/Text.h"
+#include <algorithm>
+#include <cmath>
+#include <limits>
+
+namespace stromar {
+
+namespace {
+constexpr std::size_t kGrain = 16384;
+constexpr std::uint64_t kAxiomId = 0x61786d, kChoice = 0x6368;
+constexpr std::uint16_t kCopied = 0xffff;
+
+[[noreturn]] void failTooLong(std::size_t max) {
+    throw CError("the word of this grammar would have more than " + std::to_string(max) + " modules");
+}
+} // namespace
+
+void CWord::resize(std::size_t modules, std::size_t numbers) {
+    m_symbols.resize(modules);
+    m_ids.resize(modules);
+    m_firstNumber.resize(modules + 1);
+    m_numbers.resize(numbers);
+    m_firstNumber[modules] = static_cast<std::uint32_t>(numbers);
+}
+
+std::string CWord::text(std::size_t first, std::size_t count) const {
+    std::string text;
+    for (std::size_t i = first; i < std::min(size(), first + count); ++i) {
+        text += symbolName(symbol(i));
+        for (std::size_t k = 0; k < numbers(i).size(); ++k) text += (k == 0 ? "(" : ",") + numberText(numbers(i)[k]);
+        if (!numbers(i).empty()) text += ")";
+    }
+    return text;
+}
+
+/// The formal parameters of a production with context.
+struct CRewriter::Match {
+    std::array<double, kMaxFormals> formals;
+};
+
+CRewriter::CRewriter(const Grammar& grammar, std::uint64_t seed, std::size_t maxModules)
+    : m_grammar(grammar), m_seed(seed), m_maxModules(maxModules) {
+    const auto hasCut = [](const std::vector<SuccessorModule>& word) {
+        return std::ranges::find(word, Symbol('%'), &SuccessorModule::symbol) != word.end();
+    };
+    m_cuts = hasCut(grammar.axiom);
+    for (std::size_t p = 0; p < grammar.productions.size(); ++p) {
+        m_productions[grammar.productions[p].predecessor.symbol].push_back(static_cast<std::uint16_t>(p));
+        m_cuts = m_cuts || hasCut(grammar.productions[p].successor);
+    }
+}
+
+CWord CRewriter::axiom() const {
+    CWord word;
+    std::size_t numbers = 0;
+    for (const SuccessorModule& module : m_grammar.axiom) numbers += module.numbers.size();
+    word.resize(m_grammar.axiom.size(), numbers);
+    std::size_t number = 0;
+    for (std::size_t i = 0; i < m_grammar.axiom.size(); ++i) {
+        const SuccessorModule& module = m_grammar.axiom[i];
+        word.m_symbols[i] = module.symbol;
+        word.m_ids[i] = hashCombine(kAxiomId, i);
+        word.m_firstNumber[i] = static_cast<std::uint32_t>(number);
+        for (const CExpression& value : module.numbers)
+            word.m_numbers[number++] = value.evaluate({{}, hashCombine(m_seed, word.m_ids[i])});
+    }
+    return m_cuts ? cut(word) : word;
+}
+
+CWord CRewriter::derive(int times, const CProgress& progress) const {
+    CWord word = axiom();
+    for (int i = 0; i < times; ++i) word = derive(word, progress);
+    return word;
+}
+
+CWord CRewriter::derive(const CWord& word, const CProgress& progress) const {
+    std::vector<std::uint16_t> chosen(word.size());
+    std::vector<std::pair<std::size_t, std::size_t>> starts(word.size() / kGrain + 2); // modules, numbers
+    const auto count = [&](std::size_t begin, std::size_t end) {
+        Match match;
+        std::size_t modules = 0, numbers = 0;
+        for (std::size_t i = begin; i < end; ++i) {
+            const Production* production = productionOf(word, i, match);
+            chosen[i] = production ? static_cast<std::uint16_t>(production - m_grammar.productions.data()) : kCopied;
+            modules += production ? production->successor.size() : 1;
+            numbers += production ? production->numbers : word.numbers(i).size();
+        }
+        starts[begin / kGrain + 1] = {modules, numbers};
+    };
+    parallelFor(word.size(), kGrain, count, progress);
+    for (std::size_t c = 1; c < starts.size(); ++c) {
+        starts[c].first += starts[c - 1].first;
+        starts[c].second += starts[c - 1].second;
+    }
+    const auto [modules, numbers] = starts.back();
+    if (modules > m_maxModules || numbers > std::numeric_limits<std::uint32_t>::max()) failTooLong(m_maxModules);
+    CWord next;
+    next.resize(modules, numbers);
+    const auto rewrite = [&](std::size_t begin, std::size_t end) {
+        auto [module, number] = starts[begin / kGrain];
+        for (std::size_t i = begin; i < end; ++i) {
+            const Production* production = chosen[i] == kCopied ? nullptr : &m_grammar.productions[chosen[i]];
+            write(word, i, production, next, module, number);
+            module += production ? production->successor.size() : 1;
+            number += production ? production->numbers : word.numbers(i).size();
+        }
+    };
+    parallelFor(word.size(), kGrain, rewrite, progress);
+    return m_cuts ? cut(next) : std::move(next);
+}
+
+/// Of the productions that match: the first, or if that has a probability, one drawn among all that have.
+const Production* CRewriter::productionOf(const CWord& word, std::size_t i, Match& match) const {
+    const std::vector<std::uint16_t>& candidates = m_productions[word.symbol(i)];
+    for (std::size_t c = 0; c < candidates.size(); ++c) {
+        const Production& production = m_grammar.productions[candidates[c]];
+        if (!matches(word, i, production, match)) continue;
+        return production.probability ? drawn(word, i, c, match) : &production;
+    }
+    return nullptr;
+}
+
+const Production* CRewriter::drawn(const CWord& word, std::size_t i, std::size_t first, Match& match) const {
+    const std::vector<std::uint16_t>& candidates = m_productions[word.symbol(i)];
+    const bool context = m_grammar.productions[candidates[first]].hasContext();
+    std::vector<std::pair<const Production*, double>> weights;
+    double sum = 0;
+    for (std::size_t c = first; c < candidates.size(); ++c) {
+        const Production& production = m_grammar.productions[candidates[c]];
+        if (!production.probability || production.hasContext() != context || !matches(word, i, production, match)) continue;
+        const double weight = production.probability->evaluate(inputOf(word, i, production, match));
+        if (!(weight > 0)) continue;
+        weights.emplace_back(&production, weight);
+        sum += weight;
+    }
+    double left = sum * unitOf(hashCombine(hashCombine(m_seed, word.id(i)), kChoice));
+    for (const auto& [production, weight] : weights)
+        if ((left -= weight) < 0) return production;
+    return weights.empty() ? nullptr : weights.back().first;
+}
+
+ExpressionInput CRewriter::inputOf(const CWord& word, std::size_t i, const Production& production,
+                                   const Match& match) const {
+    const std::uint64_t place = hashCombine(m_seed, word.id(i));
+    if (!production.hasContext()) return {word.numbers(i), place};
+    return {std::span(match.formals).first(production.formals), place};
+}
+
+bool CRewriter::matches(const CWord& word, std::size_t i, const Production& production, Match& match) const {
+    if (word.numbers(i).size() != production.predecessor.numbers) return false;
+    if (production.hasContext()) {
+        std::ranges::copy(word.numbers(i), match.formals.begin() + production.predecessor.firstFormal);
+        if (!matchesLeft(word, i, production, match) || !matchesRight(word, i, production, match)) return false;
+    }
+    if (const auto constant = production.condition.constant()) return *constant != 0;
+    return production.condition.evaluate(inputOf(word, i, production, match)) != 0;
+}
+
+/// Towards the root: branches that start before are passed over (The Algorithmic Beauty of Plants §1.8).
+bool CRewriter::matchesLeft(const CWord& word, std::size_t i, const Production& production, Match& match) const {
+    std::size_t at = i;
+    for (auto wanted = production.left.rbegin(); wanted != production.left.rend(); ++wanted) {
+        for (int depth = 0;;) {
+            if (at == 0) return false;
+            const Symbol symbol = word.symbol(--at);
+            if (symbol == ']') ++depth;
+            if (symbol == '[' && depth > 0) {
+                --depth;
+                continue;
+            }
+            if (depth > 0 || symbol == '[' || symbol == ']' || m_grammar.ignored[symbol]) continue;
+            break;
+        }
+        if (word.symbol(at) != wanted->symbol || word.numbers(at).size() != wanted->numbers) return false;
+        std::ranges::copy(word.numbers(at), match.formals.begin() + wanted->firstFormal);
+    }
+    return true;
+}
+
+/// Towards the tip of the own branch.
+bool CRewriter::matchesRight(const CWord& word, std::size_t i, const Production& production, Match& match) const {
+    std::size_t at = i;
+    for (const ModulePattern& wanted : production.right) {
+        for (int depth = 0;;) {
+            if (++at >= word.size()) return false;
+            const Symbol symbol = word.symbol(at);
+            if (symbol == ']' && depth == 0) return false;
+            if (symbol == '[') ++depth;
+            if (symbol == ']') {
+                --depth;
+                continue;
+            }
+            if (depth > 0 || m_grammar.ignored[symbol]) continue;
+            break;
+        }
+        if (word.symbol(at) != wanted.symbol || word.numbers(at).size() != wanted.numbers) return false;
+        std::ranges::copy(word.numbers(at), match.formals.begin() + wanted.firstFormal);
+    }
+    return true;
+}
+
+void CRewriter::write(const CWord& word, std::size_t i, const Production* production, CWord& next, std::size_t module,
+                      std::size_t number) const {
+    if (!production) {
+        next.m_symbols[module] = word.symbol(i);
+        next.m_ids[module] = hashCombine(word.id(i), 0);
+        next.m_firstNumber[module] = static_cast<std::uint32_t>(number);
+        std::ranges::copy(word.numbers(i), next.m_numbers.begin() + static_cast<std::ptrdiff_t>(number));
+        return;
+    }
+    Match match;
+    if (production->hasContext()) matches(word, i, *production, match); // the formals once more
+    const ExpressionInput input = inputOf(word, i, *production, match);
+    for (std::size_t k = 0; k < production->successor.size(); ++k, ++module) {
+        const SuccessorModule& made = production->successor[k];
+        next.m_symbols[module] = made.symbol;
+        next.m_ids[module] = hashCombine(word.id(i), k);
+        next.m_firstNumber[module] = static_cast<std::uint32_t>(number);
+        for (const CExpression& value : made.numbers) {
+            next.m_numbers[number] = value.evaluate(input);
+            if (!std::isfinite(next.m_numbers[number++]))
+                throw CInputError({{Severity::Error, {}, made.place.line, made.place.column,
+                                    "a number of " + symbolName(made.symbol) + " is not finite when " + word.text(i, 1) +
+                                        " is rewritten"}});
+        }
+    }
+}
+
+/// Without what follows a % in its branch.
+CWord CRewriter::cut(const CWord& word) const {
+    std::vector<std::uint32_t> kept;
+    int depth = 0, cutDepth = -1; // of brackets; of the branch that is being cut
+    for (std::size_t i = 0; i < word.size(); ++i) {
+        const Symbol symbol = word.symbol(i);
+        if (symbol == ']' && depth-- == cutDepth) cutDepth = -1;
+        if (symbol == '%' && cutDepth < 0) cutDepth = depth;
+        if (cutDepth < 0) kept.push_back(static_cast<std::uint32_t>(i));
+        if (symbol == '[') ++depth;
+    }
+    std::size_t numbers = 0;
+    for (const std::uint32_t i : kept) numbers += word.numbers(i).size();
+    CWord left;
+    left.resize(kept.size(), numbers);
+    std::size_t number = 0;
+    for (std::size_t k = 0; k < kept.size(); ++k) {
+        left.m_symbols[k] = word.symbol(kept[k]);
+        left.m_ids[k] = word.id(kept[k]);
+        left.m_firstNumber[k] = static_cast<std::uint32_t>(number);
+        for (const double value : word.numbers(kept[k])) left.m_numbers[number++] = value;
+    }
+    return left;
+}
+
+} // namespace stromar
