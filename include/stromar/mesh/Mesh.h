@@ -31,8 +31,9 @@ public:
 
     std::size_t vertexCount() const { return positions.size(); }
     std::size_t triangleCount() const { return indices.size() / 3; }
-    std::size_t bytes() const {
-        return vertexCount() * (2 * sizeof(glm::vec3) + sizeof(glm::vec2) + 1) + indices.size() * sizeof(std::uint32_t);
+    std::size_t bytes() const { return bytesOf(vertexCount(), indices.size()); }
+    static constexpr std::size_t bytesOf(std::size_t vertices, std::size_t indices) {
+        return vertices * (2 * sizeof(glm::vec3) + sizeof(glm::vec2) + 1) + indices * sizeof(std::uint32_t);
     }
     double area() const; ///< of its triangles, m²
     /// Of a mesh with vertices.

@@ -56,7 +56,7 @@ public:
     std::size_t count() const { return m_shown.size(); }
     std::size_t vertexCount() const { return count() * m_blade.points.size(); }
     std::size_t triangleCount() const { return count() * m_blade.indices.size() / 3; }
-    std::size_t bytes() const { return count() * (sizeof(std::uint32_t) + sizeof(InstancePlace)); }
+    std::size_t bytes() const { return CMesh::bytesOf(vertexCount(), 3 * triangleCount()); } ///< when it is expanded
     const CLeaf& leaf(std::size_t i) const { return m_organs->grown[m_shown[i]]; }
     InstancePlace place(std::size_t i) const;
     /// Of all vertices; there are some.

@@ -38,7 +38,7 @@ struct TreeModel {
     std::size_t triangleCount() const;
     /// Of all vertices; nothing where there are none.
     std::optional<Bounds> bounds() const;
-    std::size_t bytes() const; ///< of vertices, triangles and instances
+    std::size_t bytes() const; ///< of all vertices and triangles, as files want them
 };
 
 } // namespace stromar
