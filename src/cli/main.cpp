@@ -110,7 +110,7 @@ void addModel(CLI::App& command, Options& options) {
         ->check(CLI::IsMember({"full", "simple"}))
         ->capture_default_str();
     command.add_option("--lod", options.model.lod, "Level of detail of the full model, 0 the finest")
-        ->check(CLI::Range(0, 3));
+        ->check(CLI::Range(0, kMaxLod));
 }
 
 /// A flag for each row of the table of choices.

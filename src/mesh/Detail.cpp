@@ -20,6 +20,7 @@ constexpr Detail kDetails[] = {
     {"Full model, LOD 3", Model::Full,   3,  6,   0,   0,   20,   3,   1,    0,    0.1, kNoBudget, 1},
 };
 // clang-format on
+static_assert(std::ranges::max(kDetails, {}, &Detail::lod).lod == kMaxLod);
 } // namespace
 
 std::span<const Detail> detailTable() { return kDetails; }

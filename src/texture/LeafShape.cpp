@@ -314,6 +314,7 @@ std::vector<Blade> bladesOf(const LeafParams& leaf) {
         &CLeafMaker::simple,  &CLeafMaker::palmatelyLobed, &CLeafMaker::pinnate,    &CLeafMaker::palmate,
         &CLeafMaker::fan,     &CLeafMaker::needles,        &CLeafMaker::needleTwig, &CLeafMaker::scales,
         &CLeafMaker::blossom, &CLeafMaker::blossoms,       &CLeafMaker::candle};
+    static_assert(std::size(kMakers) == static_cast<std::size_t>(kLastLeafPlan) + 1);
     CLeafMaker maker(leaf);
     (maker.*kMakers[static_cast<std::size_t>(leaf.plan)])();
     std::vector<Blade> blades = maker.take();

@@ -29,6 +29,7 @@ constexpr double kMaxLeafGrowth = 2; ///< thinned leaves grow at most to this ti
 constexpr double kCoarsestTurn = 2.5; ///< of thin stems, times what is allowed to a trunk
 
 std::span<const Detail> detailTable();
+constexpr int kMaxLod = 3; ///< of the full model
 /// lod 0..3; the simple model has only 0.
 const Detail& detailOf(Model model, int lod = 0);
 

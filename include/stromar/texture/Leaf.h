@@ -7,6 +7,7 @@ namespace stromar {
 
 /// How the pieces of a leaf are put together.
 enum class LeafPlan { Simple, Lobed, Pinnate, Palmate, Fan, Needles, NeedleTwig, Scales, Flower, Flowers, Candle };
+constexpr auto kLastLeafPlan = LeafPlan::Candle;
 
 /// What a leaf, a needle twig or a blossom looks like. A plain value; what each means stands in the table.
 struct LeafParams {

@@ -79,7 +79,7 @@ CMainWindow::CMainWindow(const SizeLimits& limits, std::shared_ptr<CDocument> do
     resize(QSize(1280, 800).boundedTo(screen()->availableSize()));
     restoreLayout();
     restoreSwitches();
-    for (const char* key : {"navigation", "threads", "fullModelDelay", "maxMemory", "autosave"}) onSetting(QLatin1String(key));
+    for (const Setting& setting : settingTable()) onSetting(QLatin1String(setting.key));
     onReplaced();
 }
 

@@ -20,6 +20,7 @@ struct OrganLook {
     Surface surface;
 };
 constexpr OrganLook kLooks[] = {{"leaves", Surface::Leaf}, {"blossoms", Surface::Blossom}, {"fruits", Surface::Fruit}};
+static_assert(std::size(kLooks) == kOrgans.size());
 
 const OrganLook& lookOf(Organ organ) { return kLooks[static_cast<std::size_t>(organ)]; }
 

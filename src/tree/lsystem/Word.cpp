@@ -36,11 +36,6 @@ std::string CWord::text(std::size_t first, std::size_t count) const {
     return text;
 }
 
-/// The formal parameters of a production with context.
-struct CRewriter::Match {
-    std::array<double, kMaxFormals> formals;
-};
-
 CRewriter::CRewriter(const Grammar& grammar, std::uint64_t seed, std::size_t maxModules)
     : m_grammar(grammar), m_seed(seed), m_maxModules(maxModules) {
     const auto hasCut = [](const std::vector<SuccessorModule>& word) {

@@ -51,8 +51,10 @@ public:
     CWord derive(int times, const CProgress& progress) const;
 
 private:
-    struct Match;
-    struct Chunk;
+    /// The formal parameters of a production with context.
+    struct Match {
+        std::array<double, kMaxFormals> formals;
+    };
 
     const Production* productionOf(const CWord& word, std::size_t i, Match& match) const;
     bool matches(const CWord& word, std::size_t i, const Production& production, Match& match) const;
