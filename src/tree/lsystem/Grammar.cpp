@@ -272,7 +272,8 @@ public:
     Grammar parse() {
         for (const PlacedText& line : CLineSplitter(m_text).split()) parseLine(line);
         if (m_grammar.axiom.empty()) fail({1, 1}, "the axiom is missing: axiom: …");
-        std::ranges::stable_partition(m_grammar.productions, &Production::hasContext);
+        std::stable_partition(m_grammar.productions.begin(), m_grammar.productions.end(),
+                              [](const Production& production) { return production.hasContext(); });
         warnOfDeadProductions();
         return std::move(m_grammar);
     }
