@@ -1,5 +1,5 @@
 // The language of L-systems, its derivations, and what the turtle draws of them.
-#include "stromar/tree/lsystem/Turtle.h"
+#include "stromar/tree/lsystem/TurtleStems.h"
 #include <algorithm>
 #include <cmath>
 #include <gtest/gtest.h>
@@ -342,6 +342,79 @@ TEST(Turtle, SegmentsKnowWhatIsBelow) {
     EXPECT_EQ(path.organs[0].below, 1);
     EXPECT_EQ(path.organs[0].size, 1.5);
     EXPECT_EQ(path.organs[0].organ, Organ::Leaf);
+}
+
+namespace {
+struct Drawn {
+    CWord word;
+    TurtlePath path;
+    TurtleStems stems;
+};
+
+Drawn stemsOfWord(const std::string& grammar, int steps, const TurtleParams& params = {}) {
+    Drawn made;
+    made.word = CRewriter(parseGrammar(grammar), 1).derive(steps, CProgress(2));
+    made.path = interpret(made.word, params, CProgress());
+    made.stems = stemsOf(made.word, made.path, CProgress());
+    return made;
+}
+
+std::vector<std::size_t> stemCounts(const TurtleStems& stems) {
+    std::vector<std::size_t> counts;
+    for (const auto& generation : stems.generations) counts.push_back(generation->stems.size());
+    return counts;
+}
+} // namespace
+
+TEST(TurtleStems, GoOnOutsideBracketsElseStraightOn) {
+    EXPECT_EQ(stemCounts(stemsOfWord("axiom: F[+F]F[-FF]F", 0).stems), (std::vector<std::size_t>{1, 2}));
+    const Drawn fork = stemsOfWord("axiom: F[+(40)F(2)][-(20)F(3)][-(20)F(4)]", 0);
+    ASSERT_EQ(stemCounts(fork.stems), (std::vector<std::size_t>{1, 2}));
+    EXPECT_EQ(fork.stems.generations[0]->stems[0].length, 4) << "the one that turns least, the first of two";
+    EXPECT_EQ(fork.stems.generations[1]->stems[0].length, 2);
+    EXPECT_EQ(fork.stems.generations[1]->stems[1].length, 4);
+    EXPECT_EQ(stemCounts(stemsOfWord("axiom: FfF", 0).stems), (std::vector<std::size_t>{2})) << "f starts anew";
+    EXPECT_EQ(stemCounts(stemsOfWord("axiom: A", 0).stems), std::vector<std::size_t>());
+    EXPECT_EQ(stemCounts(stemsOfWord("axiom: F(0)F[+F(0)]", 0).stems), (std::vector<std::size_t>{1}));
+}
+
+TEST(TurtleStems, HoldEverySegmentOnceAndInOrder) {
+    for (const Figure& figure : kFigures) {
+        SCOPED_TRACE(figure.name);
+        TurtleParams params;
+        params.tropism = zUp(figure.tropism);
+        params.tropismBend = figure.bend;
+        const Drawn made = stemsOfWord(figure.defines + std::string(figure.rules), figure.steps, params);
+        std::size_t segments = 0;
+        double length = 0;
+        for (std::size_t g = 0; g < made.stems.generations.size(); ++g) {
+            const CGeneration& own = *made.stems.generations[g];
+            for (const CStem& stem : own.stems) {
+                double along = 0;
+                const auto path = own.segmentsOf(own.paths[stem.firstPath]);
+                ASSERT_EQ(path.size(), stem.segmentCount);
+                for (std::size_t k = 0; k < path.size(); ++k) {
+                    ASSERT_NEAR(path[k].start, along, 1e-9 * (1 + along));
+                    along += path[k].length;
+                    if (k > 0) {
+                        ASSERT_LT(glm::distance(path[k].position, path[k - 1].axisPoint(1)), 1e-9 * (1 + along));
+                    }
+                }
+                ASSERT_NEAR(stem.length, along, 1e-9 * along);
+                segments += path.size();
+                length += along;
+                ASSERT_EQ(stem.parent < 0, g == 0);
+                if (g == 0) continue;
+                const CGeneration& below = *made.stems.generations[g - 1];
+                const CStem& parent = below.stems[static_cast<std::size_t>(stem.parent)];
+                const CSegment& wood = below.segmentAt(parent, 0, stem.position);
+                ASSERT_LT(glm::distance(path.front().position, wood.axisPoint(1)), 1e-9 * (1 + figure.high.y));
+                ASSERT_EQ(stem.offset, wood.end());
+            }
+        }
+        EXPECT_EQ(segments, figure.segments);
+        EXPECT_NEAR(length, figure.length, 1e-4 * figure.length);
+    }
 }
 
 } // namespace stromar
