@@ -1,0 +1,67 @@
+// Trees of another kind than Weber and Penn's, by the same mesher.
+#include "mesh/MeshMeasures.h"
+#include "stromar/mesh/MeshBuilder.h"
+#include "stromar/mesh/check/MeshCheck.h"
+#include "stromar/tree/lsystem/TurtleStems.h"
+#include <gtest/gtest.h>
+
+namespace stromar::test {
+namespace {
+
+struct Figure {
+    const char* name;
+    std::string_view grammar;
+    int steps;
+    double lengthUnit, widthUnit, bend;
+};
+constexpr Figure kFigures[] = {
+    {"monopodial", R"(
+#define wr 0.707
+axiom: A(1,10)
+A(l,w) -> !(w)F(l)[&(30)B(l*0.7,w*wr)]/(137.5)A(l*0.9,w*wr)
+B(l,w) -> !(w)F(l)[+(30)$C(l*0.7,w*wr)]C(l*0.9,w*wr)
+C(l,w) -> !(w)F(l)[-(30)$B(l*0.7,w*wr)]B(l*0.9,w*wr))",
+     8, 1, 0.03, 0},
+    {"sympodial", R"(
+#define wr 0.707
+axiom: A(1,10)
+A(l,w) -> !(w)F(l)[&(35)B(l*0.9,w*wr)]/(180)[&(35)B(l*0.8,w*wr)]
+B(l,w) -> !(w)F(l)[+(35)$B(l*0.9,w*wr)][-(35)$B(l*0.8,w*wr)])",
+     8, 1, 0.03, 0},
+    {"ternary", R"(
+#define vr 1.732
+axiom: !(1)F(200)/(45)A
+A -> !(vr)F(50)[&(18.95)F(50)A]/(94.74)[&(18.95)F(50)A]/(132.63)[&(18.95)F(50)A]
+F(l) -> F(l*1.109)
+!(w) -> !(w*vr))",
+     5, 0.01, 0.01, 0.22}};
+} // namespace
+
+TEST(LSystemMesh, FiguresAreSoundAtEveryLevelOfDetail) {
+    for (const Figure& figure : kFigures) {
+        const CWord word = CRewriter(parseGrammar(figure.grammar), 1).derive(figure.steps, CProgress(2));
+        TurtleParams params{.lengthUnit = figure.lengthUnit, .widthUnit = figure.widthUnit};
+        params.tropism = {0, 0, -1};
+        params.tropismBend = figure.bend;
+        const CTree tree(10, stemsOf(word, interpret(word, params, CProgress()), CProgress()).generations);
+        MeshParams mesh;
+        mesh.minRadius = 0.0005;
+        for (const Detail& detail : detailTable()) {
+            SCOPED_TRACE(std::string(figure.name) + ", " + std::string(detail.name));
+            const auto all = meshAllStems(tree, mesh, detail, CProgress(2));
+            std::size_t surfaces = 0, collars = 0;
+            for (std::size_t g = 0; g < all.size(); ++g) {
+                const MeshFaults faults = checkStems(tree, static_cast<int>(g), all[g], g > 0 ? &all[g - 1] : nullptr);
+                EXPECT_EQ(inWords(faults), "") << "generation " << g;
+                surfaces += faults.surfaces;
+                collars += faults.collars;
+            }
+            EXPECT_GT(surfaces, 100u);
+            if (detail.collarRings > 0) {
+                EXPECT_GT(double(collars), 0.9 * double(surfaces)) << "branches grow out of the wood";
+            }
+        }
+    }
+}
+
+} // namespace stromar::test
