@@ -30,6 +30,11 @@ bool meshIsStale(const CParams& made, const CParams& wanted, int generation) {
     return invalid.stage <= Stage::Mesh && invalid.generation <= generation;
 }
 
+/// With its memory.
+template <typename Vector>
+void release(Vector& values) {
+    values = Vector();
+}
 } // namespace
 
 /// Makes one model of the creator's tree, out of what was made before where it is still true.
@@ -101,8 +106,11 @@ private:
         } else if (made.last && !last)
             made.stems.plan = planStems(g);
         made.last = last;
-        made.stems.plan.collarPoints = {}; // only the mesh needed them
-        if (last) made.stems.plan.rings = {}, made.stems.plan.tubes = {};
+        release(made.stems.plan.collarPoints); // only the mesh needed them
+        if (last) {
+            release(made.stems.plan.rings);
+            release(made.stems.plan.tubes);
+        }
         m_model->stems.push_back(made.stems.mesh);
         m_plans.push_back(&made.stems.plan);
         m_model->milliseconds.mesh += watch.lap();
