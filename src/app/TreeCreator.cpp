@@ -95,7 +95,8 @@ private:
         MadeStems& made = m_made.stems[g];
         const int generation = static_cast<int>(g);
         const auto& source = m_tree.generations()[g];
-        const bool last = g + 1 == m_tree.generationCount();
+        // The simple model changes with every step of a hand: new memory would cost it more than it saves.
+        const bool last = m_detail.model == Model::Full && g + 1 == m_tree.generationCount();
         const Drawn drawn = g == except()                           ? Drawn::AsCards
                             : isSparse(m_tree, generation, m_detail) ? Drawn::Part
                                                                      : Drawn::All;
