@@ -30,6 +30,9 @@ bool meshIsStale(const CParams& made, const CParams& wanted, int generation) {
     return invalid.stage <= Stage::Mesh && invalid.generation <= generation;
 }
 
+/// Whether two trees have the same stems and bases; their organs may be others.
+bool haveSameStems(const CTree& a, const CTree& b) { return a.generations() == b.generations() && a.base() == b.base(); }
+
 /// With its memory.
 template <typename Vector>
 void release(Vector& values) {
@@ -147,10 +150,8 @@ private:
     /// The tree with what is grown on it: the same object as long as nothing of it changes.
     void keepTree(const OrganArrays& organs) {
         const auto same = [&](Organ organ) { return m_made.tree->organs(organ) == organs[static_cast<std::size_t>(organ)]; };
-        if (!m_made.tree || m_made.grownOn != &m_tree || !std::ranges::all_of(kOrgans, same)) {
+        if (!m_made.tree || !haveSameStems(*m_made.tree, m_tree) || !std::ranges::all_of(kOrgans, same))
             m_made.tree = std::make_shared<const CTree>(m_tree.withOrgans(organs));
-            m_made.grownOn = &m_tree;
-        }
         m_model->tree = m_made.tree;
     }
 
@@ -228,7 +229,7 @@ void CTreeCreator::dropStaleMeshes() {
             if (std::ranges::find(generations, stems.source) == generations.end()) stems = {};
         for (MadeOrgans& organs : made.organs)
             if (organs.growth != m_growth) organs = {};
-        if (made.grownOn != m_tree.get()) made.tree.reset();
+        if (made.tree && !haveSameStems(*made.tree, *m_tree)) made.tree.reset();
     }
 }
 

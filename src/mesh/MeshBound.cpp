@@ -12,7 +12,6 @@ namespace {
 constexpr double kRingsPerReach = 14; // of a flare or roots
 constexpr double kRoundEndRings = 40; // likewise a round end
 constexpr double kBytesPerVertex = 2 * sizeof(glm::vec3) + sizeof(glm::vec2) + 1;
-constexpr double kCornersPerVertex = 6; // of the triangles, per vertex
 constexpr double kCopies = 2;           // the mesh, and what the graphics card or a writer gets
 
 /// Of stems of one thickness in a generation.
@@ -32,6 +31,8 @@ public:
         return m_bound.segments + 2 * m_bound.paths + collars + addedRings();
     }
     double vertices() const { return (rings() + 2 * m_bound.paths) * (points() + 1); }
+    /// Of the triangles: walls have two for each point of a ring, whose seam is doubled; lids have fewer.
+    double corners() const { return vertices() * 6 * points() / (points() + 1); }
     double planBytes() const {
         return rings() * sizeof(Ring) + m_bound.paths * (sizeof(Tube) + sizeof(std::int32_t)) +
                points() * sizeof(SurfacePoint) + 1;
@@ -121,6 +122,7 @@ OrganBound organBound(const SizeBound& tree, Organ organ, const MeshParams& para
 
 MeshBound meshBound(const SizeBound& tree, const MeshParams& params, const Detail& detail, bool onCards) {
     MeshBound bound;
+    double corners = 0;
     for (std::size_t g = 0; g < tree.generations.size(); ++g) {
         if (onCards && g + 1 == tree.generations.size()) continue;
         const double drawn = g >= 2 && g + 1 == tree.generations.size() ? twigShareBound(tree, detail) : 1;
@@ -128,10 +130,10 @@ MeshBound meshBound(const SizeBound& tree, const MeshParams& params, const Detai
             const CStemMeshBound each(tree, g, thickness, detail);
             const double stems = drawn * share * tree.generations[g].stems;
             bound.vertices += stems * each.vertices();
+            corners += stems * each.corners();
             bound.bytes += 2 * stems * each.planBytes(); // its parts and the whole
         }
     }
-    double corners = kCornersPerVertex * bound.vertices;
     for (const Organ organ : kOrgans) {
         const OrganBound own = organBound(tree, organ, params, detail, onCards);
         bound.vertices += own.vertices;

@@ -41,7 +41,6 @@ private:
         std::vector<MadeStems> stems; ///< by generation
         std::array<MadeOrgans, kOrgans.size()> organs;
         std::shared_ptr<const CTree> tree; ///< with its organs
-        const CTree* grownOn = nullptr;    ///< the stems of that tree
         std::shared_ptr<const COrgans> leafCounts; ///< where cards may stand; no leaf is grown
     };
     class CModelMaker;

@@ -125,10 +125,13 @@ OrganDemand demandOf(const Detail& detail, std::span<const MeshPlan* const> plan
     demand.share = detail.share;
     if (detail.leafBudget != std::numeric_limits<std::size_t>::max()) demand.max = double(detail.leafBudget);
     demand.few = double(kFewOrgans);
-    const auto bearsAll = [](const MeshPlan* plan) { return std::ranges::find(plan->stemIsChosen, false) == plan->stemIsChosen.end(); };
+    const auto bearsAll = [](const MeshPlan* plan) {
+        return std::ranges::find(plan->stemIsChosen, false) == plan->stemIsChosen.end();
+    };
     demand.chosenStems = except != kNoGeneration || !std::ranges::all_of(plans, bearsAll);
     if (!demand.chosenStems) return demand;
-    for (std::size_t g = 0; g < plans.size(); ++g) demand.stems.push_back(g == except ? nullptr : &plans[g]->stemIsChosen);
+    for (std::size_t g = 0; g < plans.size(); ++g)
+        demand.stems.push_back(g == except ? nullptr : &plans[g]->stemIsChosen);
     return demand;
 }
 

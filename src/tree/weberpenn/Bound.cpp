@@ -1,7 +1,7 @@
 #include "Grown.h"
+#include "stromar/params/methods/weberpenn/Calculations.h"
 #include "stromar/params/methods/weberpenn/WeberPennParams.h"
 #include "stromar/tree/weberpenn/WeberPennBuilder.h"
-#include "stromar/params/methods/weberpenn/Calculations.h"
 #include <algorithm>
 #include <array>
 #include <cmath>
@@ -11,9 +11,9 @@ namespace stromar {
 namespace {
 constexpr double kDeviations = 4; // of a mean from what is expected
 
-/// Error diffusion makes at most one clone more than the sum of what is wanted, on the average of many stems half of one
-/// less: so the paths after joint k are at most 2 + W(k), W the sum wanted so far; W grows by n per path, by n/2 for
-/// paths that already split.
+/// Error diffusion makes at most one clone more than the sum of what is wanted; as it starts anywhere, the mean of many
+/// stems is what is wanted. So the paths after joint k are at most 2 + W(k), of many stems 1 + W(k), W the sum wanted so
+/// far; W grows by n per path, by n/2 for paths that already split.
 void boundPaths(const CParams& params, int generation, double stems, GenerationBound& bound) {
     const LevelParams& level = levelOf(params, generation);
     const WeberPennParams& w = weberPenn(params);
@@ -47,11 +47,11 @@ class CAlongParent {
 public:
     CAlongParent(const CParams& params, int generation) : m_params(params), m_generation(generation) {}
 
-    /// Their radius over the parent's: by the power of the lengths' ratio, never thicker. `variation` −1..1 is that of
+    /// Their radius over the parent's: by the power of the lengths' ratio, never thicker. `variation` −1..1 is a part of
     /// nLengthV.
     Along thinning(double variation) const {
         const LevelParams& level = levelOf(m_params, m_generation);
-        const double own = level.length + variation * level.lengthV, power = weberPenn(m_params).ratioPower;
+        const double own = level.length + variation * std::abs(level.lengthV), power = weberPenn(m_params).ratioPower;
         return each([&](double z) {
             const double length = std::max(0.0, own) * (m_generation == 1 ? crownAt(z) : 1 - 0.6 * z);
             return power > 0 ? std::min(1.0, std::pow(length, power)) : 1;
@@ -141,10 +141,12 @@ public:
         m_fertility = meanBound(along.fertility(), m_runs, m_stems);
         const Along fertility = along.fertility();
         CThicknesses grown;
-        for (const double variation : {-0.75, -0.25, 0.25, 1.0}) { // a quarter of the lengths each
-            const Along thinning = along.thinning(variation);
+        const double chance = kDeviations / std::sqrt(3 * std::max(1.0, m_stems)); // of their mean: few may all be long
+        constexpr int kSteps = 8; // of nLengthV: a part of them each, no longer than at its end
+        for (int step = 1; step <= kSteps; ++step) {
+            const Along thinning = along.thinning(std::min(1.0, 2.0 * step / kSteps - 1 + chance));
             m_thicknesses.visit([&](double stems, double thickness, double fertile) {
-                const double children = stems * (level.branches * fertile + level.whorl) / (4 * kPlaces);
+                const double children = stems * (level.branches * fertile + level.whorl) / (kSteps * kPlaces);
                 for (std::size_t i = 0; i < thinning.size(); ++i)
                     grown.add(children, thickness * thinning[i], fertility[i]);
             });

@@ -2,13 +2,14 @@
 #include "stromar/tree/Frame.h"
 #include "stromar/tree/Organs.h"
 #include "stromar/tree/lsystem/Word.h"
+#include <numbers>
 
 namespace stromar {
 
 /// How a word is drawn. Z is up.
 struct TurtleParams {
     double lengthUnit = 1, widthUnit = 1; ///< metres
-    double turn = 0.392699081698724;      ///< radians of + − & ^ \ / without a number
+    double turn = std::numbers::pi / 8;   ///< radians of + − & ^ \ / without a number
     glm::dvec3 tropism{0};                ///< where segments bend to
     double tropismBend = 0;               ///< radians, of a segment square to it of length 1
 };
