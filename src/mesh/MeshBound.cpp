@@ -34,9 +34,10 @@ public:
     /// Of the triangles: walls have two for each point of a ring, whose seam is doubled; lids have fewer.
     double corners() const { return vertices() * 6 * points() / (points() + 1); }
     double planBytes() const {
-        return rings() * sizeof(Ring) + m_bound.paths * (sizeof(Tube) + sizeof(std::int32_t)) +
-               points() * sizeof(SurfacePoint) + 1;
+        return rings() * sizeof(Ring) + m_bound.paths * (sizeof(Tube) + sizeof(std::int32_t)) + 1;
     }
+    /// Of its collar, until its generation has a mesh.
+    double collarBytes() const { return points() * sizeof(SurfacePoint); }
 
 private:
     /// Rings that CSmoother and CCentreLine may add between the ends of a stem's segments.
@@ -122,18 +123,22 @@ OrganBound organBound(const SizeBound& tree, Organ organ, const MeshParams& para
 
 MeshBound meshBound(const SizeBound& tree, const MeshParams& params, const Detail& detail, bool onCards) {
     MeshBound bound;
-    double corners = 0;
+    double corners = 0, maxCollarBytes = 0;
     for (std::size_t g = 0; g < tree.generations.size(); ++g) {
         if (onCards && g + 1 == tree.generations.size()) continue;
         const double drawn = g >= 2 && g + 1 == tree.generations.size() ? twigShareBound(tree, detail) : 1;
+        double collarBytes = 0;
         for (const auto& [share, thickness] : tree.generations[g].thickness) {
             const CStemMeshBound each(tree, g, thickness, detail);
             const double stems = drawn * share * tree.generations[g].stems;
             bound.vertices += stems * each.vertices();
             corners += stems * each.corners();
             bound.bytes += 2 * stems * each.planBytes(); // its parts and the whole
+            collarBytes += 2 * stems * each.collarBytes();
         }
+        maxCollarBytes = std::max(maxCollarBytes, collarBytes);
     }
+    bound.bytes += maxCollarBytes;
     for (const Organ organ : kOrgans) {
         const OrganBound own = organBound(tree, organ, params, detail, onCards);
         bound.vertices += own.vertices;

@@ -4,16 +4,15 @@
 #include <memory>
 #include <osg/Array>
 #include <osg/PrimitiveSet>
+#include <osg/State>
 
 namespace stromar {
 
-/// An array of a mesh for OpenSceneGraph, not copied. It can be drawn and walked over, not written to files.
-class CBorrowedArray : public osg::Array {
+/// An array for OpenSceneGraph whose values lie elsewhere. It can be drawn and walked over, not written to files.
+class CForeignArray : public osg::Array {
 public:
-    template <typename Values>
-    CBorrowedArray(std::shared_ptr<const CMesh> owner, const Values& values, Type type, int size, GLenum kind)
-        : Array(type, size, kind), m_owner(std::move(owner)), m_data(reinterpret_cast<const char*>(values.data())),
-          m_count(static_cast<unsigned>(values.size())), m_elementSize(sizeof(values[0])) {}
+    CForeignArray(Type type, int size, GLenum kind, std::size_t count, unsigned elementSize)
+        : Array(type, size, kind), m_count(static_cast<unsigned>(count)), m_elementSize(elementSize) {}
 
     osg::Object* cloneType() const override { return nullptr; }
     osg::Object* clone(const osg::CopyOp&) const override { return nullptr; }
@@ -25,17 +24,32 @@ public:
         return std::memcmp(getDataPointer(a), getDataPointer(b), m_elementSize);
     }
     unsigned getElementSize() const override { return m_elementSize; }
-    const GLvoid* getDataPointer() const override { return m_count > 0 ? m_data : nullptr; }
-    const GLvoid* getDataPointer(unsigned i) const override { return m_data + std::size_t{i} * m_elementSize; }
+    const GLvoid* getDataPointer() const override { return m_count > 0 ? data() : nullptr; }
+    const GLvoid* getDataPointer(unsigned i) const override { return data() + std::size_t{i} * m_elementSize; }
     unsigned getTotalDataSize() const override { return m_count * m_elementSize; }
     unsigned getNumElements() const override { return m_count; }
     void reserveArray(unsigned) override {}
     void resizeArray(unsigned) override {}
 
 private:
+    virtual const char* data() const = 0;
+
+    unsigned m_count, m_elementSize;
+};
+
+/// An array of a mesh, not copied.
+class CBorrowedArray : public CForeignArray {
+public:
+    template <typename Values>
+    CBorrowedArray(std::shared_ptr<const CMesh> owner, const Values& values, Type type, int size, GLenum kind)
+        : CForeignArray(type, size, kind, values.size(), sizeof(values[0])), m_owner(std::move(owner)),
+          m_data(reinterpret_cast<const char*>(values.data())) {}
+
+private:
+    const char* data() const override { return m_data; }
+
     std::shared_ptr<const CMesh> m_owner;
     const char* m_data;
-    unsigned m_count, m_elementSize;
 };
 
 /// The triangles of a mesh, likewise.

@@ -1,6 +1,6 @@
 #include "stromar/scene/OsgGeometry.h"
 #include "BorrowedArrays.h"
-#include "stromar/util/Parallel.h"
+#include "InstanceArrays.h"
 #include <algorithm>
 #include <osg/Array>
 #include <osg/PrimitiveSet>
@@ -16,6 +16,12 @@ osg::ref_ptr<Array> copied(const Source& values) {
     using Element = typename Array::ElementDataType;
     return new Array(static_cast<unsigned>(values.size()), reinterpret_cast<const Element*>(values.data()));
 }
+
+/// Lets a geometry's instances be found.
+struct CInstancesOwner : osg::Referenced {
+    explicit CInstancesOwner(std::shared_ptr<CInstances> all) : instances(std::move(all)) {}
+    std::shared_ptr<CInstances> instances;
+};
 
 /// The box of all instances: the blade's own says nothing.
 class CFixedBox : public osg::Drawable::ComputeBoundingBoxCallback {
@@ -47,28 +53,17 @@ void addBlade(osg::Geometry& geometry, const LeafBlade& blade) {
     geometry.setVertexAttribArray(kSkyVisibilityAttribute, skyVisibility, osg::Array::BIND_PER_VERTEX);
 }
 
-void addPlaces(osg::Geometry& geometry, const COrganMesh& organs, const CProgress& progress) {
-    constexpr std::size_t kGrain = 8192;
-    const auto count = static_cast<unsigned>(organs.count());
-    const osg::ref_ptr<osg::Vec4Array> places = new osg::Vec4Array(count), turns = new osg::Vec4Array(count);
-    const osg::ref_ptr<osg::FloatArray> widths = new osg::FloatArray(count);
-    parallelFor(
-        count, kGrain,
-        [&](std::size_t begin, std::size_t end) {
-            for (std::size_t i = begin; i < end; ++i) {
-                const InstancePlace at = organs.place(i);
-                (*places)[i] = {at.position.x, at.position.y, at.position.z, at.length};
-                (*turns)[i] = {at.turn.x, at.turn.y, at.turn.z, at.turn.w};
-                (*widths)[i] = at.width;
-            }
-        },
-        progress);
-    geometry.setVertexAttribArray(kInstancePlaceAttribute, places, osg::Array::BIND_PER_VERTEX);
-    geometry.setVertexAttribArray(kInstanceTurnAttribute, turns, osg::Array::BIND_PER_VERTEX);
-    geometry.setVertexAttribArray(kInstanceWidthAttribute, widths, osg::Array::BIND_PER_VERTEX);
-    osg::StateSet* state = geometry.getOrCreateStateSet();
-    for (const unsigned attribute : {kInstancePlaceAttribute, kInstanceTurnAttribute, kInstanceWidthAttribute})
-        state->setAttribute(new osg::VertexAttribDivisor(attribute, 1));
+void addInstances(osg::Geometry& geometry, const std::shared_ptr<CInstances>& instances) {
+    using Array = osg::Array;
+    using Values = CInstances::Values;
+    const auto add = [&](unsigned attribute, Array* values) {
+        geometry.setVertexAttribArray(attribute, values, Array::BIND_PER_VERTEX);
+        geometry.getOrCreateStateSet()->setAttribute(new osg::VertexAttribDivisor(attribute, 1));
+    };
+    add(kInstancePlaceAttribute, new CInstanceArray(instances, &Values::places, Array::Vec4ArrayType, 4, GL_FLOAT));
+    add(kInstanceTurnAttribute, new CInstanceArray(instances, &Values::turns, Array::Vec4ArrayType, 4, GL_FLOAT));
+    add(kInstanceWidthAttribute, new CInstanceArray(instances, &Values::widths, Array::FloatArrayType, 1, GL_FLOAT));
+    geometry.setUserData(new CInstancesOwner(instances));
 }
 
 void addUniforms(osg::StateSet& state, const Rounding& rounding) {
@@ -115,17 +110,24 @@ osg::ref_ptr<osg::Geometry> makeViewGeometry(const std::shared_ptr<const CMesh>&
     return geometry;
 }
 
-osg::ref_ptr<osg::Geometry> makeInstancedGeometry(const COrganMesh& organs, const CProgress& progress) {
-    osg::ref_ptr<osg::Geometry> geometry = emptyGeometry(organs.name());
-    addBlade(*geometry, organs.blade());
-    addPlaces(*geometry, organs, progress);
-    addUniforms(*geometry->getOrCreateStateSet(), organs.rounding());
-    const auto& indices = organs.blade().indices;
+osg::ref_ptr<osg::Geometry> makeInstancedGeometry(const std::shared_ptr<const COrganMesh>& organs,
+                                                 const CProgress& progress) {
+    osg::ref_ptr<osg::Geometry> geometry = emptyGeometry(organs->name());
+    const auto instances = std::make_shared<CInstances>(organs);
+    instances->compute(progress);
+    addBlade(*geometry, organs->blade());
+    addInstances(*geometry, instances);
+    addUniforms(*geometry->getOrCreateStateSet(), organs->rounding());
+    const auto& indices = organs->blade().indices;
     geometry->addPrimitiveSet(new osg::DrawElementsUInt(GL_TRIANGLES, static_cast<unsigned>(indices.size()),
-                                                        indices.data(), static_cast<int>(organs.count())));
-    geometry->setComputeBoundingBoxCallback(new CFixedBox(organs.bounds(progress)));
+                                                        indices.data(), static_cast<int>(organs->count())));
+    geometry->setComputeBoundingBoxCallback(new CFixedBox(organs->bounds(progress)));
     geometry->getBound();
     return geometry;
+}
+
+void releaseInstances(osg::Geometry& geometry) {
+    if (const auto* owner = dynamic_cast<const CInstancesOwner*>(geometry.getUserData())) owner->instances->release();
 }
 
 } // namespace stromar

@@ -1,6 +1,7 @@
 #include "stromar/scene/SceneRenderer.h"
 #include <algorithm>
 #include <osg/DisplaySettings>
+#include <osg/GLObjects>
 
 namespace stromar {
 
@@ -38,6 +39,8 @@ const osg::GLExtensions& CSceneRenderer::extensions() const {
     return *osg::GLExtensions::Get(m_window->getState()->getContextID(), true);
 }
 
+void CSceneRenderer::freeDeleted() { osg::flushAllDeletedGLObjects(m_window->getState()->getContextID()); }
+
 void CSceneRenderer::draw(unsigned frameBuffer, int width, int height, const CCamera& camera) {
     const double aspect = double(width) / std::max(1, height);
     m_window->resized(0, 0, width, height);
@@ -46,6 +49,7 @@ void CSceneRenderer::draw(unsigned frameBuffer, int width, int height, const CCa
     eye->setViewport(0, 0, width, height);
     eye->setProjectionMatrix(camera.projection(aspect));
     eye->setViewMatrix(camera.view());
+    freeDeleted();
     m_viewer->frame();
     m_scene.finishFrame();
 }

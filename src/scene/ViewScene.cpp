@@ -110,6 +110,7 @@ void CViewScene::addParts() {
         if (!state->getUniform("generation")) setFloat(state, "generation", part.generation);
         m_surfaces[static_cast<std::size_t>(part.surface)]->addChild(geometry);
     }
+    m_instancesAreNew = true;
 }
 
 std::vector<ViewPart> viewPartsOf(const TreeModel& model, const std::vector<ViewPart>& known,
@@ -129,7 +130,7 @@ std::vector<ViewPart> viewPartsOf(const TreeModel& model, const std::vector<View
         },
         [&](const std::shared_ptr<const COrganMesh>& organs, int generation) {
             add(organs, &ViewPart::organs, organs->surface(), generation,
-                [&] { return makeInstancedGeometry(*organs, progress); });
+                [&] { return makeInstancedGeometry(organs, progress); });
         });
     return parts;
 }
@@ -193,6 +194,7 @@ void CViewScene::startContext(int samples, bool instancing) {
         m_instancing = instancing;
         addParts();
     }
+    m_instancesAreNew = true;
     setQuality(samples);
 }
 
@@ -211,7 +213,13 @@ void CViewScene::setQuality(int samples) {
     }
 }
 
-void CViewScene::finishFrame() { m_shadows->setDrawn(); }
+void CViewScene::finishFrame() {
+    m_shadows->setDrawn();
+    if (!m_instancesAreNew || !m_look.leaves) return;
+    for (const ViewPart& part : m_parts)
+        if (part.organs) releaseInstances(*part.geometry);
+    m_instancesAreNew = false;
+}
 
 osg::BoundingBox CViewScene::bounds() const {
     osg::BoundingBox box;

@@ -35,7 +35,7 @@ std::optional<std::uint32_t> nearestLeaf(const CTree& tree, const glm::dvec3& po
     double smallest = std::numeric_limits<double>::infinity();
     for (std::uint32_t i = 0; i < tree.leaves().size(); ++i) {
         const CLeaf& leaf = tree.leaves()[i];
-        if (const double d = glm::distance(point, leaf.position + 0.5 * leaf.length * leaf.axis); d < smallest) {
+        if (const double d = glm::distance(point, glm::dvec3(leaf.position + 0.5f * leaf.length * leaf.axis)); d < smallest) {
             smallest = d;
             nearest = i;
         }

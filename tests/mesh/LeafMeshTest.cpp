@@ -33,15 +33,16 @@ TEST(LeafMesh, EachLeafIsARectangleInItsPlace) {
     EXPECT_EQ(mesh->surface, Surface::Leaf);
     for (std::size_t i = 0; i < leaves.size(); ++i) {
         const CLeaf& leaf = leaves[i];
+        const glm::dvec3 foot = leaf.position, axis = leaf.axis, normal = leaf.normal;
         for (std::size_t corner = 0; corner < 6; ++corner) {
             const std::uint32_t v = mesh->indices[6 * i + corner];
-            const glm::dvec3 from = glm::dvec3(mesh->positions[v]) - leaf.position;
+            const glm::dvec3 from = glm::dvec3(mesh->positions[v]) - foot;
             const glm::vec2 t = mesh->texCoords[v];
-            ASSERT_NEAR(glm::dot(from, leaf.axis), t.y * leaf.length, 1e-5) << "leaf " << i;
-            ASSERT_NEAR(std::abs(glm::dot(from, glm::cross(leaf.normal, leaf.axis))), leaf.width / 2, 1e-5)
+            ASSERT_NEAR(glm::dot(from, axis), t.y * leaf.length, 1e-5) << "leaf " << i;
+            ASSERT_NEAR(std::abs(glm::dot(from, glm::cross(normal, axis))), leaf.width / 2, 1e-5)
                 << "leaf " << i;
-            ASSERT_NEAR(glm::dot(from, leaf.normal), 0, 1e-5) << "leaf " << i;
-            ASSERT_NEAR(glm::distance(glm::dvec3(mesh->normals[v]), leaf.normal), 0, 1e-5) << "leaf " << i;
+            ASSERT_NEAR(glm::dot(from, normal), 0, 1e-5) << "leaf " << i;
+            ASSERT_NEAR(glm::distance(glm::dvec3(mesh->normals[v]), normal), 0, 1e-5) << "leaf " << i;
             ASSERT_TRUE((t.x == 0 || t.x == 1) && (t.y == 0 || t.y == 1)) << "leaf " << i;
         }
     }
@@ -136,8 +137,8 @@ TEST(LeafMesh, AStalkHoldsTheBladeAway) {
     ASSERT_EQ(mesh->vertexCount(), 8 * leaves.size());
     for (std::size_t i = 0; i < leaves.size(); ++i) {
         const glm::dvec3 foot = 0.5 * (glm::dvec3(mesh->positions[8 * i]) + glm::dvec3(mesh->positions[8 * i + 1]));
-        ASSERT_NEAR(glm::distance(foot, leaves[i].position), 0.5 * leaves[i].length, 1e-4);
-        ASSERT_LT(glm::distance(glm::dvec3(mesh->positions[8 * i + 4]), leaves[i].position), 0.05 * leaves[i].length);
+        ASSERT_NEAR(glm::distance(foot, glm::dvec3(leaves[i].position)), 0.5 * leaves[i].length, 1e-4);
+        ASSERT_LT(glm::distance(mesh->positions[8 * i + 4], leaves[i].position), 0.05 * leaves[i].length);
     }
 }
 

@@ -118,7 +118,7 @@ TEST(OrganMesh, ARayMeetsTheNearestLeaf) {
     const auto mesh = leaves->expanded(CProgress(2));
     int met = 0;
     for (std::size_t i = 0; i < leaves->count(); i += 311) {
-        const glm::dvec3 from(20, -30, 9), middle = leaves->leaf(i).position + 0.4 * leaves->leaf(i).length * leaves->leaf(i).axis;
+        const glm::dvec3 from(20, -30, 9), middle(leaves->leaf(i).position + 0.4f * leaves->leaf(i).length * leaves->leaf(i).axis);
         const auto hit = leaves->meet(from, middle - from);
         if (hit.instance < 0) continue; // it is seen edge-on
         ++met;

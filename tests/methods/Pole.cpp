@@ -106,8 +106,9 @@ std::shared_ptr<const COrgans> CPoleBuilder::growOrgans(const CParams& params, c
     for (std::size_t i = 0; i < values.plan.size(); ++i)
         if (values.plan[i] == 'L') {
             const CSegment& segment = segments[i % segments.size()];
-            leaves.push_back({segment.axisPoint(0.5), segment.frame[0], segment.frame[1], params.common.leafScale,
-                              params.common.leafScale * params.common.leafScaleX, 0, 0, 0});
+            leaves.push_back({glm::vec3(segment.axisPoint(0.5)), glm::vec3(segment.frame[0]), glm::vec3(segment.frame[1]),
+                              static_cast<float>(params.common.leafScale),
+                              static_cast<float>(params.common.leafScale * params.common.leafScaleX), 0, 0, 0});
         }
     return allOrgans(std::move(leaves), tree.generations());
 }

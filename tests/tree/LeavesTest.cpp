@@ -14,6 +14,8 @@ CParams leafy(Values values) {
         values);
 }
 
+constexpr double kSingle = 2e-6; // what single precision leaves of metres and unit vectors
+
 std::map<std::uint32_t, std::vector<CLeaf>> byStem(const CTree& tree) {
     std::map<std::uint32_t, std::vector<CLeaf>> all;
     for (const CLeaf& leaf : tree.leaves()) all[leaf.stem].push_back(leaf);
@@ -45,8 +47,8 @@ TEST(Leaves, SizeKeepsTheLeafArea) {
         const auto tree = grow(leafy({{"LeafQuality", quality}, {"LeafScale", 0.3}, {"LeafScaleX", 0.4}}));
         ASSERT_FALSE(tree->leaves().empty());
         for (const CLeaf& leaf : tree->leaves()) {
-            EXPECT_NEAR(leaf.length, 0.3 / std::sqrt(quality), 1e-12);
-            EXPECT_NEAR(leaf.width, 0.3 * 0.4 / std::sqrt(quality), 1e-12);
+            EXPECT_NEAR(leaf.length, 0.3 / std::sqrt(quality), 1e-7);
+            EXPECT_NEAR(leaf.width, 0.3 * 0.4 / std::sqrt(quality), 1e-7);
         }
     }
 }
@@ -61,11 +63,11 @@ TEST(Leaves, SitOnTheLastStems) {
             double nearest = 1e9;
             for (std::uint32_t s = 0; s < stem.segmentCount; ++s) {
                 const CSegment& segment = last.segments[stem.firstSegment + s];
-                const double t = glm::dot(leaf.position - segment.position, segment.frame[2]) / segment.length;
-                if (t > -1e-9 && t < 1 + 1e-9)
-                    nearest = std::min(nearest, glm::length(leaf.position - segment.centre(t)));
+                const glm::dvec3 foot = leaf.position;
+                const double t = glm::dot(foot - segment.position, segment.frame[2]) / segment.length;
+                if (t > -1e-4 && t < 1 + 1e-4) nearest = std::min(nearest, glm::length(foot - segment.centre(t)));
             }
-            ASSERT_LT(nearest, 1e-9);
+            ASSERT_LT(nearest, kSingle);
         }
     }
 }
@@ -76,8 +78,8 @@ TEST(Leaves, TheNextLevelPlacesThem) {
         const Frame& frame = firstSegment(tree->generation(1), tree->generation(1).stems[s]).frame;
         for (std::size_t i = 0; i < leaves.size(); ++i) {
             const Frame expected = rotatedX(rotatedZ(frame, glm::radians(100.0 * double(i + 1))), glm::radians(50.0));
-            EXPECT_LT(glm::length(leaves[i].axis - expected[2]), 1e-9) << s << ", leaf " << i;
-            EXPECT_LT(glm::length(leaves[i].normal - expected[1]), 1e-9) << "without LeafBend the frame stays";
+            EXPECT_LT(glm::length(glm::dvec3(leaves[i].axis) - expected[2]), kSingle) << s << ", leaf " << i;
+            EXPECT_LT(glm::length(glm::dvec3(leaves[i].normal) - expected[1]), kSingle) << "without LeafBend the frame stays";
         }
     }
 }
@@ -90,7 +92,7 @@ TEST(Leaves, BranchDistDoesNotGatherThem) {
 TEST(Leaves, FullBendTurnsTheNormalsUp) {
     const auto tree = grow(with(richTree(), {{"LeafBend", 1}}));
     ASSERT_GT(tree->leaves().size(), 100u);
-    for (const CLeaf& leaf : tree->leaves()) EXPECT_NEAR(leaf.normal.z, 1, 1e-9);
+    for (const CLeaf& leaf : tree->leaves()) EXPECT_NEAR(leaf.normal.z, 1, kSingle);
 }
 
 // The first turn, about the vertical, takes the share of the way to the position's azimuth; the second, towards the
@@ -103,10 +105,10 @@ TEST(Leaves, BendGoesAShareOfTheWay) {
         for (std::size_t i = 0; i < bent->leaves().size(); ++i) {
             const CLeaf &a = straight->leaves()[i], &b = bent->leaves()[i];
             const double up = angleBetween(a.normal, {0, 0, 1});
-            ASSERT_NEAR(angleBetween(b.normal, {0, 0, 1}), (1 - bend) * up, 1e-6);
+            ASSERT_NEAR(angleBetween(b.normal, {0, 0, 1}), (1 - bend) * up, 0.05);
             if (up < 0.1 || up > 179.9) continue; // no azimuth to speak of
             const double turn = bend * turnFrom(azimuthOf(a.normal), azimuthOf(a.position));
-            ASSERT_NEAR(turnFrom(azimuthOf(a.normal) + turn, azimuthOf(b.normal)), 0, 1e-4);
+            ASSERT_NEAR(turnFrom(azimuthOf(a.normal) + turn, azimuthOf(b.normal)), 0, 0.05);
         }
     }
 }
@@ -116,9 +118,9 @@ TEST(Leaves, AxesAndNormalsAreAtRightAngles) {
         const auto tree = grow(with(richTree(), {{"LeafBend", bend}}));
         ASSERT_FALSE(tree->leaves().empty());
         for (const CLeaf& leaf : tree->leaves()) {
-            ASSERT_NEAR(glm::length(leaf.axis), 1, 1e-9);
-            ASSERT_NEAR(glm::length(leaf.normal), 1, 1e-9);
-            ASSERT_NEAR(glm::dot(leaf.axis, leaf.normal), 0, 1e-9);
+            ASSERT_NEAR(glm::length(leaf.axis), 1, kSingle);
+            ASSERT_NEAR(glm::length(leaf.normal), 1, kSingle);
+            ASSERT_NEAR(glm::dot(leaf.axis, leaf.normal), 0, kSingle);
         }
     }
 }
@@ -134,11 +136,11 @@ TEST(Leaves, AFanHasExactlyItsArc) {
         const CSegment& last = segmentOf(branches, stem, 0, curveRes(branches) - 1);
         for (std::size_t i = 0; i < leaves.size(); ++i) {
             const double turn = glm::radians(150 * (double(i) / double(leaves.size() - 1) - 0.5));
-            EXPECT_LT(glm::length(leaves[i].position - last.axisPoint(1)), 1e-12);
-            EXPECT_LT(glm::length(leaves[i].axis - (std::cos(turn) * last.frame[2] + std::sin(turn) * last.frame[0])),
-                      1e-9);
+            EXPECT_LT(glm::length(glm::dvec3(leaves[i].position) - last.axisPoint(1)), kSingle);
+            EXPECT_LT(glm::length(glm::dvec3(leaves[i].axis) - (std::cos(turn) * last.frame[2] + std::sin(turn) * last.frame[0])),
+                      kSingle);
         }
-        EXPECT_NEAR(angleBetween(leaves.front().axis, leaves.back().axis), 150, 1e-6);
+        EXPECT_NEAR(angleBetween(leaves.front().axis, leaves.back().axis), 150, 1e-3);
     }
 }
 
@@ -153,7 +155,7 @@ TEST(Leaves, FansStandAtTheTipsOfClonesToo) {
         ASSERT_EQ(leaves.size(), 2 * share);
         for (std::size_t i = 0; i < leaves.size(); ++i) {
             const CSegment& last = segmentOf(branches, stem, i < share ? 0 : 1, 1);
-            EXPECT_LT(glm::length(leaves[i].position - last.axisPoint(1)), 1e-9);
+            EXPECT_LT(glm::length(glm::dvec3(leaves[i].position) - last.axisPoint(1)), kSingle);
         }
     }
 }
@@ -163,7 +165,8 @@ TEST(Leaves, AFanOfOneStandsStraight) {
     ASSERT_EQ(tree->leaves().size(), tree->generation(1).stems.size()); // ½ to 1 leaf, rounded
     for (const CLeaf& leaf : tree->leaves()) {
         const CStem& stem = tree->generation(1).stems[leaf.stem];
-        EXPECT_LT(glm::length(leaf.axis - segmentOf(tree->generation(1), stem, 0, curveRes(tree->generation(1)) - 1).frame[2]), 1e-12);
+        const CSegment& last = segmentOf(tree->generation(1), stem, 0, curveRes(tree->generation(1)) - 1);
+        EXPECT_LT(glm::length(glm::dvec3(leaf.axis) - last.frame[2]), kSingle);
     }
 }
 

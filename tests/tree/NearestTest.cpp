@@ -20,7 +20,7 @@ TEST(Nearest, EveryLeafIsTheNearestToItsMiddle) {
     const std::shared_ptr<const CTree> tree = test::grow(test::preset("quaking_aspen"));
     for (std::uint32_t i = 0; i < tree->leaves().size(); i += 500) {
         const CLeaf& leaf = tree->leaves()[i];
-        EXPECT_EQ(nearestLeaf(*tree, leaf.position + 0.5 * leaf.length * leaf.axis), i);
+        EXPECT_EQ(nearestLeaf(*tree, glm::dvec3(leaf.position + 0.5f * leaf.length * leaf.axis)), i);
     }
 }
 

@@ -16,7 +16,10 @@ constexpr unsigned kSkyVisibilityAttribute = 6; ///< of the shader; no driver us
 
 /// Instances of one blade, for a shader that puts them in their places: OpenGL 3.3. Its uniforms say that there are
 /// instances and how they are rounded.
-osg::ref_ptr<osg::Geometry> makeInstancedGeometry(const COrganMesh& organs, const CProgress& progress);
+osg::ref_ptr<osg::Geometry> makeInstancedGeometry(const std::shared_ptr<const COrganMesh>& organs,
+                                                 const CProgress& progress);
+/// Frees what the graphics card has a copy of. Another context has it computed anew. Only the thread that draws.
+void releaseInstances(osg::Geometry& geometry);
 /// Attributes of an instance: position and length; quaternion; width.
 constexpr unsigned kInstancePlaceAttribute = 7, kInstanceTurnAttribute = 9, kInstanceWidthAttribute = 10;
 

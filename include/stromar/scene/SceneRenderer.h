@@ -19,6 +19,8 @@ public:
     void detach();
     bool attached() const { return m_window.valid(); }
     const osg::GLExtensions& extensions() const;
+    /// Frees what the graphics card holds of parts that the scene no longer has.
+    void freeDeleted();
     void draw(unsigned frameBuffer, int width, int height, const CCamera& camera);
 
 private:

@@ -98,6 +98,7 @@ private:
     osg::ref_ptr<osg::StateSet> m_state; ///< of everything
     std::vector<ViewPart> m_parts;
     bool m_instancing = true;
+    bool m_instancesAreNew = false; ///< not yet drawn: the graphics card has no copy
     ViewLook m_look;
     bool m_shadowsBehind = false; ///< they are those of an older tree
     int m_tinted = ViewPart::kNone;

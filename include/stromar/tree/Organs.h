@@ -16,11 +16,12 @@ struct CGeneration;
 enum class Organ { Leaf, Blossom, Fruit };
 inline constexpr std::array kOrgans{Organ::Leaf, Organ::Blossom, Organ::Fruit};
 
+/// In single precision: a crown has hundreds of thousands.
 struct CLeaf {
-    glm::dvec3 position; ///< where the blade starts
-    glm::dvec3 axis;     ///< unit vector along the blade
-    glm::dvec3 normal;   ///< unit vector out of its upper side
-    double length, width;
+    glm::vec3 position; ///< where the blade starts, metres
+    glm::vec3 axis;     ///< unit vector along the blade
+    glm::vec3 normal;   ///< unit vector out of its upper side
+    float length, width; ///< metres
     std::uint32_t stem;       ///< that bears it
     std::uint32_t generation; ///< of that stem
     std::uint32_t number;     ///< on that stem, whether those before it are grown or not

@@ -45,6 +45,8 @@ QImage COffscreenPainter::paint(const ViewModel& view, const QSize& pixels, cons
         m_renderer.draw(buffer.handle(), pixels.width(), pixels.height(), camera);
         image = buffer.toImage();
     }
+    m_scene.show({}); // nothing is kept between pictures
+    m_renderer.freeDeleted();
     m_context->doneCurrent();
     return image;
 }

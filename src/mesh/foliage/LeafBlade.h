@@ -8,8 +8,9 @@ namespace stromar {
 /// Puts a blade's points where one leaf has them, in the size of the season.
 class CBladePlacer {
 public:
-    CBladePlacer(const CLeaf& leaf, double growth) : m_leaf(leaf), m_right(glm::cross(leaf.axis, leaf.normal)) {
-        const glm::dvec3 p = glm::abs(leaf.position);
+    CBladePlacer(const CLeaf& leaf, double growth)
+        : m_foot(leaf.position), m_axis(leaf.axis), m_normal(leaf.normal), m_right(glm::cross(m_axis, m_normal)) {
+        const glm::dvec3 p = glm::abs(m_foot);
         const double min = 1e-5 * std::max({p.x, p.y, p.z}); // seen in single precision
         m_width = std::max(min, leaf.width * growth);
         m_length = std::max(min, leaf.length * growth);
@@ -17,22 +18,21 @@ public:
 
     double width() const { return m_width; }
     double length() const { return m_length; }
-    /// From the leaf's position.
-    glm::dvec3 offset(const LeafBlade::Point& point) const {
-        return m_width * point.place.x * m_right + m_length * point.place.y * m_leaf.axis +
-               m_width * point.place.z * m_leaf.normal;
+    const glm::dvec3& foot() const { return m_foot; }
+    glm::dvec3 place(const LeafBlade::Point& point) const {
+        return m_foot + m_width * point.place.x * m_right + m_length * point.place.y * m_axis +
+               m_width * point.place.z * m_normal;
     }
     glm::dvec3 normal(const LeafBlade::Point& point) const {
-        return glm::normalize(point.normal.x / m_width * m_right + point.normal.y / m_length * m_leaf.axis +
-                              point.normal.z / m_width * m_leaf.normal);
+        return glm::normalize(point.normal.x / m_width * m_right + point.normal.y / m_length * m_axis +
+                              point.normal.z / m_width * m_normal);
     }
 
     /// Columns: across, along, up.
-    glm::dmat3 axes() const { return {m_right, m_leaf.axis, m_leaf.normal}; }
+    glm::dmat3 axes() const { return {m_right, m_axis, m_normal}; }
 
 private:
-    const CLeaf& m_leaf;
-    glm::dvec3 m_right;
+    glm::dvec3 m_foot, m_axis, m_normal, m_right;
     double m_width, m_length;
 };
 

@@ -48,7 +48,7 @@ Surface COrganMesh::surface() const { return lookOf(m_organ).surface; }
 InstancePlace COrganMesh::place(std::size_t i) const {
     const CBladePlacer placer(leaf(i), m_growth);
     const glm::dquat turn = glm::quat_cast(placer.axes());
-    return {glm::vec3(leaf(i).position), static_cast<float>(placer.length()), static_cast<float>(placer.width()),
+    return {leaf(i).position, static_cast<float>(placer.length()), static_cast<float>(placer.width()),
             glm::vec4(turn.x, turn.y, turn.z, turn.w)};
 }
 
@@ -57,12 +57,12 @@ Bounds COrganMesh::bounds(const CProgress& progress) const {
     parallelFor(
         count(), kGrain,
         [&](std::size_t begin, std::size_t end) {
-            Bounds box{glm::vec3(leaf(begin).position), glm::vec3(leaf(begin).position)};
+            Bounds box{leaf(begin).position, leaf(begin).position};
             bool first = true;
             for (std::size_t i = begin; i < end; ++i) {
                 const CBladePlacer placer(leaf(i), m_growth);
                 for (const LeafBlade::Point& point : m_blade.points) {
-                    const glm::vec3 p(leaf(i).position + placer.offset(point));
+                    const glm::vec3 p(placer.place(point));
                     box = first ? Bounds{p, p} : Bounds{glm::min(box.min, p), glm::max(box.max, p)};
                     first = false;
                 }
@@ -81,15 +81,12 @@ COrganMesh::Hit COrganMesh::meet(const glm::dvec3& from, const glm::dvec3& direc
     Hit nearest;
     for (std::size_t i = 0; i < count(); ++i) {
         const CBladePlacer placer(leaf(i), m_growth);
-        const glm::dvec3 foot = leaf(i).position;
         const double size = reach * std::max(placer.length(), placer.width());
-        const double closest = glm::dot(foot - from, direction) / glm::dot(direction, direction);
-        const glm::dvec3 off = from + closest * direction - foot;
+        const double closest = glm::dot(placer.foot() - from, direction) / glm::dot(direction, direction);
+        const glm::dvec3 off = from + closest * direction - placer.foot();
         if (glm::dot(off, off) > size * size) continue;
         for (std::size_t t = 0; t < m_blade.indices.size(); t += 3) {
-            const auto corner = [&](std::size_t c) {
-                return foot + placer.offset(m_blade.points[m_blade.indices[t + c]]);
-            };
+            const auto corner = [&](std::size_t c) { return placer.place(m_blade.points[m_blade.indices[t + c]]); };
             const auto met = meetTriangle(from, direction, corner(0), corner(1), corner(2));
             if (met && *met > 0 && (nearest.instance < 0 || *met < nearest.distance))
                 nearest = {static_cast<std::int64_t>(i), *met};
@@ -105,7 +102,7 @@ std::shared_ptr<const CMesh> COrganMesh::expanded(const CProgress& progress) con
         const CBladePlacer placer(leaf(i), m_growth);
         VertexSink sink = sinkAt(*mesh, points * i);
         for (const LeafBlade::Point& point : m_blade.points) {
-            const glm::dvec3 place = leaf(i).position + placer.offset(point);
+            const glm::dvec3 place = placer.place(point);
             sink.add(place, m_rounding.turned(placer.normal(point), place), point.texCoord.x, point.texCoord.y, 255);
         }
         std::uint32_t* index = mesh->indices.data() + corners * i;

@@ -67,11 +67,11 @@ Spread spreadOf(const CStraightStem& stem, const std::vector<const CLeaf*>& leav
             xy += x * y;
             yy += y * y;
         };
-        const glm::dvec3 right = glm::cross(leaf->axis, leaf->normal);
-        add(size * leaf->length * leaf->axis);
-        add(0.5 * size * leaf->width * right);
-        frontX += glm::dot(leaf->normal, f[0]);
-        frontY += glm::dot(leaf->normal, f[1]);
+        const glm::dvec3 axis = leaf->axis, normal = leaf->normal;
+        add(size * leaf->length * axis);
+        add(0.5 * size * leaf->width * glm::cross(axis, normal));
+        frontX += glm::dot(normal, f[0]);
+        frontY += glm::dot(normal, f[1]);
     }
     const double widest = 0.5 * std::atan2(2 * xy, xx - yy), mean = (xx + yy) / 2,
                  apart = std::hypot((xx - yy) / 2, xy);
@@ -102,13 +102,13 @@ std::shared_ptr<const CMesh> straightLeaves(const CStraightStem& stem, const std
         CLeaf leaf = *leaves[i];
         const double y = stem.nearest(leaf.position);
         const glm::dmat3 toCard = glm::transpose(stem.frameOf(stem.segmentAt(y)));
-        leaf.position = toCard * (leaf.position - stem.pointAt(y)) + glm::dvec3(0, y, 0);
-        leaf.axis = toCard * leaf.axis;
-        leaf.normal = pressed(leaf.axis, toCard * leaf.normal);
+        leaf.position = toCard * (glm::dvec3(leaf.position) - stem.pointAt(y)) + glm::dvec3(0, y, 0);
+        leaf.axis = toCard * glm::dvec3(leaf.axis);
+        leaf.normal = pressed(leaf.axis, toCard * glm::dvec3(leaf.normal));
         const CBladePlacer placer(leaf, size);
         VertexSink sink = sinkAt(*mesh, points * i);
         for (const LeafBlade::Point& point : blade.points)
-            sink.add(leaf.position + placer.offset(point), placer.normal(point), point.texCoord.x, point.texCoord.y,
+            sink.add(placer.place(point), placer.normal(point), point.texCoord.x, point.texCoord.y,
                      255);
         for (const std::uint32_t corner : blade.indices) *index++ = static_cast<std::uint32_t>(points * i) + corner;
     }
