@@ -66,6 +66,11 @@ std::string refusalText(const Prediction& size, const SizeLimits& limits) {
     return text;
 }
 
+void refuseTooLarge(const CParams& params, const Detail& detail, const SizeLimits& limits) {
+    const Prediction size = predictSize(params, detail);
+    if (!limits.allow(size)) throw CTooLarge(size, limits);
+}
+
 bool mayShowCards(const CParams& params, const Detail& detail) {
     return showsCards(params, methodOf(params).bound(params), meshParamsOf(params), detail);
 }
@@ -75,10 +80,17 @@ double nearestThatFits(const CParams& params, const ParamRef& ref, double fits, 
     const double step = ref.info->integer() ? 1 : std::pow(10, -ref.info->decimals);
     double small = fits / step, large = ref.get(params) / step;
     CParams tried = params;
+    const auto isAllowed = [&] {
+        try {
+            return limits.allow(predictSize(tried, detail));
+        } catch (const CError&) {
+            return false;
+        }
+    };
     while (std::abs(large - small) > 1) {
         const double middle = std::round((small + large) / 2);
         ref.set(tried, middle * step);
-        (limits.allow(predictSize(tried, detail)) ? small : large) = middle;
+        (isAllowed() ? small : large) = middle;
     }
     return small * step;
 }

@@ -45,7 +45,7 @@ class CTreeCreator::CModelMaker {
 public:
     CModelMaker(CTreeCreator& creator, const CParams& params, const Detail& detail, const CProgress& progress)
         : m_tree(*creator.m_tree), m_builder(*creator.m_builder), m_growth(creator.m_growth),
-          m_made(creator.m_made[static_cast<std::size_t>(&detail - detailTable().data())]), m_params(params),
+          m_made(creator.m_made[rowOf(detail)]), m_params(params),
           m_mesh(meshParamsOf(params)), m_detail(detail), m_progress(progress),
           m_model(std::make_shared<TreeModel>()) {
         m_model->params = params;
@@ -185,19 +185,21 @@ void CTreeCreator::forget() {
     m_made.assign(detailTable().size(), {});
 }
 
+std::size_t CTreeCreator::rowOf(const Detail& detail) { return static_cast<std::size_t>(&detail - detailTable().data()); }
+
+void CTreeCreator::forgetOthers(const Detail& detail) {
+    for (std::size_t i = 0; i < m_made.size(); ++i)
+        if (i != rowOf(detail)) m_made[i] = {};
+}
+
 std::shared_ptr<const TreeModel> CTreeCreator::create(const CParams& params, const Detail& detail,
                                                       const CProgress& progress) {
-    refuseTooLarge(params, detail);
+    refuseTooLarge(params, detail, m_limits);
     CStopwatch watch;
     updateTree(params, progress);
     auto model = CModelMaker(*this, params, detail, progress).make(watch);
     progress.report(1);
     return model;
-}
-
-void CTreeCreator::refuseTooLarge(const CParams& params, const Detail& detail) const {
-    const Prediction size = predictSize(params, detail);
-    if (!m_limits.allow(size)) throw CError(refusalText(size, m_limits));
 }
 
 void CTreeCreator::updateTree(const CParams& params, const CProgress& progress) {

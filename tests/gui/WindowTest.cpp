@@ -255,13 +255,13 @@ TEST_F(WindowTest, CommandsHaveTextsIconsAndShortcutsOfTheirOwn) {
 TEST_F(WindowTest, ATreeThatWouldBeTooLargeAsksFirstAndOffersWhatFits) {
     window.document().setValue(paramRef("2Branches"), 5000, 0);
     CMessageBar& bar = window.bar();
-    ASSERT_TRUE(bar.isVisible());
+    ASSERT_TRUE(waitFor([&] { return bar.isVisible(); }));
     EXPECT_TRUE(bar.text().contains(QLatin1String("limit is 20 million"))) << bar.text().toStdString();
     const auto buttons = bar.findChildren<QPushButton*>();
     ASSERT_GE(buttons.size(), 2);
     EXPECT_TRUE(buttons.front()->text().startsWith(QLatin1String("Number = ")));
     buttons.front()->click();
-    EXPECT_FALSE(bar.isVisible());
+    ASSERT_TRUE(waitFor([&] { return !bar.isVisible(); }));
     const double fits = value("2Branches");
     EXPECT_GT(fits, 100);
     EXPECT_LE(predictSize(window.document().params(), detailOf(Model::Full)).vertices, 20e6);
@@ -269,9 +269,9 @@ TEST_F(WindowTest, ATreeThatWouldBeTooLargeAsksFirstAndOffersWhatFits) {
     ++weberPenn(more).level[2].branches;
     EXPECT_GT(predictSize(more, detailOf(Model::Full)).vertices, 20e6) << "the nearest that fits";
     action("undo")->trigger();
-    EXPECT_TRUE(bar.isVisible()) << "back at the large one";
+    ASSERT_TRUE(waitFor([&] { return bar.isVisible(); })) << "back at the large one";
     action("undo")->trigger();
-    EXPECT_FALSE(bar.isVisible());
+    ASSERT_TRUE(waitFor([&] { return !bar.isVisible(); }));
     EXPECT_TRUE(showsNow(Model::Full));
 }
 

@@ -2,6 +2,7 @@
 #include "stromar/mesh/Detail.h"
 #include "stromar/mesh/twig/Twig.h"
 #include "stromar/params/ParamTable.h"
+#include "stromar/util/Error.h"
 
 namespace stromar {
 
@@ -11,7 +12,8 @@ struct Prediction {
     double bytes; ///< of all that is held at once: structure, plans, meshes and what is drawn or written of them
 };
 
-/// Upper bounds of what a tree of these parameters may have, over all seeds. Takes microseconds: nothing is grown.
+/// Upper bounds of what a tree of these parameters may have, over all seeds. Most methods tell in microseconds; that of an
+/// L-system derives its word, and throws as its builder does.
 Prediction predictSize(const CParams& params, const Detail& detail);
 
 /// What a tree may take.
@@ -30,6 +32,18 @@ struct SizeLimits {
 
 /// "this tree would have up to 3 stems, … and take up to 5 MB; the limit is …": with both numbers of what is too large.
 std::string refusalText(const Prediction& size, const SizeLimits& limits);
+
+/// A tree is not grown because of its size.
+class CTooLarge : public CError {
+public:
+    CTooLarge(const Prediction& size, const SizeLimits& limits) : CError(refusalText(size, limits)), m_size(size) {}
+    const Prediction& size() const { return m_size; }
+
+private:
+    Prediction m_size;
+};
+/// Throws CTooLarge.
+void refuseTooLarge(const CParams& params, const Detail& detail, const SizeLimits& limits);
 
 /// Whether cards may stand for the last stems: the level of detail has some, they gain something, and their picture can
 /// be made.

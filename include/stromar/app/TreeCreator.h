@@ -19,6 +19,8 @@ public:
     void setLimits(const SizeLimits& limits) { m_limits = limits; }
     /// The next create() starts from nothing.
     void forget();
+    /// Frees what other levels of detail show; a create() of theirs makes it anew from the same tree.
+    void forgetOthers(const Detail& detail);
 
 private:
     enum class Drawn { All, Part, AsCards }; ///< of a generation
@@ -45,7 +47,8 @@ private:
     };
     class CModelMaker;
 
-    void refuseTooLarge(const CParams& params, const Detail& detail) const;
+    static std::size_t rowOf(const Detail& detail);
+
     void chooseBuilder(const CParams& params);
     void updateTree(const CParams& params, const CProgress& progress);
     void dropStaleMeshes();

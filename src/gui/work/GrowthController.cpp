@@ -17,13 +17,14 @@ CGrowthController::CGrowthController(CDocument& document, CMessageBar& bar, cons
       m_thread(std::make_unique<CTreeCreator>(true, limits)) {
     m_pause.setSingleShot(true);
     connect(&m_pause, &QTimer::timeout, this, &CGrowthController::requestFull);
-    connect(&m_thread, &CTreeCreatorThread::created, this, &CGrowthController::created);
+    connect(&m_thread, &CTreeCreatorThread::created, this, &CGrowthController::onCreated);
+    connect(&m_thread, &CTreeCreatorThread::tooLarge, this,
+            [this](const std::shared_ptr<const TooLargeTree>& tree) { onTooLarge(*tree); });
     connect(&m_thread, &CTreeCreatorThread::surfaceRead, this, &CGrowthController::surfaceRead);
     connect(&m_thread, &CTreeCreatorThread::failed, this, &CGrowthController::failed);
 }
 
 void CGrowthController::follow() {
-    if (!mayGrow()) return;
     request(m_only.value_or(Model::Simple));
     if (!m_only) m_pause.start();
 }
@@ -63,34 +64,22 @@ void CGrowthController::requestFull() {
     if (!m_held() && !m_only) request(Model::Full);
 }
 
-bool CGrowthController::mayGrow() {
-    const CParams& params = m_document.params();
-    const Prediction size = predictSize(params, detailOf(Model::Full));
-    if (m_limits.allow(size) || params == m_allowed) {
-        if (m_limits.allow(size)) m_fitting = params;
-        m_bar.dismiss(QLatin1String(kAboutSize));
-        return true;
-    }
-    m_pause.stop();
-    offerSmaller(size);
-    emit refused();
-    return false;
+void CGrowthController::onCreated(const std::shared_ptr<const ViewModel>& view) {
+    if (view->model->params == m_document.params()) m_bar.dismiss(QLatin1String(kAboutSize));
+    emit created(view);
 }
 
-/// When one value alone makes the tree too large, the nearest that does not is on offer.
-void CGrowthController::offerSmaller(const Prediction& size) {
-    const CParams& params = m_document.params();
+void CGrowthController::onTooLarge(const TooLargeTree& tree) {
+    if (tree.params != m_document.params()) return; // a newer one is under way
+    m_pause.stop();
     std::vector<CMessageBar::Choice> choices;
-    std::vector<ParamRef> changed;
-    for (const ParamRef& ref : allParams(params.block()))
-        if (&m_fitting.block() == &params.block() && ref.differs(params, m_fitting)) changed.push_back(ref);
-    if (changed.size() == 1 && changed.front().info->numeric()) {
-        const ParamRef ref = changed.front();
-        const double value = nearestThatFits(params, ref, ref.get(m_fitting), detailOf(Model::Full), m_limits);
+    if (tree.fits) {
+        const auto [ref, value] = *tree.fits;
         const QString shown = ref.info->unit == Unit::Metre ? lengthText(value) : QLocale().toString(value, 'g', 6);
         choices.push_back({tr("%1 = %2 fits").arg(trText(ref.info->label), shown),
                            [this, ref, value] { m_document.setValue(ref, value, 0); }});
     }
+    const Prediction& size = tree.size;
     if (size.bytes < 2 * SizeLimits::defaultMemory())
         choices.push_back({tr("Grow it anyway"), [this] {
                                m_allowed = m_document.params();
@@ -105,6 +94,7 @@ void CGrowthController::offerSmaller(const Prediction& size) {
                        numbers.toString(size.vertices / 1e6, 'f', 0), numbers.toString(size.bytes / 1e9, 'f', 1),
                        numbers.toString(m_limits.vertices / 1e6, 'f', 0), numbers.toString(m_limits.bytes / 1e9, 'f', 1)),
               choices);
+    emit refused();
 }
 
 } // namespace stromar

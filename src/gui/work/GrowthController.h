@@ -50,8 +50,8 @@ signals:
 private:
     void request(Model model, bool anew = false);
     void requestFull();
-    bool mayGrow();
-    void offerSmaller(const Prediction& size);
+    void onCreated(const std::shared_ptr<const ViewModel>& view);
+    void onTooLarge(const TooLargeTree& tree);
 
     CDocument& m_document;
     CMessageBar& m_bar;
@@ -61,7 +61,6 @@ private:
     SizeLimits m_limits;
     double m_givenMemory; ///< bytes; the limit where the user sets none
     CParams m_allowed;    ///< may grow although they are large
-    CParams m_fitting;    ///< the last values that were not too large
     CTreeCreatorThread m_thread; ///< last: it stops before anything it reports to is gone
 };
 

@@ -25,6 +25,7 @@ CTreeCreatorThread::CTreeCreatorThread(std::unique_ptr<CTreeCreator> creator, QO
     : QThread(parent), m_creator(std::move(creator)), m_lastResult(Clock::now()) {
     qRegisterMetaType<std::shared_ptr<const ViewModel>>();
     qRegisterMetaType<std::shared_ptr<const SurfaceMaps>>();
+    qRegisterMetaType<std::shared_ptr<const TooLargeTree>>();
     qRegisterMetaType<Surface>();
     start();
 }
@@ -73,7 +74,7 @@ std::optional<CTreeCreatorThread::Request> CTreeCreatorThread::nextRequest() {
     const auto awake = [this] { return m_wanted || m_quit; };
     if (!m_wake.wait_for(lock, kIdle, awake)) {
         lock.unlock();
-        returnFreedMemory();
+        freeMemory();
         lock.lock();
         m_wake.wait(lock, awake);
     }
@@ -83,6 +84,24 @@ std::optional<CTreeCreatorThread::Request> CTreeCreatorThread::nextRequest() {
     m_running = CProgress(m_threads);
     m_runningSimple = request->detail->model == Model::Simple;
     return request;
+}
+
+/// When one value alone makes the tree too large, the nearest that does not is on offer.
+TooLargeTree CTreeCreatorThread::refusedTree(const Request& request, const Prediction& size) const {
+    TooLargeTree tree{request.params, size, {}};
+    std::vector<ParamRef> changed;
+    for (const ParamRef& ref : allParams(tree.params.block()))
+        if (&m_fitting.block() == &tree.params.block() && ref.differs(tree.params, m_fitting)) changed.push_back(ref);
+    if (changed.size() == 1 && changed.front().info->numeric())
+        tree.fits = {changed.front(), nearestThatFits(tree.params, changed.front(), changed.front().get(m_fitting),
+                                                      detailOf(Model::Full), request.limits)};
+    return tree;
+}
+
+/// While the hand rests, only what is shown is kept.
+void CTreeCreatorThread::freeMemory() {
+    if (m_shown) m_creator->forgetOthers(*m_shown);
+    returnFreedMemory();
 }
 
 void CTreeCreatorThread::run() {
@@ -107,6 +126,8 @@ void CTreeCreatorThread::run() {
             readSurfaces(*request);
         } catch (const CCancelled&) {
             // The next request says what to do instead.
+        } catch (const CTooLarge& e) {
+            emit tooLarge(std::make_shared<const TooLargeTree>(refusedTree(*request, e.size())));
         } catch (const std::exception& e) {
             emit failed(QString::fromUtf8(e.what()));
         }
@@ -133,9 +154,12 @@ void CTreeCreatorThread::readSurfaces(const Request& request) {
 
 std::shared_ptr<const ViewModel> CTreeCreatorThread::create(const Request& request, const CProgress& progress) {
     if (request.anew) m_creator->forget();
+    refuseTooLarge(request.params, detailOf(Model::Full), request.limits); // also where the simple one would fit
     m_creator->setLimits(request.limits);
+    m_fitting = request.params;
     auto view = std::make_shared<ViewModel>();
     view->model = m_creator->create(request.params, *request.detail, progress);
+    m_shown = request.detail;
     m_parts = view->parts = viewPartsOf(*view->model, m_parts, progress);
     return view;
 }

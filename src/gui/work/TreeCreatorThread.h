@@ -17,6 +17,13 @@ struct ViewModel {
     std::array<std::shared_ptr<const SurfaceMaps>, kSurfaces.size()> surfaces{}; ///< of those it has; where they are asked for
 };
 
+/// A tree that was not grown because of its size.
+struct TooLargeTree {
+    CParams params;
+    Prediction size;
+    std::optional<std::pair<ParamRef, double>> fits; ///< the one value that makes it so, and the nearest that does not
+};
+
 /// Creates trees away from the GUI thread. One slot: a newer request replaces the waiting one and cancels the running
 /// one. Results arrive as queued signals.
 class CTreeCreatorThread : public QThread {
@@ -30,7 +37,7 @@ public:
         CParams params;
         std::filesystem::path folder; ///< that the paths of pictures start at
         const Detail* detail;
-        SizeLimits limits{}; ///< growing fails when the tree may become larger
+        SizeLimits limits{}; ///< the tree is not grown when its full model may become larger
         bool anew = false;   ///< forgets what was made before
     };
     /// Any thread; returns at once.
@@ -47,6 +54,7 @@ signals:
     /// A surface of the last tree has other pictures than before. Those of recipes come after their tree, first in small.
     void surfaceRead(Surface surface, std::shared_ptr<const stromar::SurfaceMaps> maps);
     void failed(const QString& why);
+    void tooLarge(std::shared_ptr<const stromar::TooLargeTree> tree);
 
 protected:
     void run() override;
@@ -58,9 +66,13 @@ private:
     std::shared_ptr<const ViewModel> create(const Request& request, const CProgress& progress);
     void readSurfaces(const Request& request);
     bool mayFinish() const;
+    void freeMemory();
+    TooLargeTree refusedTree(const Request& request, const Prediction& size) const;
 
     std::unique_ptr<CTreeCreator> m_creator; // this and the next: run() only
     std::vector<ViewPart> m_parts; ///< of the last model
+    const Detail* m_shown = nullptr; ///< of the last model
+    CParams m_fitting;               ///< the last values that were not too large
     SurfaceTextures m_read;        ///< the pictures that were told of last
 
     mutable std::mutex m_mutex; // std: ThreadSanitizer cannot see QMutex. Guards all below.
@@ -77,4 +89,5 @@ private:
 
 Q_DECLARE_METATYPE(std::shared_ptr<const stromar::ViewModel>)
 Q_DECLARE_METATYPE(std::shared_ptr<const stromar::SurfaceMaps>)
+Q_DECLARE_METATYPE(std::shared_ptr<const stromar::TooLargeTree>)
 Q_DECLARE_METATYPE(stromar::Surface)
