@@ -218,6 +218,14 @@ std::string_view inactiveReason(const ParamRef& ref, const CParams& params) {
     return ref.info->inactive(params, ref.level);
 }
 
+bool hasBlossoms(const CParams& params) {
+    return params.common.blossoms > 0 || (params.block().hasBlossoms && params.block().hasBlossoms(params));
+}
+
+bool hasFruits(const CParams& params) {
+    return params.common.fruits > 0 || (params.block().hasFruits && params.block().hasFruits(params));
+}
+
 std::string_view unitName(Unit unit) {
     constexpr std::string_view kNames[] = {"", "m", "°"};
     return kNames[static_cast<std::size_t>(unit)];

@@ -43,7 +43,8 @@ TEST(LSystemMesh, FiguresAreSoundAtEveryLevelOfDetail) {
         TurtleParams params{.lengthUnit = figure.lengthUnit, .widthUnit = figure.widthUnit};
         params.tropism = {0, 0, -1};
         params.tropismBend = figure.bend;
-        const CTree tree(10, stemsOf(word, interpret(word, params, CProgress()), CProgress()).generations);
+        const auto generations = stemsOf(word, interpret(word, params, CProgress()), CProgress());
+        const CTree tree(10, {generations.begin(), generations.end()});
         MeshParams mesh;
         mesh.minRadius = 0.0005;
         for (const Detail& detail : detailTable()) {

@@ -1,4 +1,5 @@
 #include "mesh/SampleTrees.h"
+#include "stromar/app/Methods.h"
 #include "stromar/params/methods/weberpenn/WeberPennParams.h"
 #include "stromar/params/TreeFile.h"
 #include <algorithm>
@@ -116,7 +117,7 @@ CParams plainTrunk() {
 }
 
 std::shared_ptr<const CTree> grow(const CParams& params, int threads) {
-    return growTree(CWeberPennBuilder(), params, CProgress(threads));
+    return growTree(*methodOf(params).makeBuilder(true), params, CProgress(threads));
 }
 
 std::shared_ptr<const CMesh> organsOf(const CTree& tree, const CParams& params, Organ organ,
@@ -125,7 +126,7 @@ std::shared_ptr<const CMesh> organsOf(const CTree& tree, const CParams& params, 
     OrganArrays organs;
     organs.fill(std::make_shared<const COrgans>());
     organs[static_cast<std::size_t>(organ)] =
-        CWeberPennBuilder().growOrgans(params, tree, organ, demandOf(detail, plansOf(stems)), progress);
+        methodOf(params).makeBuilder(true)->growOrgans(params, tree, organ, demandOf(detail, plansOf(stems)), progress);
     return meshOfOrgans(tree.withOrgans(organs), organ, plansOf(stems), meshParamsOf(params), detail, progress)
         ->expanded(progress);
 }

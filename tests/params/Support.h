@@ -1,6 +1,7 @@
 #pragma once
 #include "stromar/params/ParamText.h"
 #include "stromar/params/TreeFile.h"
+#include "stromar/params/methods/lsystem/LSystemParams.h"
 #include <cmath>
 #include <filesystem>
 #include <vector>
@@ -8,6 +9,7 @@
 namespace stromar::test {
 
 inline std::vector<std::filesystem::path> presetFiles() {
+    registerBlock(lsystemBlock()); // no table of methods is there
     std::vector<std::filesystem::path> files;
     for (const auto& entry : std::filesystem::directory_iterator(STROMAR_SOURCE "/presets"))
         if (entry.path().extension() == ".tree") files.push_back(entry.path());

@@ -41,12 +41,13 @@ private:
 
 void expectSane(const CTreeFile& file, const std::string& text) {
     ASSERT_TRUE(file.text(file.params()) == text) << "an unchanged document changed:\n" << text;
-    for (const ParamRef& ref : numberParams()) ASSERT_TRUE(ref.info->range.contains(ref.get(file.params()))) << ref.key();
+    for (const ParamRef& ref : numberParams(file.params().block())) ASSERT_TRUE(ref.info->range.contains(ref.get(file.params()))) << ref.key();
 }
 
 /// Changes one number and one text of what was read, saves and reads again.
 void expectSavable(const CTreeFile& file, CMutator& mutator, const std::string& text) {
-    const ParamRef ref = numberParams()[mutator.below(numberParams().size())];
+    const auto numbers = numberParams(file.params().block());
+    const ParamRef ref = numbers[mutator.below(numbers.size())];
     CParams params = file.params();
     ref.set(params, otherValue(*ref.info, ref.get(params)));
     params.text.species = mutator.below(2) ? "Elm # 8" : "";

@@ -135,14 +135,14 @@ TEST(TreeFile, PresetsAreReadWithoutAWord) {
         const CTreeFile file = CTreeFile::read(path);
         EXPECT_TRUE(file.warnings().empty()) << path;
         EXPECT_EQ(file.text(file.params()), readFile(path)) << path;
-        EXPECT_NE(file.params(), CParams()) << path;
+        EXPECT_NE(file.params(), CParams(file.params().block())) << path;
     }
 }
 
 TEST(TreeFile, ANewDocumentOfAPresetIsTheSameTree) {
     for (const auto& path : test::presetFiles()) {
         const CParams params = CTreeFile::read(path).params();
-        EXPECT_TRUE(parsed(CTreeFile().text(params)).params() == params) << path;
+        EXPECT_TRUE(parsed(CTreeFile(params.block()).text(params)).params() == params) << path;
     }
 }
 

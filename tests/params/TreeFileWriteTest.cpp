@@ -84,7 +84,7 @@ TEST(TreeFileWrite, EveryChangeOfAPresetTouchesOneLine) {
     for (const auto& path : test::presetFiles()) {
         const CTreeFile file = CTreeFile::read(path);
         const std::string before = readFile(path);
-        for (const ParamRef& ref : numberParams()) {
+        for (const ParamRef& ref : numberParams(file.params().block())) {
             const bool absent = before.find("\n" + ref.key() + " =") == std::string::npos; // has its default
             CParams params = file.params();
             ref.set(params, otherValue(*ref.info, ref.get(params)));

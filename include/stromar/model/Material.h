@@ -13,11 +13,11 @@ struct SurfaceInfo {
     bool cutOut;                      ///< seen from both sides; its picture's opacity says where it is
     std::string TextParams::*texture; ///< what the user chose; null: the picture is made of the tree's own parts
     const char* standard;             ///< what it has else: a file in textures/, or a recipe
-    int CommonParams::*number;        ///< how many of them the tree may bear; null: any tree has it
+    bool (*borne)(const CParams&);    ///< whether the tree may bear some; null: any tree has it
 };
 const SurfaceInfo& surfaceOf(Surface surface);
 /// Whether every file has its material, even where no mesh needs it.
-inline bool isInEveryFile(const SurfaceInfo& info) { return info.texture && !info.number; }
+inline bool isInEveryFile(const SurfaceInfo& info) { return info.texture && !info.borne; }
 /// Whether the tree has a picture for it, which some month or some level of detail shows.
 bool hasSurface(const CParams& params, Surface surface);
 

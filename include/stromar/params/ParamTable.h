@@ -213,6 +213,7 @@ struct ParamBlock {
     bool (*equal)(const std::any&, const std::any&);
     std::span<const CommonDefault> commonDefaults{};
     bool (*hasLeaves)(const CParams&) = nullptr; ///< null: it always may
+    bool (*hasBlossoms)(const CParams&) = nullptr, (*hasFruits)(const CParams&) = nullptr; ///< besides their Number; null: none
     /// Why a row, its own or a common one, does nothing in this tree (marked for translation); empty when it may act.
     std::string_view (*inactive)(const ParamRef&, const CParams&) = nullptr;
     /// What a change of a row of the method redoes, where its table does not say it alone. Null: as the table says.
@@ -259,6 +260,10 @@ ParamValue defaultOf(const ParamRef& ref, const ParamBlock& block);
 const ParamInfo* variationOf(const ParamInfo& info);
 /// Why a value does nothing in this tree, in words (marked for translation); empty when it acts.
 std::string_view inactiveReason(const ParamRef& ref, const CParams& params);
+
+/// Whether a tree bears some: so many on a stem, or as its method says.
+bool hasBlossoms(const CParams& params);
+bool hasFruits(const CParams& params);
 
 /// What has to be done again to turn the tree of `before` into that of `after`.
 Invalidation invalidationOf(const CParams& before, const CParams& after);

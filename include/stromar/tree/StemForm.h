@@ -8,6 +8,7 @@ namespace stromar {
 struct RadiusProfile {
     enum class Form : unsigned char {
         Segments, ///< evenly from each segment's radiusBase to its radiusEnd
+        Steps,    ///< every segment has one radius; wood runs evenly to that of the next (stems without clones)
         RoundEnd, ///< a cone that ends in half a sphere (Weber & Penn §4.4, taper 1..2)
         Spheres,  ///< a chain of spheres (taper 2..3)
     };
@@ -15,10 +16,12 @@ struct RadiusProfile {
     double depth = 1;     ///< how far the spheres are cut into the cylinder, 0..1
     Form form = Form::Segments;
 
-    /// `along` metres from the base of a stem of a length and a radius at its base; of Segments only where those end.
+    /// Whether the radius changes evenly along each segment.
+    bool isEven() const { return form == Form::Segments || form == Form::Steps; }
+    /// `along` metres from the base of a stem of a length and a radius at its base; of Segments and Steps only where those end.
     double radiusAt(double along, double length, double radius) const {
         const double cone = radius * (1 - narrowing * along / length);
-        if (form == Form::Segments || cone <= 0) return std::max(0.0, cone);
+        if (isEven() || cone <= 0) return std::max(0.0, cone);
         const double toTip = length - along;
         if (form == Form::RoundEnd) return toTip >= cone ? cone : sphere(cone, toTip);
         const double inSphere = std::abs(toTip - 2 * cone * std::floor(toTip / (2 * cone) + 0.5));

@@ -116,7 +116,7 @@ private:
 
     /// Gives rings half as many points as soon as that is enough for their radius. Lobes and spheres keep theirs.
     void halvePoints(const CStem& stem, const Tube& tube, MeshPlan& plan) const {
-        if (tube.lobed || stem.profile.form != RadiusProfile::Form::Segments) return;
+        if (tube.lobed || !stem.profile.isEven()) return;
         std::uint32_t points = tube.points;
         for (std::uint32_t r = 0; r < tube.ringCount; ++r) {
             Ring& ring = plan.rings[tube.firstRing + r];

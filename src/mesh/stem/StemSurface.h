@@ -27,9 +27,8 @@ public:
     /// Radius at a place of a segment, before lobes and the least radius.
     double woodRadius(const CStem& stem, const CSegment& segment, double t) const {
         const double along = segment.start + t * segment.length;
-        const double wood = stem.profile.form == RadiusProfile::Form::Segments
-                                ? segment.radiusBase + t * (segment.radiusEnd - segment.radiusBase)
-                                : stem.profile.radiusAt(along, stem.length, stem.radius);
+        const double wood = stem.profile.isEven() ? segment.radiusBase + t * (radiusAbove(stem, segment) - segment.radiusBase)
+                                                  : stem.profile.radiusAt(along, stem.length, stem.radius);
         return m_base.flare == 0 ? wood : wood * m_base.flareAt(along / stem.length);
     }
 
@@ -42,7 +41,7 @@ public:
 
     /// Whether the radius changes other than evenly along a segment.
     bool uneven(const CStem& stem) const {
-        return stem.profile.form != RadiusProfile::Form::Segments || m_base.flare != 0 || roots() > 0;
+        return !stem.profile.isEven() || m_base.flare != 0 || roots() > 0;
     }
 
     int lobes() const { return m_base.lobeCount(); }
@@ -82,6 +81,12 @@ public:
     }
 
 private:
+    /// At the end of a segment.
+    static double radiusAbove(const CStem& stem, const CSegment& segment) {
+        const bool runsOn = stem.profile.form == RadiusProfile::Form::Steps && segment.end() < stem.length;
+        return runsOn ? (&segment + 1)->radiusBase : segment.radiusEnd; // segments of a stem lie one after the other
+    }
+
     MeshParams m_params;
     BaseForm m_base; ///< none above the trunks
     bool m_trunk;

@@ -43,13 +43,13 @@ constexpr Inactive kNeedsCards = [](const CParams& p, int) -> string_view {
 };
 constexpr Inactive kNeedsSeasons = [](const CParams& p, int) -> string_view {
     const bool leaves = !p.block().hasLeaves || p.block().hasLeaves(p);
-    return leaves || p.common.blossoms > 0 || p.common.fruits > 0 ? "" : N_("The tree has no leaves, blossoms or fruits.");
+    return leaves || hasBlossoms(p) || hasFruits(p) ? "" : N_("The tree has no leaves, blossoms or fruits.");
 };
 constexpr Inactive kNeedsBlossoms = [](const CParams& p, int) -> string_view {
-    return p.common.blossoms > 0 ? "" : N_("The tree has no blossoms: their Number is 0.");
+    return hasBlossoms(p) ? "" : N_("The tree has no blossoms: their Number is 0.");
 };
 constexpr Inactive kNeedsFruits = [](const CParams& p, int) -> string_view {
-    return p.common.fruits > 0 ? "" : N_("The tree has no fruits: their Number is 0.");
+    return hasFruits(p) ? "" : N_("The tree has no fruits: their Number is 0.");
 };
 
 // clang-format off

@@ -83,7 +83,7 @@ double CExpression::run(const ExpressionInput& input) const {
             const double second = operation.operands == 2 ? stack[--top] : 0;
             double& first = stack[top - 1];
             first = operation.apply ? operation.apply(first, second)
-                                    : first + (second - first) * unitOf(hashCombine(input.place, step.index));
+                                    : first + (second - first) * (input.varied ? unitOf(hashCombine(input.place, step.index)) : 0.5);
         }
     }
     return stack[0];

@@ -443,7 +443,22 @@ private:
         }
         production.successor = parseWord(reader, formals);
         for (const SuccessorModule& module : production.successor) production.numbers += module.numbers.size();
+        production.heir = heirOf(production);
         m_grammar.productions.push_back(std::move(production));
+    }
+
+    static std::size_t heirOf(const Production& production) {
+        const auto& successor = production.successor;
+        std::size_t anywhere = successor.size();
+        int depth = 0;
+        for (std::size_t k = 0; k < successor.size(); ++k) {
+            if (successor[k].symbol == '[') ++depth;
+            if (successor[k].symbol == ']') --depth;
+            if (successor[k].symbol != production.predecessor.symbol) continue;
+            if (depth == 0) return k;
+            anywhere = std::min(anywhere, k);
+        }
+        return anywhere;
     }
 
     void warnOfDeadProductions() {

@@ -1,4 +1,5 @@
 #include "stromar/tree/lsystem/Turtle.h"
+#include <algorithm>
 #include <cmath>
 #include <glm/geometric.hpp>
 #include <numbers>
@@ -84,7 +85,7 @@ private:
             return;
         case kLeafSymbol:
         case kBlossomSymbol:
-        case kFruitSymbol: return grow(kOrgans[symbol - kLeafSymbol], first.value_or(1) * m_params.lengthUnit);
+        case kFruitSymbol: return grow(kOrgans[symbol - kLeafSymbol], numbers.empty() ? -1 : std::max(0.0, numbers[0]) * m_params.lengthUnit);
         default: return;
         }
     }

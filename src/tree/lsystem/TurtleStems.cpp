@@ -1,4 +1,5 @@
 #include "stromar/tree/lsystem/TurtleStems.h"
+#include <algorithm>
 #include <glm/geometric.hpp>
 
 namespace stromar {
@@ -44,29 +45,34 @@ struct Branch {
 class CStemCollector {
 public:
     CStemCollector(const CWord& word, const TurtlePath& path)
-        : m_word(word), m_segments(path.segments), m_children(path.segments), m_stems{{}, std::vector<TurtleStems::Bearer>(path.segments.size(), {0, 0})} {}
+        : m_word(word), m_segments(path.segments), m_children(path.segments), m_organs(path.organs), m_bearers(path.segments.size(), Bearer{0, 0}) {}
 
-    TurtleStems collect(const CProgress& progress) {
+    std::vector<std::shared_ptr<const CTurtleGeneration>> collect(const CProgress& progress) {
         std::vector<Branch> branches;
         m_children.visitRoots([&](std::uint32_t i) { branches.push_back({i, -1, 0}); });
         while (!branches.empty()) {
             progress.poll();
             branches = collectGeneration(branches);
         }
-        return std::move(m_stems);
+        addOrgans();
+        return {m_generations.begin(), m_generations.end()};
     }
 
 private:
+    struct Bearer {
+        std::uint32_t generation, stem;
+    };
+
     /// What grows on the stems of that generation.
     std::vector<Branch> collectGeneration(const std::vector<Branch>& branches) {
-        auto generation = std::make_shared<CGeneration>();
+        auto generation = std::make_shared<CTurtleGeneration>();
         std::vector<Branch> next;
         for (const Branch& branch : branches) addStem(branch, *generation, next);
-        if (!generation->stems.empty()) m_stems.generations.push_back(generation);
+        if (!generation->stems.empty()) m_generations.push_back(generation);
         return generation->stems.empty() ? std::vector<Branch>() : next;
     }
 
-    void addStem(const Branch& branch, CGeneration& generation, std::vector<Branch>& next) {
+    void addStem(const Branch& branch, CTurtleGeneration& generation, std::vector<Branch>& next) {
         CStem stem{};
         stem.firstSegment = static_cast<std::uint32_t>(generation.segments.size());
         stem.firstPath = static_cast<std::uint32_t>(generation.paths.size());
@@ -80,6 +86,7 @@ private:
             return;
         }
         stem.radius = generation.segments[stem.firstSegment].radiusBase;
+        stem.profile.form = RadiusProfile::Form::Steps;
         stem.parent = branch.parent;
         stem.position = branch.position;
         if (branch.parent >= 0) sitOn(stem);
@@ -88,16 +95,17 @@ private:
     }
 
     /// Appends a segment; gives the one that goes on, or none.
-    std::uint32_t addSegment(std::uint32_t i, CStem& stem, std::uint32_t number, CGeneration& generation,
+    std::uint32_t addSegment(std::uint32_t i, CStem& stem, std::uint32_t number, CTurtleGeneration& generation,
                              std::vector<Branch>& next) {
         const TurtleSegment& drawn = m_segments[i];
         if (drawn.length > kNothing) {
             const double radius = drawn.width / 2;
             generation.segments.push_back({drawn.position, drawn.frame, stem.length, drawn.length, radius, radius, 0, false});
+            generation.writers.push_back(m_word.writer(drawn.module));
             stem.length += drawn.length;
             ++stem.segmentCount;
         }
-        m_stems.ofSegment[i] = {static_cast<std::uint32_t>(m_stems.generations.size()), number};
+        m_bearers[i] = {static_cast<std::uint32_t>(m_generations.size()), number};
         const std::uint32_t heir = heirOf(i);
         const std::uint32_t position = stem.segmentCount > 0 ? stem.segmentCount - 1 : 0;
         m_children.visitChildren(i, [&](std::uint32_t child) {
@@ -119,8 +127,26 @@ private:
         return heir;
     }
 
+    /// Sorted by stem; where it is the same, in the order of the word.
+    void addOrgans() {
+        if (m_generations.empty()) return;
+        for (const TurtleOrgan& organ : m_organs) {
+            const Bearer bearer = organ.below < 0 ? Bearer{0, 0} : m_bearers[static_cast<std::size_t>(organ.below)];
+            if (bearer.generation >= m_generations.size() || organ.size == 0) continue;
+            CTurtleGeneration& generation = *m_generations[bearer.generation];
+            if (bearer.stem >= generation.stems.size()) continue; // it has no length
+            const Frame& frame = organ.frame;
+            generation.organs[static_cast<std::size_t>(organ.organ)].push_back(
+                {glm::vec3(organ.position), glm::vec3(frame[2]), glm::vec3(frame[0]), static_cast<float>(organ.size), bearer.stem});
+        }
+        for (const auto& generation : m_generations)
+            for (auto& written : generation->organs)
+                std::stable_sort(written.begin(), written.end(),
+                                 [](const auto& a, const auto& b) { return a.stem < b.stem; });
+    }
+
     void sitOn(CStem& stem) const {
-        const CGeneration& below = *m_stems.generations.back();
+        const CGeneration& below = *m_generations.back();
         const CStem& parent = below.stems[static_cast<std::size_t>(stem.parent)];
         const CSegment& wood = below.segments[parent.firstSegment + stem.position];
         stem.offset = wood.end();
@@ -130,11 +156,14 @@ private:
     const CWord& m_word;
     const std::vector<TurtleSegment>& m_segments;
     CChildLists m_children;
-    TurtleStems m_stems;
+    const std::vector<TurtleOrgan>& m_organs;
+    std::vector<Bearer> m_bearers; ///< by segment
+    std::vector<std::shared_ptr<CTurtleGeneration>> m_generations;
 };
 } // namespace
 
-TurtleStems stemsOf(const CWord& word, const TurtlePath& path, const CProgress& progress) {
+std::vector<std::shared_ptr<const CTurtleGeneration>> stemsOf(const CWord& word, const TurtlePath& path,
+                                                              const CProgress& progress) {
     return CStemCollector(word, path).collect(progress);
 }
 

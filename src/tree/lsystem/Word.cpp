@@ -11,33 +11,40 @@ namespace stromar {
 namespace {
 constexpr std::size_t kGrain = 16384;
 constexpr std::uint64_t kAxiomId = 0x61786d, kChoice = 0x6368;
-constexpr std::uint16_t kCopied = 0xffff;
 
 [[noreturn]] void failTooLong(std::size_t max) {
     throw CError("the word of this grammar would have more than " + std::to_string(max) + " modules");
+}
+
+/// To so many significant digits.
+double rounded(double value, int digits) {
+    if (value == 0 || !std::isfinite(value)) return value;
+    const double perUnit = std::pow(10, digits - 1 - std::floor(std::log10(std::abs(value))));
+    return std::isfinite(perUnit) && perUnit > 0 ? std::round(value * perUnit) / perUnit : value;
 }
 } // namespace
 
 void CWord::resize(std::size_t modules, std::size_t numbers) {
     m_symbols.resize(modules);
     m_ids.resize(modules);
+    m_writers.resize(modules);
     m_firstNumber.resize(modules + 1);
     m_numbers.resize(numbers);
     m_firstNumber[modules] = static_cast<std::uint32_t>(numbers);
 }
 
-std::string CWord::text(std::size_t first, std::size_t count) const {
+std::string CWord::text(std::size_t first, std::size_t count, int digits) const {
     std::string text;
     for (std::size_t i = first; i < std::min(size(), first + count); ++i) {
         text += symbolName(symbol(i));
-        for (std::size_t k = 0; k < numbers(i).size(); ++k) text += (k == 0 ? "(" : ",") + numberText(numbers(i)[k]);
+        for (std::size_t k = 0; k < numbers(i).size(); ++k) text += (k == 0 ? "(" : ",") + numberText(rounded(numbers(i)[k], digits));
         if (!numbers(i).empty()) text += ")";
     }
     return text;
 }
 
-CRewriter::CRewriter(const Grammar& grammar, std::uint64_t seed, std::size_t maxModules)
-    : m_grammar(grammar), m_seed(seed), m_maxModules(maxModules) {
+CRewriter::CRewriter(const Grammar& grammar, std::uint64_t seed, bool varied, std::size_t maxModules)
+    : m_grammar(grammar), m_seed(seed), m_varied(varied), m_maxModules(maxModules) {
     const auto hasCut = [](const std::vector<SuccessorModule>& word) {
         return std::ranges::find(word, Symbol('%'), &SuccessorModule::symbol) != word.end();
     };
@@ -58,9 +65,10 @@ CWord CRewriter::axiom() const {
         const SuccessorModule& module = m_grammar.axiom[i];
         word.m_symbols[i] = module.symbol;
         word.m_ids[i] = hashCombine(kAxiomId, i);
+        word.m_writers[i] = kNoProduction;
         word.m_firstNumber[i] = static_cast<std::uint32_t>(number);
         for (const CExpression& value : module.numbers)
-            word.m_numbers[number++] = value.evaluate({{}, hashCombine(m_seed, word.m_ids[i])});
+            word.m_numbers[number++] = value.evaluate({{}, hashCombine(m_seed, word.m_ids[i]), m_varied});
     }
     return m_cuts ? cut(word) : word;
 }
@@ -79,7 +87,7 @@ CWord CRewriter::derive(const CWord& word, const CProgress& progress) const {
         std::size_t modules = 0, numbers = 0;
         for (std::size_t i = begin; i < end; ++i) {
             const Production* production = productionOf(word, i, match);
-            chosen[i] = production ? static_cast<std::uint16_t>(production - m_grammar.productions.data()) : kCopied;
+            chosen[i] = production ? static_cast<std::uint16_t>(production - m_grammar.productions.data()) : kNoProduction;
             modules += production ? production->successor.size() : 1;
             numbers += production ? production->numbers : word.numbers(i).size();
         }
@@ -97,7 +105,7 @@ CWord CRewriter::derive(const CWord& word, const CProgress& progress) const {
     const auto rewrite = [&](std::size_t begin, std::size_t end) {
         auto [module, number] = starts[begin / kGrain];
         for (std::size_t i = begin; i < end; ++i) {
-            const Production* production = chosen[i] == kCopied ? nullptr : &m_grammar.productions[chosen[i]];
+            const Production* production = chosen[i] == kNoProduction ? nullptr : &m_grammar.productions[chosen[i]];
             write(word, i, production, next, module, number);
             module += production ? production->successor.size() : 1;
             number += production ? production->numbers : word.numbers(i).size();
@@ -105,6 +113,17 @@ CWord CRewriter::derive(const CWord& word, const CProgress& progress) const {
     };
     parallelFor(word.size(), kGrain, rewrite, progress);
     return m_cuts ? cut(next) : std::move(next);
+}
+
+std::vector<std::size_t> CRewriter::applied(const CWord& word, const CProgress& progress) const {
+    std::vector<std::size_t> counts(m_grammar.productions.size(), 0);
+    Match match;
+    for (std::size_t i = 0; i < word.size(); ++i) {
+        if (i % kGrain == 0) progress.poll();
+        if (const Production* production = productionOf(word, i, match))
+            ++counts[static_cast<std::size_t>(production - m_grammar.productions.data())];
+    }
+    return counts;
 }
 
 /// Of the productions that match: the first, or if that has a probability, one drawn among all that have.
@@ -131,7 +150,7 @@ const Production* CRewriter::drawn(const CWord& word, std::size_t i, std::size_t
         weights.emplace_back(&production, weight);
         sum += weight;
     }
-    double left = sum * unitOf(hashCombine(hashCombine(m_seed, word.id(i)), kChoice));
+    double left = sum * (m_varied ? unitOf(hashCombine(hashCombine(m_seed, word.id(i)), kChoice)) : 0.5);
     for (const auto& [production, weight] : weights)
         if ((left -= weight) < 0) return production;
     return weights.empty() ? nullptr : weights.back().first;
@@ -140,8 +159,8 @@ const Production* CRewriter::drawn(const CWord& word, std::size_t i, std::size_t
 ExpressionInput CRewriter::inputOf(const CWord& word, std::size_t i, const Production& production,
                                    const Match& match) const {
     const std::uint64_t place = hashCombine(m_seed, word.id(i));
-    if (!production.hasContext()) return {word.numbers(i), place};
-    return {std::span(match.formals).first(production.formals), place};
+    if (!production.hasContext()) return {word.numbers(i), place, m_varied};
+    return {std::span(match.formals).first(production.formals), place, m_varied};
 }
 
 bool CRewriter::matches(const CWord& word, std::size_t i, const Production& production, Match& match) const {
@@ -201,7 +220,8 @@ void CRewriter::write(const CWord& word, std::size_t i, const Production* produc
                       std::size_t number) const {
     if (!production) {
         next.m_symbols[module] = word.symbol(i);
-        next.m_ids[module] = hashCombine(word.id(i), 0);
+        next.m_ids[module] = word.id(i);
+        next.m_writers[module] = word.writer(i);
         next.m_firstNumber[module] = static_cast<std::uint32_t>(number);
         std::ranges::copy(word.numbers(i), next.m_numbers.begin() + static_cast<std::ptrdiff_t>(number));
         return;
@@ -213,6 +233,7 @@ void CRewriter::write(const CWord& word, std::size_t i, const Production* produc
         const SuccessorModule& made = production->successor[k];
         next.m_symbols[module] = made.symbol;
         next.m_ids[module] = hashCombine(word.id(i), k);
+        next.m_writers[module] = k == production->heir ? word.writer(i) : static_cast<std::uint16_t>(production - m_grammar.productions.data());
         next.m_firstNumber[module] = static_cast<std::uint32_t>(number);
         for (const CExpression& value : made.numbers) {
             next.m_numbers[number] = value.evaluate(input);
@@ -243,6 +264,7 @@ CWord CRewriter::cut(const CWord& word) const {
     for (std::size_t k = 0; k < kept.size(); ++k) {
         left.m_symbols[k] = word.symbol(kept[k]);
         left.m_ids[k] = word.id(kept[k]);
+        left.m_writers[k] = word.writer(kept[k]);
         left.m_firstNumber[k] = static_cast<std::uint32_t>(number);
         for (const double value : word.numbers(kept[k])) left.m_numbers[number++] = value;
     }

@@ -1,3 +1,4 @@
+#include "CommonValues.h"
 #include "Grown.h"
 #include "stromar/params/methods/weberpenn/Calculations.h"
 #include "stromar/params/methods/weberpenn/WeberPennParams.h"

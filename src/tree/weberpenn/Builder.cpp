@@ -1,4 +1,5 @@
 #include "Draw.h"
+#include "CommonValues.h"
 #include "Grown.h"
 #include "LeafGrower.h"
 #include "Placement.h"

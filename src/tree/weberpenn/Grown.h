@@ -11,10 +11,6 @@ inline RadiusProfile taperProfile(double taper) {
     return {0, taper - 2, RadiusProfile::Form::Spheres};
 }
 
-inline BaseForm baseFormOf(const CommonParams& g) {
-    return {g.flare, g.lobes, g.lobeDepth, g.lobeFade, g.roots, g.rootReach, g.rootHeight};
-}
-
 /// What the builder knows of a stem beside what the tree says.
 struct StemScratch {
     double countPhase; ///< start of its counts' error diffusion, 0..1

@@ -11,48 +11,21 @@ namespace stromar {
 namespace {
 constexpr std::size_t kGrain = 256;
 constexpr int kTaperedShape = 4; // ShapeRatio of the leaves along the parent
-
-/// The frame carried towards the plumb line: down for −1, up for 1.
-Frame raised(const Frame& frame, double rise) {
-    const glm::dvec3 axis = (1 - std::abs(rise)) * frame[2] + glm::dvec3(0, 0, rise);
-    const double length = glm::length(axis);
-    return length > 1e-9 ? transported(frame, axis / length) : frame;
-}
-
-/// Its direction on the ground; that of x where it has none.
-glm::dvec2 horizontal(const glm::dvec3& v) { return v.x == 0 && v.y == 0 ? glm::dvec2(1, 0) : glm::dvec2(v); }
 } // namespace
 
 OrganRule organRule(const CParams& params, Organ organ) {
     const CommonParams& g = params.common;
     switch (organ) {
-    case Organ::Blossom:
-        return {
-            g.blossoms,    1, 1, g.blossomScale, g.blossomScale, g.leafBend * (1 - std::abs(g.blossomUp)), g.blossomUp,
-            kDrawBlossomId};
-    case Organ::Fruit: return {g.fruits, 1, 1, g.fruitScale, g.fruitScale * g.fruitScaleX, 0, -0.85, kDrawFruitId};
-    default: break;
+    case Organ::Blossom: return {g.blossoms, 1, 1, poseOf(g, organ), kDrawBlossomId};
+    case Organ::Fruit: return {g.fruits, 1, 1, poseOf(g, organ), kDrawFruitId};
+    default: return {weberPenn(params).leaves, g.leafQuality, g.leafWhorl, poseOf(g, organ), kDrawLeafId};
     }
-    const double length = g.leafScale / std::sqrt(g.leafQuality);
-    return {weberPenn(params).leaves, g.leafQuality, g.leafWhorl, length, length * g.leafScaleX, g.leafBend, 0, kDrawLeafId};
 }
 
 std::uint64_t CLeafGrower::leafId(const CStem& stem, const CPath& path, std::uint32_t position, int i) const {
     const std::uint64_t site =
         hashCombine(hashCombine(stem.id, path.id), (std::uint64_t{position} << 32) | static_cast<std::uint32_t>(i));
     return hashCombine(site, m_rule.purpose);
-}
-
-Frame bentToLight(const Frame& frame, const glm::dvec3& position, double bend) {
-    if (bend == 0) return frame;
-    const glm::dvec3 n = frame[1];
-    const glm::dvec2 from = horizontal(n), to = horizontal(position);
-    const double outwards = std::atan2(from.x * to.y - from.y * to.x, from.x * to.x + from.y * to.y);
-    const Frame turned = rotatedWorldZ(frame, bend * outwards);
-    const glm::dvec3 m = turned[1];
-    const double level = std::hypot(m.x, m.y);
-    const glm::dvec3 axis = level > 1e-12 ? glm::dvec3(m.y, -m.x, 0) / level : turned[0];
-    return rotatedAbout(turned, axis, bend * std::atan2(level, m.z));
 }
 
 std::shared_ptr<const COrgans> CLeafGrower::grow(const CGrownGeneration& generation, const OrganDemand& demand,
@@ -208,9 +181,10 @@ void CLeafGrower::growFans(const CGrownGeneration& generation, Bearer& bearer) c
 }
 
 CLeaf CLeafGrower::makeLeaf(const glm::dvec3& position, const Frame& frame, const Bearer& bearer) const {
-    const Frame bent = bentToLight(m_rule.rise != 0 ? raised(frame, m_rule.rise) : frame, position, m_rule.bend);
-    return {position,      bent[2],     bent[1], m_rule.length, m_rule.width,
-            bearer.stem, static_cast<std::uint32_t>(m_bearing.generation()), bearer.number};
+    const Frame bent = m_rule.pose.applied(frame, position);
+    return {glm::vec3(position), glm::vec3(bent[2]), glm::vec3(bent[1]), static_cast<float>(m_rule.pose.length),
+            static_cast<float>(m_rule.pose.width), bearer.stem, static_cast<std::uint32_t>(m_bearing.generation()),
+            bearer.number};
 }
 
 } // namespace stromar

@@ -1,4 +1,5 @@
 #pragma once
+#include "CommonValues.h"
 #include "Placement.h"
 #include "stromar/params/methods/weberpenn/TreeParams.h"
 #include "stromar/tree/Tree.h"
@@ -12,9 +13,7 @@ struct OrganRule {
     int number;           ///< on one stem at most; negative: in a fan at its tip
     double density;       ///< times the number; areas stay
     int whorl;            ///< at one place
-    double length, width; ///< metres
-    double bend;          ///< to the light, 0..1
-    double rise;          ///< −1 hangs down, 0 stands off its stem, 1 stands upright
+    OrganPose pose;
     std::uint32_t purpose;
 };
 OrganRule organRule(const CParams& params, Organ organ);
@@ -64,8 +63,5 @@ private:
     const CRandom& m_random;
     OrganRule m_rule;
 };
-
-/// The frame turned outwards and up to the light by `bend` 0..1 (Weber & Penn §4.9).
-Frame bentToLight(const Frame& frame, const glm::dvec3& position, double bend);
 
 } // namespace stromar

@@ -30,6 +30,7 @@ struct ExpressionNode {
 struct ExpressionInput {
     std::span<const double> formals;
     std::uint64_t place = 0;
+    bool varied = true; ///< false: rand() gives the middle of its range
 };
 
 /// An expression for a stack machine: a constant, one formal, or a list of steps. Angles of its functions in degrees.

@@ -50,6 +50,9 @@ struct Production {
     std::vector<SuccessorModule> successor;
     std::uint16_t formals = 0; ///< how many
     std::size_t numbers = 0;   ///< of all modules of the successor
+    /// The first module of the predecessor's letter outside brackets, else anywhere: what it grows into. The successor's
+    /// size where there is none.
+    std::size_t heir = 0;
     TextPlace place;
 
     bool hasContext() const { return !left.empty() || !right.empty(); }

@@ -29,7 +29,7 @@ struct TurtleOrgan {
     Organ organ;
     glm::dvec3 position;
     Frame frame;
-    double size;        ///< metres
+    double size;        ///< metres; negative: the word says none
     std::int32_t below; ///< the segment at whose end it sits; −1: none
 };
 

@@ -7,7 +7,9 @@
 
 namespace stromar {
 
-/// The modules that a grammar has derived so far. 13 bytes a module and 8 for each of its numbers.
+constexpr std::uint16_t kNoProduction = 0xffff;
+
+/// The modules that a grammar has derived so far. 15 bytes a module and 8 for each of its numbers.
 class CWord {
 public:
     std::size_t size() const { return m_symbols.size(); }
@@ -16,14 +18,17 @@ public:
         return {m_numbers.data() + m_firstNumber[i], m_numbers.data() + m_firstNumber[i + 1]};
     }
     /// The same in every word in which the module came about in the same way: a hash of its parent's and of its place in
-    /// the successor.
+    /// the successor. A module that is copied keeps its own.
     std::uint64_t id(std::size_t i) const { return m_ids[i]; }
+    /// Which production of the grammar wrote it; kNoProduction: the axiom. What a module grows into is written by what wrote
+    /// the module.
+    std::uint16_t writer(std::size_t i) const { return m_writers[i]; }
     std::size_t bytes() const {
-        return size() * (sizeof(Symbol) + sizeof(std::uint64_t) + sizeof(std::uint32_t)) +
+        return size() * (sizeof(Symbol) + sizeof(std::uint64_t) + sizeof(std::uint16_t) + sizeof(std::uint32_t)) +
                m_numbers.size() * sizeof(double);
     }
-    /// "F(1)[+A(0.5,2)]"
-    std::string text(std::size_t first, std::size_t count) const;
+    /// "F(1)[+A(0.5,2)]", numbers to so many digits.
+    std::string text(std::size_t first, std::size_t count, int digits = 17) const;
 
 private:
     friend class CRewriter;
@@ -31,6 +36,7 @@ private:
 
     RawVector<Symbol> m_symbols;
     RawVector<std::uint64_t> m_ids;
+    RawVector<std::uint16_t> m_writers;
     RawVector<std::uint32_t> m_firstNumber; ///< one more than there are modules
     RawVector<double> m_numbers;
 };
@@ -42,13 +48,16 @@ class CRewriter {
 public:
     static constexpr std::size_t kMaxModules = 100'000'000;
 
-    CRewriter(const Grammar& grammar, std::uint64_t seed, std::size_t maxModules = kMaxModules);
+    /// `varied` false replaces every random number by its middle value.
+    CRewriter(const Grammar& grammar, std::uint64_t seed, bool varied = true, std::size_t maxModules = kMaxModules);
 
     CWord axiom() const;
     /// The next word. Throws CInputError with the place of a number that is not finite, CError when there are more
     /// modules than allowed, CCancelled.
     CWord derive(const CWord& word, const CProgress& progress) const;
     CWord derive(int times, const CProgress& progress) const;
+    /// How often each production would be applied to derive the next word.
+    std::vector<std::size_t> applied(const CWord& word, const CProgress& progress) const;
 
 private:
     /// The formal parameters of a production with context.
@@ -68,6 +77,7 @@ private:
 
     const Grammar& m_grammar;
     std::uint64_t m_seed;
+    bool m_varied;
     std::size_t m_maxModules;
     std::array<std::vector<std::uint16_t>, 256> m_productions; ///< by predecessor, in their order
     bool m_cuts; ///< some word may have a %

@@ -1,0 +1,186 @@
+#include "CommonValues.h"
+#include "lsystem/OrganPlacer.h"
+#include "stromar/params/methods/lsystem/LSystemParams.h"
+#include "stromar/tree/lsystem/LSystemBuilder.h"
+#include "stromar/tree/lsystem/TurtleStems.h"
+#include "stromar/util/Text.h"
+#include <algorithm>
+#include <cmath>
+#include <glm/geometric.hpp>
+#include <map>
+#include <numbers>
+#include <numeric>
+
+namespace stromar {
+
+namespace {
+constexpr double kMeasured = 500'000;       // segments up to which a tree is grown to know its size
+constexpr std::size_t kMaxDerived = 20'000'000; // modules, where only deriving them tells how many there are
+constexpr double kMargin = 1 + 1e-9;        // of sums
+constexpr std::size_t kThicknesses = 8;     // classes of one generation
+constexpr double kSegmentBytes = sizeof(TurtleSegment) + 3 * sizeof(std::uint32_t); // of the path, and lists of children
+constexpr double kModuleBytes = 40;         // of two words
+
+/// A kind of module as productions tell them apart.
+using ModuleKind = std::pair<Symbol, std::size_t>;
+
+/// What one module of a kind becomes in one derivation.
+class CCountRules {
+public:
+    explicit CCountRules(const Grammar& grammar) : m_grammar(grammar) {}
+
+    /// Null when conditions, context or chance decide.
+    const Production* productionOf(const ModuleKind& kind) {
+        for (const Production& production : m_grammar.productions) {
+            if (production.predecessor.symbol != kind.first || production.predecessor.numbers != kind.second) continue;
+            const auto condition = production.condition.constant();
+            if (production.hasContext() || production.probability || !condition) m_isPlain = false;
+            if (condition.value_or(1) != 0) return &production;
+        }
+        return nullptr;
+    }
+    bool isPlain() const { return m_isPlain; }
+
+private:
+    const Grammar& m_grammar;
+    bool m_isPlain = true;
+};
+
+using Counts = std::map<ModuleKind, double>;
+
+void addWord(Counts& counts, const std::vector<SuccessorModule>& word, double times) {
+    for (const SuccessorModule& module : word) counts[{module.symbol, module.numbers.size()}] += times;
+}
+
+bool cuts(const std::vector<SuccessorModule>& word) {
+    return std::ranges::find(word, Symbol('%'), &SuccessorModule::symbol) != word.end();
+}
+
+std::array<double, 256> countsIn(const CWord& word) {
+    std::array<double, 256> counts{};
+    for (std::size_t i = 0; i < word.size(); ++i) ++counts[word.symbol(i)];
+    return counts;
+}
+
+double sumOf(const std::array<double, 256>& counts) { return std::accumulate(counts.begin(), counts.end(), 0.0); }
+
+/// With all digits, as far as an integer holds them.
+std::string wholeText(double number) {
+    return number < 9e18 ? std::to_string(static_cast<std::uint64_t>(number)) : numberText(number);
+}
+
+/// How thick stems are, in classes of equally many.
+std::vector<ThicknessShare> thicknessOf(const CGeneration& generation, double trunkRadius) {
+    std::vector<double> radii;
+    for (const CStem& stem : generation.stems) radii.push_back(trunkRadius > 0 ? stem.radius / trunkRadius : 1);
+    std::ranges::sort(radii);
+    std::vector<ThicknessShare> shares;
+    const std::size_t classes = std::min(kThicknesses, radii.size());
+    for (std::size_t c = 0; c < classes; ++c) {
+        const std::size_t first = c * radii.size() / classes, end = (c + 1) * radii.size() / classes;
+        shares.push_back({double(end - first) / double(radii.size()), radii[end - 1]});
+    }
+    return shares;
+}
+
+GenerationBound boundOf(const CGeneration& generation, double trunkRadius) {
+    GenerationBound bound;
+    bound.stems = double(generation.stems.size());
+    bound.segments = double(generation.segments.size()) / bound.stems * kMargin;
+    double along = double(generation.segments.size()), cosine = 1;
+    for (const CStem& stem : generation.stems) {
+        along = std::min(along, double(stem.segmentCount));
+        for (std::uint32_t s = 1; s < stem.segmentCount; ++s) {
+            const CSegment* segment = &generation.segments[stem.firstSegment + s];
+            cosine = std::min(cosine, glm::dot(segment[-1].frame[2], segment->frame[2]));
+        }
+    }
+    bound.along = std::max(1.0, along);
+    bound.thickness = thicknessOf(generation, trunkRadius);
+    bound.turn = std::acos(std::clamp(cosine, -1.0, 1.0)) * 180 / std::numbers::pi;
+    return bound;
+}
+
+/// Of a tree that was grown.
+void measure(const CTree& tree, SizeBound& bound) {
+    const double trunkRadius = tree.generation(0).stems[0].radius;
+    for (const auto& generation : tree.generations()) bound.generations.push_back(boundOf(*generation, trunkRadius));
+    for (const auto& generation : tree.generations())
+        for (const CStem& stem : generation->stems) bound.bearers.length = std::max(bound.bearers.length, stem.length);
+}
+
+/// Of one that is too large to be grown for this: every segment is a stem as thick as the trunk.
+void estimate(double segments, SizeBound& bound) {
+    GenerationBound all;
+    all.stems = segments;
+    bound.generations.push_back(all);
+}
+} // namespace
+
+std::optional<std::array<double, 256>> countModules(const Grammar& grammar, int derivations) {
+    CCountRules rules(grammar);
+    Counts counts;
+    addWord(counts, grammar.axiom, 1);
+    if (cuts(grammar.axiom)) return {};
+    for (int i = 0; i < derivations; ++i) {
+        Counts next;
+        for (const auto& [kind, number] : counts) {
+            const Production* production = rules.productionOf(kind);
+            if (!rules.isPlain() || (production && cuts(production->successor))) return {};
+            if (production)
+                addWord(next, production->successor, number);
+            else
+                next[kind] += number;
+        }
+        counts = std::move(next);
+    }
+    std::array<double, 256> bySymbol{};
+    for (const auto& [kind, number] : counts) bySymbol[kind.first] += number;
+    return bySymbol;
+}
+
+namespace {
+SizeBound boundOf(const CParams& params) {
+    const LSystemParams& l = lsystem(params);
+    const Grammar grammar = grammarOf(params);
+    const auto counted = countModules(grammar, l.derivations);
+    if (counted && sumOf(*counted) > double(CRewriter::kMaxModules))
+        throw CError("this grammar makes " + wholeText(sumOf(*counted)) + " modules in " +
+                     std::to_string(l.derivations) + " derivations; at most " + std::to_string(CRewriter::kMaxModules) +
+                     " are allowed");
+    SizeBound bound;
+    bound.base = baseFormOf(params.common);
+    std::array<double, 256> modules{};
+    if (counted && (*counted)['F'] > kMeasured) {
+        modules = *counted;
+        estimate(modules['F'], bound);
+    } else {
+        const CWord word = wordOf(params, grammar, l.derivations, true, CProgress(), kMaxDerived);
+        modules = countsIn(word);
+        if (modules['F'] > kMeasured)
+            estimate(modules['F'], bound);
+        else {
+            const auto stems = stemsOf(word, interpret(word, turtleParamsOf(params), CProgress()), CProgress());
+            if (!stems.empty()) measure(CTree(1, {stems.begin(), stems.end()}), bound);
+        }
+    }
+    bound.scratchPerSegment = kSegmentBytes + kModuleBytes * sumOf(modules) / std::max(1.0, modules['F']);
+    for (const Organ organ : kOrgans) {
+        const double perBearer = std::max(0, COrganPlacer::perBearer(params, organ));
+        const double written = modules[kLeafSymbol + static_cast<std::size_t>(organ)];
+        bound.organs[static_cast<std::size_t>(organ)] = written + perBearer * bound.stems();
+    }
+    bound.bearers.leaves = bound.organs[0];
+    bound.bearers.leafLength = poseOf(params.common, Organ::Leaf).length;
+    return bound;
+}
+} // namespace
+
+SizeBound lsystemBound(const CParams& params) {
+    // A step of a hand asks several times for the same tree.
+    thread_local std::optional<std::pair<CParams, SizeBound>> last;
+    if (!last || !(last->first == params)) last = {params, boundOf(params)};
+    return last->second;
+}
+
+} // namespace stromar

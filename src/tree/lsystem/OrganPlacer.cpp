@@ -1,0 +1,123 @@
+#include "lsystem/OrganPlacer.h"
+#include "stromar/params/methods/lsystem/LSystemParams.h"
+#include "stromar/util/Parallel.h"
+#include "stromar/util/Random.h"
+#include <algorithm>
+#include <cmath>
+#include <numbers>
+
+namespace stromar {
+
+namespace {
+constexpr std::size_t kGrain = 256;
+constexpr std::uint64_t kOrganId = 0x6f7267, kStartTurn = 0x7475726e;
+} // namespace
+
+COrganPlacer::COrganPlacer(const CParams& params, const CTree& tree, Organ organ)
+    : m_params(params), m_tree(tree), m_organ(organ), m_pose(poseOf(params.common, organ)),
+      m_perBearer(perBearer(params, organ)), m_whorl(organ == Organ::Leaf ? params.common.leafWhorl : 1) {}
+
+int COrganPlacer::perBearer(const CParams& params, Organ organ) {
+    switch (organ) {
+    case Organ::Blossom: return params.common.blossoms;
+    case Organ::Fruit: return params.common.fruits;
+    default: return static_cast<int>(std::lround(lsystem(params).stemLeaves * params.common.leafQuality));
+    }
+}
+
+std::shared_ptr<const COrgans> COrganPlacer::grow(const OrganDemand& demand, const CProgress& progress) const {
+    auto organs = std::make_shared<COrgans>();
+    organs->counts.resize(m_tree.generationCount());
+    double offered = 0;
+    for (std::size_t g = 0; g < m_tree.generationCount(); ++g) {
+        countOn(g, organs->counts[g]);
+        for (std::size_t s = 0; s < organs->counts[g].size(); ++s) {
+            organs->total += organs->counts[g][s];
+            if (demand.mayBear(g, s)) offered += organs->counts[g][s];
+        }
+    }
+    const double part = demand.partOf(double(organs->total), offered);
+    if (part <= 0) return organs;
+    std::vector<Site> sites;
+    for (std::uint32_t g = 0; g < organs->counts.size(); ++g)
+        for (std::uint32_t s = 0; s < organs->counts[g].size(); ++s) {
+            if (!demand.mayBear(g, s)) continue;
+            for (Site site{g, s, 0}; site.number < organs->counts[g][s]; ++site.number)
+                if (part >= 1 || OrganDemand::keeps(part, idOf(site))) sites.push_back(site);
+        }
+    organs->grown.resize(sites.size());
+    parallelFor(
+        sites.size(), kGrain,
+        [&](std::size_t begin, std::size_t end) {
+            for (std::size_t i = begin; i < end; ++i) organs->grown[i] = place(sites[i]);
+        },
+        progress);
+    return organs;
+}
+
+/// Empty where none bears any.
+void COrganPlacer::countOn(std::size_t g, std::vector<std::uint32_t>& counts) const {
+    const CTurtleGeneration& own = generation(g);
+    const auto& written = own.organs[static_cast<std::size_t>(m_organ)];
+    if (written.empty() && m_perBearer <= 0) return;
+    counts.assign(own.stems.size(), static_cast<std::uint32_t>(std::max(0, m_perBearer)));
+    if (g + 1 < m_tree.generationCount())
+        for (const CStem& child : m_tree.generation(g + 1).stems)
+            if (child.parent >= 0) counts[static_cast<std::size_t>(child.parent)] = 0;
+    for (const CTurtleGeneration::Written& organ : written) ++counts[organ.stem];
+}
+
+std::span<const CTurtleGeneration::Written> COrganPlacer::writtenOn(std::size_t g, std::size_t stem) const {
+    const auto& written = generation(g).organs[static_cast<std::size_t>(m_organ)];
+    const auto range = std::ranges::equal_range(written, static_cast<std::uint32_t>(stem), {}, &CTurtleGeneration::Written::stem);
+    return {range.begin(), range.end()};
+}
+
+std::uint64_t COrganPlacer::idOf(const Site& site) const {
+    const CStem& stem = m_tree.generation(site.generation).stems[site.stem];
+    return hashCombine(hashCombine(stem.id, kOrganId + static_cast<std::uint64_t>(m_organ)), site.number);
+}
+
+CLeaf COrganPlacer::place(const Site& site) const {
+    const auto written = writtenOn(site.generation, site.stem);
+    if (site.number < written.size()) return placeWritten(written[site.number], site);
+    return placeOnBearer(site.number - static_cast<std::uint32_t>(written.size()), site);
+}
+
+/// As the turtle stood: its heading is the axis, its upper side the normal.
+CLeaf COrganPlacer::placeWritten(const CTurtleGeneration::Written& written, const Site& site) const {
+    CLeaf organ{written.position, written.axis, written.normal, static_cast<float>(m_pose.length),
+                static_cast<float>(m_pose.width), site.stem, site.generation, site.number};
+    if (written.size >= 0) {
+        organ.width *= written.size / organ.length;
+        organ.length = written.size;
+    }
+    if (m_organ == Organ::Leaf && m_pose.bend != 0) {
+        const glm::dvec3 axis = written.axis, normal = written.normal;
+        const Frame bent = m_pose.applied({glm::cross(normal, axis), normal, axis}, written.position);
+        organ.axis = bent[2];
+        organ.normal = bent[1];
+    }
+    return organ;
+}
+
+/// The i-th of those along a stem; the last stands at its tip.
+CLeaf COrganPlacer::placeOnBearer(std::uint32_t i, const Site& site) const {
+    const CGeneration& all = m_tree.generation(site.generation);
+    const CStem& stem = all.stems[site.stem];
+    const auto whorl = static_cast<std::uint32_t>(m_whorl);
+    const std::uint32_t node = i / whorl, nodes = (static_cast<std::uint32_t>(m_perBearer) + whorl - 1) / whorl;
+    const double along = stem.length * (node + 1) / nodes;
+    const std::span<const CSegment> segments = std::span(all.segments).subspan(stem.firstSegment, stem.segmentCount);
+    const auto above = std::ranges::lower_bound(segments, along, {}, [](const CSegment& s) { return s.end(); });
+    const CSegment& segment = above == segments.end() ? segments.back() : *above;
+    const glm::dvec3 position = segment.axisPoint(std::min(1.0, (along - segment.start) / segment.length));
+    const double start = unitOf(hashCombine(stem.id, kStartTurn)), inWhorl = double(i % whorl) / whorl;
+    const double turn = lsystem(m_params).leafRotate.radians() * node + 2 * std::numbers::pi * (start + inWhorl);
+    const Frame off = rotatedX(rotatedZ(segment.frame, turn), lsystem(m_params).leafDownAngle.radians());
+    const Frame frame = m_pose.applied(off, position);
+    return {glm::vec3(position), glm::vec3(frame[2]), glm::vec3(frame[1]), static_cast<float>(m_pose.length),
+            static_cast<float>(m_pose.width), site.stem, site.generation, site.number};
+}
+
+} // namespace stromar
