@@ -1,5 +1,8 @@
 #include "stromar/app/Methods.h"
+#include "methods/LSystem.h"
 #include "methods/WeberPenn.h"
+#include "stromar/params/methods/lsystem/LSystemParams.h"
+#include "stromar/tree/lsystem/LSystemBuilder.h"
 #include "stromar/tree/weberpenn/WeberPennBuilder.h"
 #include <algorithm>
 #include <cassert>
@@ -15,6 +18,10 @@ const TreeMethod kMethods[] = {
      .guides = weberPennGuides(),
      .demonstration = weberPennDemonstration(),
      .generationOf = &weberPennGenerationOf},
+    {.block = &lsystemBlock(),
+     .makeBuilder = [](bool varied) -> std::unique_ptr<ITreeBuilder> { return std::make_unique<CLSystemBuilder>(varied); },
+     .bound = &lsystemBound,
+     .language = &lsystemLanguage()},
 };
 
 std::vector<TreeMethod>& known() {
@@ -35,6 +42,18 @@ const TreeMethod& methodOf(const CParams& params) {
     const auto found = std::ranges::find(known(), &params.block(), &TreeMethod::block);
     assert(found != known().end());
     return *found;
+}
+
+const TextLanguage* languageOf(const ParamInfo& info) {
+    for (const TreeMethod& method : known())
+        if (method.language && method.language->key == info.key) return method.language;
+    return nullptr;
+}
+
+std::size_t offsetOf(std::string_view text, int line, int column) {
+    std::size_t at = 0;
+    for (int i = 1; i < line && at < text.size(); ++i) at = std::min(text.find('\n', at), text.size() - 1) + 1;
+    return std::min(text.size(), at + static_cast<std::size_t>(std::max(0, column - 1)));
 }
 
 void registerMethod(const TreeMethod& method) {

@@ -58,12 +58,34 @@ void refuseBadRecipes(const CParams& params, const CTreeFile& file) {
     if (!faults.empty()) throw CInputError(std::move(faults));
 }
 
+/// A grammar is read when a tree is grown; what is wrong with it is told at its place in the file.
+void tellOfTexts(const CParams& params, const CTreeFile& file, const CommonOptions& common) {
+    Messages errors;
+    for (const ParamRef& ref : allParams(params.block())) {
+        const TextLanguage* language = languageOf(*ref.info);
+        if (!language) continue;
+        const std::string& text = ref.text(params);
+        for (const TextLanguage::Fault& fault : language->faults(text)) {
+            const bool isSet = ref.differs(params, file.params());
+            Message message = isSet ? Message{fault.severity, ref.key(), fault.line, fault.column, fault.text}
+                                    : file.errorAt(ref, fault.text, offsetOf(text, fault.line, fault.column));
+            message.severity = fault.severity;
+            if (fault.severity == Severity::Error)
+                errors.push_back(std::move(message));
+            else
+                say(common, message.toString());
+        }
+    }
+    if (!errors.empty()) throw CInputError(std::move(errors));
+}
+
 CParams readParams(const CommonOptions& common) {
     const CTreeFile file = CTreeFile::read(common.file);
     for (const Message& warning : file.warnings()) say(common, warning.toString());
     CParams params = file.params();
     for (const std::string& setting : common.settings) applySetting(params, common, setting);
     refuseBadRecipes(params, file);
+    tellOfTexts(params, file, common);
     return params;
 }
 

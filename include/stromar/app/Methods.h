@@ -1,5 +1,6 @@
 #pragma once
 #include "stromar/app/Guides.h"
+#include "stromar/app/TextLanguage.h"
 #include "stromar/params/ParamTable.h"
 #include "stromar/tree/SizeBound.h"
 #include "stromar/tree/TreeBuilder.h"
@@ -26,6 +27,7 @@ struct TreeMethod {
     DemoPlant demonstration{};
     /// The generation of stems that a value is about, for the picture: kLeaves, kNoGeneration. Null: none.
     int (*generationOf)(const ParamRef& ref, const CParams& params) = nullptr;
+    const TextLanguage* language = nullptr; ///< of its block text
 
     static constexpr int kLeaves = -1, kNone = -100;
 };
