@@ -95,6 +95,7 @@ void CPresetBrowser::refresh() {
     m_thumbnails.drop(QLatin1String(kIdStart));
     m_list->clear();
     addFolder(fromPath(dataFolder() / "presets"), false);
+    m_list->sortItems(); // by the names one sees; the user's own follow
     addFolder(ownFolder(), true);
     updateVisibility();
 }
@@ -124,7 +125,8 @@ void CPresetBrowser::addFolder(const QString& folder, bool own) {
                                       toQString(text.description).toHtmlEscaped(),
                                       tr("By %1").arg(toQString(text.author)).toHtmlEscaped()));
             item->setData(SearchRole, item->text() + QLatin1Char(' ') + file.fileName() + QLatin1Char(' ') +
-                                          toQString(text.description) + QLatin1Char(' ') + toQString(text.author));
+                                          toQString(text.description) + QLatin1Char(' ') + toQString(text.author) +
+                                          QLatin1Char(' ') + trText(tree.params().block().label));
             const QString made = own ? QString() : shippedPicture(file);
             if (!made.isEmpty())
                 showThumbnail(QLatin1String(kIdStart) + file.absoluteFilePath(), QImage(made));

@@ -1,6 +1,8 @@
 #include "params/ParamEditor.h"
+#include "params/CodeEditor.h"
 #include "params/CurveEditor.h"
 #include "document/Gesture.h"
+#include "params/LanguageEditor.h"
 #include "params/ParamSlider.h"
 #include "window/QtText.h"
 #include "window/Settings.h"
@@ -108,6 +110,7 @@ void CParamEditor::addCurve() {
 
 /// The text counts when the focus goes elsewhere, or on Ctrl+Enter.
 void CParamEditor::addBlock() {
+    if (const TextLanguage* language = languageOf(*m_ref.info)) return addLanguage(*language);
     m_block = new QPlainTextEdit;
     m_block->setAccessibleName(trText(m_ref.info->label));
     m_block->setFont(QFontDatabase::systemFont(QFontDatabase::FixedFont));
@@ -116,6 +119,20 @@ void CParamEditor::addBlock() {
     m_block->setMinimumHeight(8 * fontMetrics().height());
     m_block->installEventFilter(this);
     layout()->addWidget(m_block);
+}
+
+void CParamEditor::addLanguage(const TextLanguage& language) {
+    m_language = new CLanguageEditor(language);
+    m_language->code().setAccessibleName(trText(m_ref.info->label));
+    layout()->addWidget(m_language);
+    connect(m_language, &CLanguageEditor::edited, this,
+            [this](const QString& text, int gesture) { emit edited(m_ref, text.toStdString(), gesture); });
+    connect(m_language, &CLanguageEditor::released, this, &CParamEditor::released);
+    connect(m_language, &CLanguageEditor::lineTouched, this, [this](int line) { emit lineTouched(m_ref, line); });
+}
+
+void CParamEditor::showTree(const CParams& params) {
+    if (m_language) m_language->showParams(params);
 }
 
 void CParamEditor::takeBlock() {
@@ -231,6 +248,7 @@ void CParamEditor::showValue(const ParamValue& value) {
     if (const auto* curve = std::get_if<CCurve>(&value)) return m_curve->showCurve(*curve);
     if (const auto* number = std::get_if<double>(&value)) return showNumber(*number);
     const QString text = toQString(std::get<std::string>(value));
+    if (m_language) return m_language->showText(text);
     if (m_block->toPlainText() == text) return;
     m_block->setPlainText(text);
     m_block->document()->setModified(false);
@@ -261,6 +279,6 @@ void CParamEditor::showNumber(double value) {
     }
 }
 
-bool CParamEditor::held() const { return (m_slider && m_slider->isSliderDown()) || (m_curve && m_curve->held()); }
+bool CParamEditor::held() const { return (m_slider && m_slider->isSliderDown()) || (m_curve && m_curve->held()) || (m_language && m_language->held()); }
 
 } // namespace stromar

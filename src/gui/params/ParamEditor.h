@@ -12,7 +12,9 @@ class QSpinBox;
 
 namespace stromar {
 
+struct TextLanguage;
 class CCurveEditor;
+class CLanguageEditor;
 class CParamSlider;
 
 /// The editor of one value, made from its row of the parameter table: slider and spin box, a choice, a switch, a curve
@@ -31,6 +33,10 @@ public:
     const ParamRef& ref() const { return m_ref; }
     /// Shows a value without telling.
     void showValue(const ParamValue& value);
+    /// The tree that the value belongs to, for editors that show more of it.
+    void showTree(const CParams& params);
+    /// The editor of a text that has a language, else null.
+    CLanguageEditor* language() const { return m_language; }
     /// Whether the slider, or a point of the curve, is held.
     bool held() const;
 
@@ -39,6 +45,8 @@ signals:
     /// 0 stands alone.
     void edited(const stromar::ParamRef& ref, const stromar::ParamValue& value, int gesture);
     void released();
+    /// The cursor went to another line of a text; 0: away.
+    void lineTouched(const stromar::ParamRef& ref, int line);
 
 protected:
     bool eventFilter(QObject* watched, QEvent* event) override;
@@ -50,6 +58,7 @@ private:
     void addSeed();
     void addCurve();
     void addBlock();
+    void addLanguage(const TextLanguage& language);
     void takeBlock();
     void addSlider();
     QAbstractSpinBox* makeBox(Form form);
@@ -67,6 +76,7 @@ private:
     CParamSlider* m_slider = nullptr;
     CCurveEditor* m_curve = nullptr;
     QPlainTextEdit* m_block = nullptr;
+    CLanguageEditor* m_language = nullptr;
     QDoubleSpinBox* m_real = nullptr;
     QSpinBox* m_whole = nullptr;
     double m_perUnit = 1; ///< shown numbers per metre

@@ -1,4 +1,5 @@
 #include "params/ParamPanel.h"
+#include "params/LanguageEditor.h"
 #include "params/ParamEditor.h"
 #include "params/ParamRow.h"
 #include "window/QtText.h"
@@ -198,6 +199,7 @@ void CParamPanel::addRow(const ParamRef& ref) {
     connect(row, &CParamRow::edited, this, &CParamPanel::edited);
     connect(row, &CParamRow::assigned, this, &CParamPanel::assigned);
     connect(row, &CParamRow::released, this, &CParamPanel::released);
+    connect(row, &CParamRow::lineTouched, this, &CParamPanel::lineTouched);
     connect(row, &CParamRow::lockToggled, this, [this, ref](bool locked) { setLocked(ref, locked); });
 }
 
@@ -325,6 +327,11 @@ void CParamPanel::showLeaves() { m_tabs->setCurrentIndex(tabOf(Group::Leaves)); 
 void CParamPanel::showParam(const ParamRef& ref) {
     m_tabs->setCurrentIndex(tabOf(ref.group(), ref.level));
     if (QWidget* first = editor(ref)->findChild<QWidget*>()) first->setFocus();
+}
+
+void CParamPanel::showLine(const ParamRef& ref, int line) {
+    m_tabs->setCurrentIndex(tabOf(ref.group(), ref.level));
+    if (CLanguageEditor* language = editor(ref)->language()) language->showLine(line);
 }
 
 bool CParamPanel::eventFilter(QObject* watched, QEvent* event) {

@@ -38,6 +38,8 @@ public:
     void showLeaves();
     /// Opens the tab of a value and gives it the focus.
     void showParam(const ParamRef& ref);
+    /// Opens the tab of a text and marks one of its lines.
+    void showLine(const ParamRef& ref, int line);
 
 signals:
     void edited(const stromar::ParamRef& ref, const stromar::ParamValue& value, int gesture);
@@ -47,6 +49,8 @@ signals:
     void pathWanted(const stromar::ParamRef& text);
     /// The user wants to change its recipe.
     void workshopWanted(const stromar::ParamRef& text);
+    /// The cursor is in a line of a text; 0: away.
+    void lineTouched(const stromar::ParamRef& ref, int line);
     /// The value under the mouse, else the one with the focus.
     void touched(const std::optional<stromar::ParamRef>& ref);
 

@@ -71,6 +71,7 @@ CParamRow::CParamRow(const ParamRef& ref, QWidget* parent)
     row->addWidget(m_label);
     addEditor(new CParamEditor(ref));
     if (!ref.info->numeric()) row->setAlignment(m_label, Qt::AlignTop);
+    m_label->setVisible(!m_editors.front()->language()); // it needs the width
     if (const ParamInfo* variation = variationOf(*ref.info))
         addEditor(new CParamEditor({variation, ref.level}, CParamEditor::Form::Variation));
     setToolTip(helpText());
@@ -81,6 +82,7 @@ void CParamRow::addEditor(CParamEditor* editor) {
     m_editors.push_back(editor);
     connect(editor, &CParamEditor::edited, this, &CParamRow::edited);
     connect(editor, &CParamEditor::released, this, &CParamRow::released);
+    connect(editor, &CParamEditor::lineTouched, this, &CParamRow::lineTouched);
 }
 
 const ParamRef& CParamRow::ref() const { return m_editors.front()->ref(); }
@@ -92,6 +94,7 @@ void CParamRow::show(const CParams& params, const CParams& saved) {
     for (CParamEditor* editor : m_editors) {
         const ParamRef& ref = editor->ref();
         editor->showValue(ref.value(params));
+        editor->showTree(params);
         m_marked = m_marked || ref.differs(params, saved);
         const std::string_view why = inactiveReason(ref, params);
         if (editor->isEnabled() != why.empty()) editor->setEnabled(why.empty());

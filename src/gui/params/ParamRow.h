@@ -37,6 +37,7 @@ signals:
     /// Several values at once: one step. The text names it in the history.
     void assigned(const QString& text, const stromar::ParamValues& values);
     void released();
+    void lineTouched(const stromar::ParamRef& ref, int line);
     void lockToggled(bool locked);
 
 protected:

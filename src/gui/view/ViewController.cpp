@@ -3,6 +3,7 @@
 #include "view/PictureDialog.h"
 #include "window/QtText.h"
 #include "window/Settings.h"
+#include "stromar/app/Methods.h"
 #include "stromar/params/ParamText.h"
 #include "stromar/tree/Nearest.h"
 #include "stromar/util/Random.h"
@@ -19,6 +20,7 @@ namespace stromar {
 
 namespace {
 constexpr int kTurnPoints = 12; // of a drawn turn of a helix
+constexpr std::size_t kMaxLines = 4000; // that are drawn of what a line of a text wrote
 
 osg::Vec3d toOsg(const glm::dvec3& v) { return {v.x, v.y, v.z}; }
 
@@ -62,6 +64,7 @@ bool writeImage(const QImage& image, const QString& path) {
 CViewController::CViewController(CViewport& viewport, CParamPanel& panel, CDocument& document, QObject* parent)
     : QObject(parent), m_viewport(viewport), m_panel(panel), m_document(document) {
     connect(&m_panel, &CParamPanel::touched, this, &CViewController::onTouched);
+    connect(&m_panel, &CParamPanel::lineTouched, this, &CViewController::onLineTouched);
     connect(&m_panel.tabs(), &QTabWidget::currentChanged, this, [this](int tab) {
         m_guide = nullptr;
         for (const Guide& guide : methodOf(m_document.params()).guides)
@@ -124,12 +127,44 @@ void CViewController::onPicked(const std::optional<ViewHit>& hit) {
             m_panel.showLeaves();
         } else {
             const auto generation = static_cast<std::size_t>(hit->generation);
-            if (const auto stem = nearestStem(tree, generation, point))
+            if (const auto stem = nearestStem(tree, generation, point)) {
                 m_selected = Selected{hit->generation, tree.generation(generation).stems[*stem].id};
-            m_panel.showGeneration(hit->generation);
+                showWriterOf(generation, *stem);
+            }
+            if (!methodOf(m_view->model->params).language) m_panel.showGeneration(hit->generation);
         }
     }
     updateSelection();
+}
+
+/// In the text that describes the tree: the line that wrote a stem.
+void CViewController::showWriterOf(std::size_t generation, std::size_t stem) {
+    const CParams& params = m_view->model->params;
+    const TextLanguage* language = methodOf(params).language;
+    if (!language || params != m_document.params()) return;
+    if (const auto line = language->lineOf(params, *m_view->model->tree, generation, stem))
+        m_panel.showLine(*findParam(std::string(language->key), params.block()), *line);
+}
+
+/// What a line of that text wrote.
+void CViewController::onLineTouched(const ParamRef& ref, int line) {
+    const TextLanguage* language = languageOf(*ref.info);
+    CViewOverlay::Model& model = m_viewport.overlay().model();
+    m_selected.reset();
+    model.selection.clear();
+    model.selectionText.clear();
+    if (line > 0 && m_view && language && &m_view->model->params.block() == &m_document.params().block()) {
+        const CTree& tree = *m_view->model->tree;
+        const auto written = language->writtenBy(m_view->model->params, tree, line);
+        std::size_t count = 0;
+        for (std::size_t g = 0; g < written.size(); ++g)
+            for (const std::uint32_t s : written[g]) {
+                const CSegment& segment = tree.generation(g).segments[s];
+                if (++count <= kMaxLines) model.selection.push_back({toOsg(segment.position), toOsg(segment.axisPoint(1))});
+            }
+        if (count > 0) model.selectionText = tr("Line %1 wrote %n segment(s)", nullptr, static_cast<int>(count)).arg(line);
+    }
+    updateOverlay();
 }
 
 void CViewController::clearSelection() {
@@ -174,7 +209,7 @@ void CViewController::describeStem(std::size_t generation, const CStem& stem, st
 
 void CViewController::describeLeaf(const CLeaf& leaf) {
     CViewOverlay::Model& model = m_viewport.overlay().model();
-    model.selection = {{toOsg(leaf.position), toOsg(leaf.position + leaf.length * leaf.axis)}};
+    model.selection = {{toOsg(glm::dvec3(leaf.position)), toOsg(glm::dvec3(leaf.position + leaf.length * leaf.axis))}};
     model.selectionText =
         tr("Leaf %1 of %2\nLength %3, width %4\nOn %5, stem %6")
             .arg(leaf.number + 1)

@@ -41,6 +41,8 @@ private:
 
     void onTouched(const std::optional<ParamRef>& ref);
     void onPicked(const std::optional<ViewHit>& hit);
+    void onLineTouched(const ParamRef& ref, int line);
+    void showWriterOf(std::size_t generation, std::size_t stem);
     void onDragged(std::size_t handle, const glm::dvec2& to, int gesture);
     void describeStem(std::size_t generation, const CStem& stem, std::size_t number);
     void describeLeaf(const CLeaf& leaf);

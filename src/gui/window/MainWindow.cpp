@@ -83,7 +83,8 @@ CMainWindow::CMainWindow(const SizeLimits& limits, std::shared_ptr<CDocument> do
     onReplaced();
 }
 
-CMainWindow::~CMainWindow() = default;
+/// Closing takes the focus out of an editor, which tells of it: nobody is there to hear it.
+CMainWindow::~CMainWindow() { m_panel->disconnect(); }
 
 bool CMainWindow::busy() const {
     return !m_started || m_thumbnails->busy() || m_growth->progress() || m_viewport->settling();
