@@ -1946,6 +1946,118 @@
         <source> GB</source>
         <translation> GB</translation>
     </message>
+    <message>
+        <source>Grammar</source>
+        <translation>Gramatika</translation>
+    </message>
+    <message>
+        <source>Nothing bends: the strength of the tropism is 0.</source>
+        <translation>Nic se neohýbá: síla tropismu je 0.</translation>
+    </message>
+    <message>
+        <source>Every turn of the grammar has a number.</source>
+        <translation>Každé otočení v gramatice má své číslo.</translation>
+    </message>
+    <message>
+        <source>It places the leaves of stems: their Number is 0. Leaves that the grammar writes stand where it says.</source>
+        <translation>Umisťuje listy na větvích: jejich Počet je 0. Listy, které píše gramatika, stojí tam, kde určí.</translation>
+    </message>
+    <message>
+        <source>Rules</source>
+        <translation>Pravidla</translation>
+    </message>
+    <message>
+        <source>The rules that the tree grows by: values, an axiom, and productions that rewrite every module of the word at once.</source>
+        <translation>Pravidla, podle nichž strom roste: hodnoty, axiom a produkce, které přepisují všechny moduly slova najednou.</translation>
+    </message>
+    <message>
+        <source>Derivations</source>
+        <translation>Derivace</translation>
+    </message>
+    <message>
+        <source>How often the word is rewritten.</source>
+        <translation>Kolikrát se slovo přepíše.</translation>
+    </message>
+    <message>
+        <source>Unit of length</source>
+        <translation>Jednotka délky</translation>
+    </message>
+    <message>
+        <source>Turtle</source>
+        <translation>Želva</translation>
+    </message>
+    <message>
+        <source>How long F(1) is.</source>
+        <translation>Jak dlouhé je F(1).</translation>
+    </message>
+    <message>
+        <source>Unit of width</source>
+        <translation>Jednotka šířky</translation>
+    </message>
+    <message>
+        <source>How thick wood of the width !(1) is: a diameter.</source>
+        <translation>Jak tlusté je dřevo šířky !(1): průměr.</translation>
+    </message>
+    <message>
+        <source>Angle</source>
+        <translation>Úhel</translation>
+    </message>
+    <message>
+        <source>How far + - &amp; ^ \ / turn where they have no number.</source>
+        <translation>Jak daleko otáčejí + - &amp; ^ \ / bez čísla.</translation>
+    </message>
+    <message>
+        <source>Tropism</source>
+        <translation>Tropismus</translation>
+    </message>
+    <message>
+        <source>How far every F bends towards the tropism&apos;s direction when it stands square to it, in radians.</source>
+        <translation>Jak daleko se každé F ohne ke směru tropismu, stojí-li k němu kolmo, v radiánech.</translation>
+    </message>
+    <message>
+        <source>Direction X</source>
+        <translation>Směr X</translation>
+    </message>
+    <message>
+        <source>Where stems bend to: gravity points down, light up, wind aside.</source>
+        <translation>Kam se větve ohýbají: tíže míří dolů, světlo nahoru, vítr stranou.</translation>
+    </message>
+    <message>
+        <source>Direction Y</source>
+        <translation>Směr Y</translation>
+    </message>
+    <message>
+        <source>Direction Z</source>
+        <translation>Směr Z</translation>
+    </message>
+    <message>
+        <source>Where stems bend to: -1 is down.</source>
+        <translation>Kam se větve ohýbají: -1 je dolů.</translation>
+    </message>
+    <message>
+        <source>How many leaves a stem without branches bears, besides those that the grammar writes as ~L.</source>
+        <translation>Kolik listů nese větev bez odnoží, kromě těch, které gramatika píše jako ~L.</translation>
+    </message>
+    <message>
+        <source>The angle between these leaves and their stem.</source>
+        <translation>Úhel mezi těmito listy a jejich větví.</translation>
+    </message>
+    <message>
+        <source>The turn about the stem from one of these leaves to the next.</source>
+        <translation>Otočení kolem větve od jednoho z těchto listů k dalšímu.</translation>
+    </message>
+    <message>
+        <source>The tree has no leaves: their Number is 0, and the grammar writes no ~L.</source>
+        <translation>Strom nemá listy: jejich Počet je 0 a gramatika nepíše žádné ~L.</translation>
+    </message>
+    <message>
+        <source>L-system</source>
+        <translation>L-systém</translation>
+    </message>
+    <message>
+        <source>A grammar rewrites a word, and a turtle draws it. The Algorithmic Beauty of Plants, chapters 1 and 2.</source>
+        <translation>Gramatika přepisuje slovo a želva je kreslí. The Algorithmic Beauty of Plants, kapitoly 1 a 2.</translation>
+    </message>
 </context>
 <context>
     <name>stromar::CCurveEditor</name>
@@ -2196,6 +2308,97 @@
     <message>
         <source>Contents</source>
         <translation>Obsah</translation>
+    </message>
+</context>
+<context>
+    <name>stromar::CLanguageEditor</name>
+    <message>
+        <source>What is wrong</source>
+        <translation>Co je špatně</translation>
+    </message>
+    <message>
+        <source>Find</source>
+        <translation>Najít</translation>
+    </message>
+    <message>
+        <source>Import…</source>
+        <translation>Importovat…</translation>
+    </message>
+    <message>
+        <source>Take the text of a file</source>
+        <translation>Vzít text ze souboru</translation>
+    </message>
+    <message>
+        <source>Export…</source>
+        <translation>Exportovat…</translation>
+    </message>
+    <message>
+        <source>Write the text to a file of its own</source>
+        <translation>Zapsat text do vlastního souboru</translation>
+    </message>
+    <message>
+        <source>Detach</source>
+        <translation>Odpojit</translation>
+    </message>
+    <message>
+        <source>Show the editor in a window of its own, or back in its tab</source>
+        <translation>Ukázat editor ve vlastním okně, nebo zpět v kartě</translation>
+    </message>
+    <message>
+        <source>Step</source>
+        <translation>Krok</translation>
+    </message>
+    <message>
+        <source>The word after this step</source>
+        <translation>Slovo po tomto kroku</translation>
+    </message>
+    <message>
+        <source> of %1</source>
+        <translation> z %1</translation>
+    </message>
+    <message>
+        <source>Import a Text</source>
+        <translation>Importovat text</translation>
+    </message>
+    <message>
+        <source>L-systems (*.l *.lsys);;All files (*)</source>
+        <translation>L-systémy (*.l *.lsys);;Všechny soubory (*)</translation>
+    </message>
+    <message>
+        <source>Cannot import the text</source>
+        <translation>Text nelze importovat</translation>
+    </message>
+    <message>
+        <source>Export the Text</source>
+        <translation>Exportovat text</translation>
+    </message>
+    <message>
+        <source>L-systems (*.l *.lsys)</source>
+        <translation>L-systémy (*.l *.lsys)</translation>
+    </message>
+    <message>
+        <source>Cannot export the text</source>
+        <translation>Text nelze exportovat</translation>
+    </message>
+    <message>
+        <source>Grammar</source>
+        <translation>Gramatika</translation>
+    </message>
+    <message>
+        <source> … %1 more</source>
+        <translation> … dalších %1</translation>
+    </message>
+    <message>
+        <source>line %1 × %2</source>
+        <translation>řádek %1 × %2</translation>
+    </message>
+    <message>
+        <source>No rule applies to this word.</source>
+        <translation>Na toto slovo se nehodí žádné pravidlo.</translation>
+    </message>
+    <message>
+        <source>To the next: %1</source>
+        <translation>K dalšímu: %1</translation>
     </message>
 </context>
 <context>
@@ -2722,6 +2925,14 @@ Na: %5, č. %6</translation>
             <numerusform>Uložen %n snímek otáčení</numerusform>
             <numerusform>Uloženy %n snímky otáčení</numerusform>
             <numerusform>Uloženo %n snímků otáčení</numerusform>
+        </translation>
+    </message>
+    <message numerus="yes">
+        <source>Line %1 wrote %n segment(s)</source>
+        <translation>
+            <numerusform>Řádek %1 napsal %n segment</numerusform>
+            <numerusform>Řádek %1 napsal %n segmenty</numerusform>
+            <numerusform>Řádek %1 napsal %n segmentů</numerusform>
         </translation>
     </message>
 </context>

@@ -17,5 +17,12 @@
             <numerusform>Saved %n frames of a turntable</numerusform>
         </translation>
     </message>
+    <message numerus="yes">
+        <source>Line %1 wrote %n segment(s)</source>
+        <translation>
+            <numerusform>Line %1 wrote %n segment</numerusform>
+            <numerusform>Line %1 wrote %n segments</numerusform>
+        </translation>
+    </message>
 </context>
 </TS>

@@ -1946,6 +1946,118 @@
         <source> GB</source>
         <translation> ГБ</translation>
     </message>
+    <message>
+        <source>Grammar</source>
+        <translation>Грамматика</translation>
+    </message>
+    <message>
+        <source>Nothing bends: the strength of the tropism is 0.</source>
+        <translation>Ничто не изгибается: сила тропизма равна 0.</translation>
+    </message>
+    <message>
+        <source>Every turn of the grammar has a number.</source>
+        <translation>У каждого поворота в грамматике есть число.</translation>
+    </message>
+    <message>
+        <source>It places the leaves of stems: their Number is 0. Leaves that the grammar writes stand where it says.</source>
+        <translation>Размещает листья на ветвях: их Число равно 0. Листья, которые пишет грамматика, стоят там, где она указывает.</translation>
+    </message>
+    <message>
+        <source>Rules</source>
+        <translation>Правила</translation>
+    </message>
+    <message>
+        <source>The rules that the tree grows by: values, an axiom, and productions that rewrite every module of the word at once.</source>
+        <translation>Правила, по которым растёт дерево: значения, аксиома и продукции, переписывающие сразу все модули слова.</translation>
+    </message>
+    <message>
+        <source>Derivations</source>
+        <translation>Шаги вывода</translation>
+    </message>
+    <message>
+        <source>How often the word is rewritten.</source>
+        <translation>Сколько раз переписывается слово.</translation>
+    </message>
+    <message>
+        <source>Unit of length</source>
+        <translation>Единица длины</translation>
+    </message>
+    <message>
+        <source>Turtle</source>
+        <translation>Черепаха</translation>
+    </message>
+    <message>
+        <source>How long F(1) is.</source>
+        <translation>Длина F(1).</translation>
+    </message>
+    <message>
+        <source>Unit of width</source>
+        <translation>Единица ширины</translation>
+    </message>
+    <message>
+        <source>How thick wood of the width !(1) is: a diameter.</source>
+        <translation>Толщина древесины ширины !(1): диаметр.</translation>
+    </message>
+    <message>
+        <source>Angle</source>
+        <translation>Угол</translation>
+    </message>
+    <message>
+        <source>How far + - &amp; ^ \ / turn where they have no number.</source>
+        <translation>На сколько поворачивают + - &amp; ^ \ / без числа.</translation>
+    </message>
+    <message>
+        <source>Tropism</source>
+        <translation>Тропизм</translation>
+    </message>
+    <message>
+        <source>How far every F bends towards the tropism&apos;s direction when it stands square to it, in radians.</source>
+        <translation>На сколько каждый F изгибается к направлению тропизма, если перпендикулярен ему, в радианах.</translation>
+    </message>
+    <message>
+        <source>Direction X</source>
+        <translation>Направление X</translation>
+    </message>
+    <message>
+        <source>Where stems bend to: gravity points down, light up, wind aside.</source>
+        <translation>Куда изгибаются ветви: тяжесть тянет вниз, свет вверх, ветер вбок.</translation>
+    </message>
+    <message>
+        <source>Direction Y</source>
+        <translation>Направление Y</translation>
+    </message>
+    <message>
+        <source>Direction Z</source>
+        <translation>Направление Z</translation>
+    </message>
+    <message>
+        <source>Where stems bend to: -1 is down.</source>
+        <translation>Куда изгибаются ветви: -1 — вниз.</translation>
+    </message>
+    <message>
+        <source>How many leaves a stem without branches bears, besides those that the grammar writes as ~L.</source>
+        <translation>Сколько листьев несёт ветвь без побегов, кроме тех, что грамматика пишет как ~L.</translation>
+    </message>
+    <message>
+        <source>The angle between these leaves and their stem.</source>
+        <translation>Угол между этими листьями и их ветвью.</translation>
+    </message>
+    <message>
+        <source>The turn about the stem from one of these leaves to the next.</source>
+        <translation>Поворот вокруг ветви от одного из этих листьев к следующему.</translation>
+    </message>
+    <message>
+        <source>The tree has no leaves: their Number is 0, and the grammar writes no ~L.</source>
+        <translation>У дерева нет листьев: их Число равно 0, и грамматика не пишет ~L.</translation>
+    </message>
+    <message>
+        <source>L-system</source>
+        <translation>L-система</translation>
+    </message>
+    <message>
+        <source>A grammar rewrites a word, and a turtle draws it. The Algorithmic Beauty of Plants, chapters 1 and 2.</source>
+        <translation>Грамматика переписывает слово, а черепаха его рисует. The Algorithmic Beauty of Plants, главы 1 и 2.</translation>
+    </message>
 </context>
 <context>
     <name>stromar::CCurveEditor</name>
@@ -2196,6 +2308,97 @@
     <message>
         <source>Contents</source>
         <translation>Содержание</translation>
+    </message>
+</context>
+<context>
+    <name>stromar::CLanguageEditor</name>
+    <message>
+        <source>What is wrong</source>
+        <translation>Что неверно</translation>
+    </message>
+    <message>
+        <source>Find</source>
+        <translation>Найти</translation>
+    </message>
+    <message>
+        <source>Import…</source>
+        <translation>Импорт…</translation>
+    </message>
+    <message>
+        <source>Take the text of a file</source>
+        <translation>Взять текст из файла</translation>
+    </message>
+    <message>
+        <source>Export…</source>
+        <translation>Экспорт…</translation>
+    </message>
+    <message>
+        <source>Write the text to a file of its own</source>
+        <translation>Записать текст в отдельный файл</translation>
+    </message>
+    <message>
+        <source>Detach</source>
+        <translation>Открепить</translation>
+    </message>
+    <message>
+        <source>Show the editor in a window of its own, or back in its tab</source>
+        <translation>Показать редактор в отдельном окне или снова на вкладке</translation>
+    </message>
+    <message>
+        <source>Step</source>
+        <translation>Шаг</translation>
+    </message>
+    <message>
+        <source>The word after this step</source>
+        <translation>Слово после этого шага</translation>
+    </message>
+    <message>
+        <source> of %1</source>
+        <translation> из %1</translation>
+    </message>
+    <message>
+        <source>Import a Text</source>
+        <translation>Импорт текста</translation>
+    </message>
+    <message>
+        <source>L-systems (*.l *.lsys);;All files (*)</source>
+        <translation>L-системы (*.l *.lsys);;Все файлы (*)</translation>
+    </message>
+    <message>
+        <source>Cannot import the text</source>
+        <translation>Не удалось импортировать текст</translation>
+    </message>
+    <message>
+        <source>Export the Text</source>
+        <translation>Экспорт текста</translation>
+    </message>
+    <message>
+        <source>L-systems (*.l *.lsys)</source>
+        <translation>L-системы (*.l *.lsys)</translation>
+    </message>
+    <message>
+        <source>Cannot export the text</source>
+        <translation>Не удалось экспортировать текст</translation>
+    </message>
+    <message>
+        <source>Grammar</source>
+        <translation>Грамматика</translation>
+    </message>
+    <message>
+        <source> … %1 more</source>
+        <translation> … ещё %1</translation>
+    </message>
+    <message>
+        <source>line %1 × %2</source>
+        <translation>строка %1 × %2</translation>
+    </message>
+    <message>
+        <source>No rule applies to this word.</source>
+        <translation>К этому слову не подходит ни одно правило.</translation>
+    </message>
+    <message>
+        <source>To the next: %1</source>
+        <translation>К следующему: %1</translation>
     </message>
 </context>
 <context>
@@ -2722,6 +2925,14 @@ On %5, stem %6</source>
             <numerusform>Сохранён %n кадр вращения</numerusform>
             <numerusform>Сохранены %n кадра вращения</numerusform>
             <numerusform>Сохранено %n кадров вращения</numerusform>
+        </translation>
+    </message>
+    <message numerus="yes">
+        <source>Line %1 wrote %n segment(s)</source>
+        <translation>
+            <numerusform>Строка %1 написала %n сегмент</numerusform>
+            <numerusform>Строка %1 написала %n сегмента</numerusform>
+            <numerusform>Строка %1 написала %n сегментов</numerusform>
         </translation>
     </message>
 </context>

@@ -1946,6 +1946,118 @@
         <source> GB</source>
         <translation> GB</translation>
     </message>
+    <message>
+        <source>Grammar</source>
+        <translation>Gramatika</translation>
+    </message>
+    <message>
+        <source>Nothing bends: the strength of the tropism is 0.</source>
+        <translation>Nič se ne upogiba: moč tropizma je 0.</translation>
+    </message>
+    <message>
+        <source>Every turn of the grammar has a number.</source>
+        <translation>Vsak zasuk v gramatiki ima svoje število.</translation>
+    </message>
+    <message>
+        <source>It places the leaves of stems: their Number is 0. Leaves that the grammar writes stand where it says.</source>
+        <translation>Postavlja liste na vejah: njihovo Število je 0. Listi, ki jih piše gramatika, stojijo, kjer določi.</translation>
+    </message>
+    <message>
+        <source>Rules</source>
+        <translation>Pravila</translation>
+    </message>
+    <message>
+        <source>The rules that the tree grows by: values, an axiom, and productions that rewrite every module of the word at once.</source>
+        <translation>Pravila, po katerih raste drevo: vrednosti, aksiom in produkcije, ki hkrati prepišejo vse module besede.</translation>
+    </message>
+    <message>
+        <source>Derivations</source>
+        <translation>Izpeljave</translation>
+    </message>
+    <message>
+        <source>How often the word is rewritten.</source>
+        <translation>Kolikokrat se beseda prepiše.</translation>
+    </message>
+    <message>
+        <source>Unit of length</source>
+        <translation>Enota dolžine</translation>
+    </message>
+    <message>
+        <source>Turtle</source>
+        <translation>Želva</translation>
+    </message>
+    <message>
+        <source>How long F(1) is.</source>
+        <translation>Kako dolg je F(1).</translation>
+    </message>
+    <message>
+        <source>Unit of width</source>
+        <translation>Enota širine</translation>
+    </message>
+    <message>
+        <source>How thick wood of the width !(1) is: a diameter.</source>
+        <translation>Kako debel je les širine !(1): premer.</translation>
+    </message>
+    <message>
+        <source>Angle</source>
+        <translation>Kot</translation>
+    </message>
+    <message>
+        <source>How far + - &amp; ^ \ / turn where they have no number.</source>
+        <translation>Za koliko zasukajo + - &amp; ^ \ / brez števila.</translation>
+    </message>
+    <message>
+        <source>Tropism</source>
+        <translation>Tropizem</translation>
+    </message>
+    <message>
+        <source>How far every F bends towards the tropism&apos;s direction when it stands square to it, in radians.</source>
+        <translation>Za koliko se vsak F upogne proti smeri tropizma, če stoji pravokotno nanjo, v radianih.</translation>
+    </message>
+    <message>
+        <source>Direction X</source>
+        <translation>Smer X</translation>
+    </message>
+    <message>
+        <source>Where stems bend to: gravity points down, light up, wind aside.</source>
+        <translation>Kam se veje upogibajo: teža navzdol, svetloba navzgor, veter vstran.</translation>
+    </message>
+    <message>
+        <source>Direction Y</source>
+        <translation>Smer Y</translation>
+    </message>
+    <message>
+        <source>Direction Z</source>
+        <translation>Smer Z</translation>
+    </message>
+    <message>
+        <source>Where stems bend to: -1 is down.</source>
+        <translation>Kam se veje upogibajo: -1 je navzdol.</translation>
+    </message>
+    <message>
+        <source>How many leaves a stem without branches bears, besides those that the grammar writes as ~L.</source>
+        <translation>Koliko listov nosi veja brez odganjkov, poleg tistih, ki jih gramatika piše kot ~L.</translation>
+    </message>
+    <message>
+        <source>The angle between these leaves and their stem.</source>
+        <translation>Kot med temi listi in njihovo vejo.</translation>
+    </message>
+    <message>
+        <source>The turn about the stem from one of these leaves to the next.</source>
+        <translation>Zasuk okoli veje od enega od teh listov do naslednjega.</translation>
+    </message>
+    <message>
+        <source>The tree has no leaves: their Number is 0, and the grammar writes no ~L.</source>
+        <translation>Drevo nima listov: njihovo Število je 0 in gramatika ne piše ~L.</translation>
+    </message>
+    <message>
+        <source>L-system</source>
+        <translation>L-sistem</translation>
+    </message>
+    <message>
+        <source>A grammar rewrites a word, and a turtle draws it. The Algorithmic Beauty of Plants, chapters 1 and 2.</source>
+        <translation>Gramatika prepisuje besedo, želva jo nariše. The Algorithmic Beauty of Plants, poglavji 1 in 2.</translation>
+    </message>
 </context>
 <context>
     <name>stromar::CCurveEditor</name>
@@ -2196,6 +2308,97 @@
     <message>
         <source>Contents</source>
         <translation>Vsebina</translation>
+    </message>
+</context>
+<context>
+    <name>stromar::CLanguageEditor</name>
+    <message>
+        <source>What is wrong</source>
+        <translation>Kaj je narobe</translation>
+    </message>
+    <message>
+        <source>Find</source>
+        <translation>Najdi</translation>
+    </message>
+    <message>
+        <source>Import…</source>
+        <translation>Uvozi…</translation>
+    </message>
+    <message>
+        <source>Take the text of a file</source>
+        <translation>Vzemi besedilo iz datoteke</translation>
+    </message>
+    <message>
+        <source>Export…</source>
+        <translation>Izvozi…</translation>
+    </message>
+    <message>
+        <source>Write the text to a file of its own</source>
+        <translation>Zapiši besedilo v lastno datoteko</translation>
+    </message>
+    <message>
+        <source>Detach</source>
+        <translation>Odpni</translation>
+    </message>
+    <message>
+        <source>Show the editor in a window of its own, or back in its tab</source>
+        <translation>Pokaži urejevalnik v lastnem oknu ali nazaj v zavihku</translation>
+    </message>
+    <message>
+        <source>Step</source>
+        <translation>Korak</translation>
+    </message>
+    <message>
+        <source>The word after this step</source>
+        <translation>Beseda po tem koraku</translation>
+    </message>
+    <message>
+        <source> of %1</source>
+        <translation> od %1</translation>
+    </message>
+    <message>
+        <source>Import a Text</source>
+        <translation>Uvozi besedilo</translation>
+    </message>
+    <message>
+        <source>L-systems (*.l *.lsys);;All files (*)</source>
+        <translation>L-sistemi (*.l *.lsys);;Vse datoteke (*)</translation>
+    </message>
+    <message>
+        <source>Cannot import the text</source>
+        <translation>Besedila ni mogoče uvoziti</translation>
+    </message>
+    <message>
+        <source>Export the Text</source>
+        <translation>Izvozi besedilo</translation>
+    </message>
+    <message>
+        <source>L-systems (*.l *.lsys)</source>
+        <translation>L-sistemi (*.l *.lsys)</translation>
+    </message>
+    <message>
+        <source>Cannot export the text</source>
+        <translation>Besedila ni mogoče izvoziti</translation>
+    </message>
+    <message>
+        <source>Grammar</source>
+        <translation>Gramatika</translation>
+    </message>
+    <message>
+        <source> … %1 more</source>
+        <translation> … še %1</translation>
+    </message>
+    <message>
+        <source>line %1 × %2</source>
+        <translation>vrstica %1 × %2</translation>
+    </message>
+    <message>
+        <source>No rule applies to this word.</source>
+        <translation>Za to besedo ne velja nobeno pravilo.</translation>
+    </message>
+    <message>
+        <source>To the next: %1</source>
+        <translation>Do naslednje: %1</translation>
     </message>
 </context>
 <context>
@@ -2724,6 +2927,15 @@ Na: %5, št. %6</translation>
             <numerusform>Shranjena %n posnetka vrtenja</numerusform>
             <numerusform>Shranjeni %n posnetki vrtenja</numerusform>
             <numerusform>Shranjenih %n posnetkov vrtenja</numerusform>
+        </translation>
+    </message>
+    <message numerus="yes">
+        <source>Line %1 wrote %n segment(s)</source>
+        <translation>
+            <numerusform>Vrstica %1 je napisala %n odsek</numerusform>
+            <numerusform>Vrstica %1 je napisala %n odseka</numerusform>
+            <numerusform>Vrstica %1 je napisala %n odseke</numerusform>
+            <numerusform>Vrstica %1 je napisala %n odsekov</numerusform>
         </translation>
     </message>
 </context>

@@ -24,7 +24,7 @@ using namespace stromar;
 struct Options {
     QString file, screenshot, helpPictures;
     QStringList commands;
-    std::optional<ParamRef> shown;
+    std::string shown; ///< a key
     QSize size;
     Model model = Model::Full;
     bool wireframe = false;
@@ -74,8 +74,9 @@ QString read(const QApplication& app, Options& options) {
         if (std::ranges::none_of(commandTable(), [&](const Command& c) { return name == QLatin1String(c.name); }))
             return QStringLiteral("--do: there is no command %1").arg(name);
     if (parser.isSet(shown)) {
-        options.shown = findParam(parser.value(shown).toStdString());
-        if (!options.shown) return QStringLiteral("--show: there is no parameter %1").arg(parser.value(shown));
+        options.shown = parser.value(shown).toStdString();
+        if (std::ranges::none_of(paramBlocks(), [&](const ParamBlock* block) { return findParam(options.shown, *block).has_value(); }))
+            return QStringLiteral("--show: there is no parameter %1").arg(parser.value(shown));
     }
     if (parser.isSet(size)) {
         const QStringList sides = parser.value(size).split(QLatin1Char('x'));
@@ -113,8 +114,9 @@ void takeScreenshot(CMainWindow& window, const Options& options) {
 bool writeHelpPictures(const QString& folder) {
     applyTheme(QStringLiteral("light"));
     bool fine = QDir().mkpath(folder);
-    for (const ParamRef& ref : allParams())
-        if (ref.level == (ref.info->perLevel() ? 1 : 0)) {
+    for (const ParamBlock* block : paramBlocks())
+        for (const ParamRef& ref : allParams(*block)) {
+            if (ref.level != (ref.info->perLevel() ? 1 : 0)) continue;
             const QImage image = helpPicture(ref, QApplication::palette(), 1);
             if (image.isNull()) continue;
             fine = fine && image.save(QDir(folder).filePath(toQString(ref.key()) + QStringLiteral(".png")));
@@ -148,7 +150,7 @@ int main(int argc, char** argv) {
         if (!options.screenshot.isEmpty()) window.growth().showOnly(options.model);
         if (!options.file.isEmpty() && !window.files().open(options.file) && !options.screenshot.isEmpty()) return 1;
         for (const QString& name : std::as_const(options.commands)) window.findChild<QAction*>(name)->trigger();
-        if (options.shown) window.panel().showParam(*options.shown);
+        if (const auto ref = findParam(options.shown, window.document().params().block())) window.panel().showParam(*ref);
         if (options.wireframe) window.findChild<QAction*>(QStringLiteral("wireframe"))->trigger();
         if (options.screenshot.isEmpty())
             QTimer::singleShot(0, &window.files(), &CFileController::offerRestore);

@@ -241,11 +241,15 @@ std::string pictureTable(const std::vector<const ParamInfo*>& rows) {
 } // namespace
 
 std::string paramsAsMarkdown(const ParamBlock& block) {
-    std::string page =
-        "# Parameters\n\n"
-        "Written by `stromar-cli params --markdown`. Lengths are in metres, angles in degrees. `n` in a key "
-        "stands for the level, 0 to 3;\nlevel 3 also serves all deeper ones, and the level after the last "
-        "stems' one places the leaves.\n";
+    const bool isFirst = &block == paramBlocks().front();
+    const std::string method = isFirst ? std::string() : " --method " + std::string(block.method);
+    std::string page = "# Parameters" + (isFirst ? std::string() : " of " + std::string(block.label) + "s") +
+                       "\n\nWritten by `stromar-cli params" + method +
+                       " --markdown`. Lengths are in metres, angles in degrees.";
+    if (std::ranges::any_of(block.rows, &ParamInfo::perLevel))
+        page += " `n` in a key stands for the level, 0 to 3;\nlevel 3 also serves all deeper ones, and the level after the "
+                "last stems' one places the leaves.";
+    page += "\n";
     for (const Group& group : block.groups) {
         const std::vector<const ParamInfo*> rows = rowsIn(block, group);
         if (rows.empty()) continue;

@@ -5,17 +5,22 @@
 #include "stromar/params/ParamTable.h"
 #include "stromar/util/FileSet.h"
 #include <algorithm>
+#include "stromar/app/Methods.h"
 #include <gtest/gtest.h>
 #include <map>
 
 namespace stromar::test {
 
 TEST(ParamsCommand, MarkdownIsThePageOfTheManual) {
-    const ProcessResult run = cli({"params", "--markdown"});
-    EXPECT_EQ(run.status, 0);
-    EXPECT_EQ(run.err, "");
-    EXPECT_EQ(run.out, readFile(STROMAR_SOURCE "/docs/parameters.md"))
-        << "write it anew with: stromar-cli params --markdown";
+    for (const TreeMethod& method : treeMethods()) {
+        const bool isFirst = &method == &treeMethods().front();
+        const std::string name(method.block->method), page = isFirst ? "parameters" : "parameters-" + name;
+        const ProcessResult run = cli({"params", "--method", name, "--markdown"});
+        EXPECT_EQ(run.status, 0);
+        EXPECT_EQ(run.err, "");
+        EXPECT_EQ(run.out, readFile(STROMAR_SOURCE "/docs/" + page + ".md"))
+            << "write it anew with: stromar-cli params --method " << name << " --markdown";
+    }
 }
 
 /// A build without OpenSceneGraph has fewer rows.

@@ -1,5 +1,6 @@
 #include "Support.h"
 #include "work/TreeCreatorThread.h"
+#include "stromar/params/methods/lsystem/LSystemParams.h"
 #include "stromar/params/methods/weberpenn/WeberPennParams.h"
 #include "stromar/params/TreeFile.h"
 #include <QSignalSpy>
@@ -75,11 +76,33 @@ TEST(Thread, StepsThatComeFasterThanTreesStillShowSome) {
 
 TEST(Thread, AnErrorReachesTheUserAndTheNextTreeGrows) {
     Fixture f;
-    f.thread.request({willow(), {}, &detailOf(Model::Full), {.vertices = 500000}});
+    CParams broken(lsystemBlock());
+    lsystem(broken).grammar = "axiom: F(";
+    f.thread.request({broken, {}, &detailOf(Model::Full)});
     ASSERT_TRUE(waitFor([&] { return !f.failure.isEmpty(); }));
-    EXPECT_TRUE(f.failure.contains(QLatin1String("500000 vertices"))) << f.failure.toStdString();
+    EXPECT_TRUE(f.failure.startsWith(QLatin1String("Grammar:1:10: error: "))) << f.failure.toStdString();
     f.thread.request({aspen(), {}, &detailOf(Model::Simple)});
     EXPECT_TRUE(waitFor([&] { return f.results == 1; }));
+}
+
+TEST(Thread, ATreeThatIsTooLargeIsRefusedWithTheNearestThatIsNot) {
+    Fixture f;
+    std::shared_ptr<const TooLargeTree> refused;
+    QObject::connect(&f.thread, &CTreeCreatorThread::tooLarge, &f.thread, [&](const std::shared_ptr<const TooLargeTree>& tree) { refused = tree; });
+    CParams params = willow();
+    const SizeLimits limits{.vertices = predictSize(params, detailOf(Model::Full)).vertices};
+    f.thread.request({params, {}, &detailOf(Model::Simple), limits});
+    ASSERT_TRUE(waitFor([&] { return f.results == 1; }));
+    const int fits = weberPenn(params).level[1].branches;
+    weberPenn(params).level[1].branches += 40;
+    f.thread.request({params, {}, &detailOf(Model::Simple), limits});
+    ASSERT_TRUE(waitFor([&] { return refused != nullptr; }));
+    EXPECT_GT(refused->size.vertices, limits.vertices);
+    EXPECT_EQ(refused->params, params);
+    ASSERT_TRUE(refused->fits);
+    EXPECT_EQ(refused->fits->first.key(), "1Branches");
+    EXPECT_EQ(refused->fits->second, fits);
+    EXPECT_EQ(f.results, 1);
 }
 
 TEST(Thread, QuitsWhileBusy) {

@@ -44,11 +44,17 @@ QImage COffscreenPainter::paint(const ViewModel& view, const QSize& pixels, cons
         QOpenGLFramebufferObject buffer(pixels, format);
         m_renderer.draw(buffer.handle(), pixels.width(), pixels.height(), camera);
         image = buffer.toImage();
+        freeScene(buffer.handle(), camera);
     }
-    m_scene.show({}); // nothing is kept between pictures
-    m_renderer.freeDeleted();
     m_context->doneCurrent();
     return image;
+}
+
+/// Nothing is kept between pictures. OpenSceneGraph holds what it drew last until it draws something else.
+void COffscreenPainter::freeScene(unsigned frameBuffer, const CCamera& camera) {
+    m_scene.show({});
+    for (int i = 0; i < 2; ++i) m_renderer.draw(frameBuffer, 16, 16, camera); // it takes turns
+    m_renderer.freeDeleted();
 }
 
 } // namespace stromar

@@ -18,6 +18,7 @@ public:
     QImage paint(const ViewModel& view, const QSize& pixels, const ViewLook& look);
 
 private:
+    void freeScene(unsigned frameBuffer, const CCamera& camera);
     bool start();
 
     CViewScene m_scene;
