@@ -106,7 +106,7 @@ private:
         const auto add = [&](int g, std::uint32_t stem, std::uint32_t position) {
             const CGeneration& generation = *m_generations[slot(g)];
             const CSegment& segment = generation.segmentAt(generation.stems[stem], 0, position);
-            all.push_back({segment.centre(0.5), segment.frame[0], segment.frame[1], 0.1, 0.05, stem, std::uint32_t(g), 0});
+            all.push_back({segment.centre(0.5), segment.frame[0], segment.frame[1], 0.1f, 0.05f, stem, std::uint32_t(g), 0});
         };
         for (int i = 0; i < 8; ++i) add(0, 0, 2);
         for (std::uint32_t s = 0; s < m_generations.back()->stems.size(); ++s)

@@ -60,7 +60,7 @@ TEST(LeafMesh, ThePictureIsNotMirrored) {
 }
 
 TEST(LeafMesh, ThinningKeepsTheAreaAndTheCrown) {
-    for (Sample sample : presets()) {
+    for (Sample sample : weberPennPresets()) {
         sample.params.common.season = 7;
         sample.params.common.leafPlanes = 1;
         sample.params.common.leafStalk = 0;

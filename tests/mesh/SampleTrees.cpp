@@ -66,6 +66,15 @@ const std::vector<Sample>& presets() {
     return all;
 }
 
+const std::vector<Sample>& weberPennPresets() {
+    static const std::vector<Sample> some = [] {
+        std::vector<Sample> found = presets();
+        std::erase_if(found, [](const Sample& sample) { return &sample.params.block() != &weberPennBlock(); });
+        return found;
+    }();
+    return some;
+}
+
 CParams preset(const std::string& name) {
     const auto found = std::ranges::find(presets(), name, &Sample::name);
     if (found == presets().end()) throw std::runtime_error("no preset " + name);

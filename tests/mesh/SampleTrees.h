@@ -16,6 +16,8 @@ struct Sample {
 
 /// The trees that come with the program.
 const std::vector<Sample>& presets();
+/// Those by Weber and Penn's method.
+const std::vector<Sample>& weberPennPresets();
 /// One of them, by the name of its file without the ending.
 CParams preset(const std::string& name);
 

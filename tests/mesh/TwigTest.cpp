@@ -28,7 +28,7 @@ std::size_t quads(const CMesh& mesh) { return mesh.triangleCount() / 2; }
 
 class PresetTwig : public testing::TestWithParam<int> {
 protected:
-    PresetTwig() : m_sample(presets()[static_cast<std::size_t>(GetParam())]) {
+    PresetTwig() : m_sample(weberPennPresets()[static_cast<std::size_t>(GetParam())]) {
         m_sample.params.common.season = 7;
         m_made = cardsOf(m_sample.params);
     }
@@ -36,8 +36,8 @@ protected:
     Sample m_sample;
     Carded m_made;
 };
-INSTANTIATE_TEST_SUITE_P(All, PresetTwig, testing::Range(0, static_cast<int>(presets().size())),
-                         [](const auto& one) { return presets()[static_cast<std::size_t>(one.param)].name; });
+INSTANTIATE_TEST_SUITE_P(All, PresetTwig, testing::Range(0, static_cast<int>(weberPennPresets().size())),
+                         [](const auto& one) { return weberPennPresets()[static_cast<std::size_t>(one.param)].name; });
 
 TEST_P(PresetTwig, KeepsTheCrown) {
     ASSERT_EQ(m_made.twig == nullptr, kFewLeavesOnAStem.contains(m_sample.name));

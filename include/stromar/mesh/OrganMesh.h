@@ -53,11 +53,11 @@ public:
     Surface surface() const;
     const LeafBlade& blade() const { return m_blade; }
     const Rounding& rounding() const { return m_rounding; }
-    std::size_t count() const { return m_shown.size(); }
+    std::size_t count() const { return m_count; }
     std::size_t vertexCount() const { return count() * m_blade.points.size(); }
     std::size_t triangleCount() const { return count() * m_blade.indices.size() / 3; }
     std::size_t bytes() const { return CMesh::bytesOf(vertexCount(), 3 * triangleCount()); } ///< when it is expanded
-    const CLeaf& leaf(std::size_t i) const { return m_organs->grown[m_shown[i]]; }
+    const CLeaf& leaf(std::size_t i) const { return m_organs->grown[m_shown.empty() ? i : m_shown[i]]; }
     InstancePlace place(std::size_t i) const;
     /// Of all vertices; there are some.
     Bounds bounds(const CProgress& progress) const;
@@ -75,7 +75,8 @@ private:
     Organ m_organ;
     LeafBlade m_blade;
     std::shared_ptr<const COrgans> m_organs;
-    std::vector<std::uint32_t> m_shown;
+    std::size_t m_count;
+    std::vector<std::uint32_t> m_shown; ///< empty where all are
     double m_growth;
     Rounding m_rounding;
 };

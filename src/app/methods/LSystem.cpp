@@ -10,7 +10,6 @@ namespace {
 using Token = TextLanguage::Token;
 constexpr std::size_t kShownModules = 400;
 constexpr int kShownDigits = 4;
-constexpr std::string_view kTurtleLetters = "Ff+-&^\\/|$!%";
 constexpr std::string_view kArrows[] = {"-->", "->", "\u2192", "\u27f6"};
 constexpr std::string_view kDirectives[] = {"#define", "#ignore", "axiom", "\u03c9"};
 
@@ -112,7 +111,8 @@ std::vector<TextLanguage::Fault> faultsOf(const std::string& text) {
 /// The names of defines are read from the lines themselves: the text may be wrong elsewhere.
 std::vector<std::string> wordsOf(const std::string& text) {
     std::vector<std::string> words = expressionFunctions();
-    for (const std::string_view word : {"#define", "#ignore", "axiom:", "~L", "~B", "~K"}) words.emplace_back(word);
+    for (const std::string_view word : {"#define", "#ignore", "axiom:"}) words.emplace_back(word);
+    for (std::size_t organ = 0; organ < kOrgans.size(); ++organ) words.push_back(symbolName(static_cast<Symbol>(kLeafSymbol + organ)));
     constexpr std::string_view kDefine = "#define ";
     for (std::size_t at = text.find(kDefine); at != std::string::npos; at = text.find(kDefine, at + 1)) {
         const std::size_t start = text.find_first_not_of(' ', at + kDefine.size());

@@ -12,6 +12,7 @@
 namespace stromar {
 
 namespace {
+constexpr int kRestMs = 3000;          // from the last picture until its graphics memory is freed
 constexpr int kLookVersion = 3;       // rises when the same tree is drawn differently
 constexpr double kFewVertices = 4e5;  // up to here the level of detail may be fine
 
@@ -52,6 +53,9 @@ std::shared_ptr<const ViewModel> grow(const CParams& params, const std::filesyst
 CThumbnails::CThumbnails(QObject* parent) : QObject(parent) {
     qRegisterMetaType<std::shared_ptr<const ViewModel>>();
     connect(this, &CThumbnails::grown, this, &CThumbnails::draw, Qt::QueuedConnection);
+    m_rest.setSingleShot(true);
+    m_rest.setInterval(kRestMs);
+    connect(&m_rest, &QTimer::timeout, this, [this] { m_painter.rest(); });
     m_thread = std::jthread([this](const std::stop_token& stop) { work(stop); });
 }
 
@@ -120,6 +124,7 @@ void CThumbnails::draw(quint64 number, const std::shared_ptr<const ViewModel>& v
     if (task == m_drawing.end()) return; // dropped
     const Task found = std::move(*task);
     m_drawing.erase(task);
+    m_rest.start();
     if (!view) {
         emit failed(found.id, why);
         return;

@@ -1,6 +1,7 @@
 #pragma once
 #include "view/OffscreenPainter.h"
 #include "work/TreeCreatorThread.h"
+#include <QTimer>
 #include <QImage>
 #include <QObject>
 #include <condition_variable>
@@ -46,6 +47,7 @@ private:
     void draw(quint64 number, const std::shared_ptr<const ViewModel>& view, const QString& why);
 
     COffscreenPainter m_painter;
+    QTimer m_rest; ///< since the last picture
     std::deque<Task> m_drawing; ///< grown or growing, to be drawn; GUI thread
     quint64 m_lastNumber = 0;
     std::mutex m_mutex; ///< guards the rest but the thread

@@ -13,13 +13,18 @@ COffscreenPainter::~COffscreenPainter() {
 }
 
 bool COffscreenPainter::start() {
-    if (m_context) return m_renderer.attached();
+    if (m_renderer.attached()) return true;
+    if (m_context) return attach();
     if (QString why; !display::available(why)) return false;
     m_surface.setFormat(display::surfaceFormat(0));
     m_surface.create();
     m_context = std::make_unique<QOpenGLContext>();
     m_context->setFormat(display::surfaceFormat(0));
-    if (!m_context->create() || !m_context->makeCurrent(&m_surface)) return false;
+    return m_context->create() && attach();
+}
+
+bool COffscreenPainter::attach() {
+    if (!m_context->makeCurrent(&m_surface)) return false;
     m_renderer.attach(display::bestSamples());
     return true;
 }
@@ -44,17 +49,16 @@ QImage COffscreenPainter::paint(const ViewModel& view, const QSize& pixels, cons
         QOpenGLFramebufferObject buffer(pixels, format);
         m_renderer.draw(buffer.handle(), pixels.width(), pixels.height(), camera);
         image = buffer.toImage();
-        freeScene(buffer.handle(), camera);
     }
     m_context->doneCurrent();
     return image;
 }
 
-/// Nothing is kept between pictures. OpenSceneGraph holds what it drew last until it draws something else.
-void COffscreenPainter::freeScene(unsigned frameBuffer, const CCamera& camera) {
+void COffscreenPainter::rest() {
+    if (!m_renderer.attached() || !m_context->makeCurrent(&m_surface)) return;
     m_scene.show({});
-    for (int i = 0; i < 2; ++i) m_renderer.draw(frameBuffer, 16, 16, camera); // it takes turns
-    m_renderer.freeDeleted();
+    m_renderer.detach();
+    m_context->doneCurrent();
 }
 
 } // namespace stromar

@@ -16,10 +16,12 @@ public:
 
     /// The whole tree from the front. Null when there is no OpenGL.
     QImage paint(const ViewModel& view, const QSize& pixels, const ViewLook& look);
+    /// Frees all that lies on the graphics card until the next picture.
+    void rest();
 
 private:
-    void freeScene(unsigned frameBuffer, const CCamera& camera);
     bool start();
+    bool attach();
 
     CViewScene m_scene;
     CSceneRenderer m_renderer;

@@ -39,8 +39,10 @@ std::optional<double> meetTriangle(const glm::dvec3& from, const glm::dvec3& dir
 
 COrganMesh::COrganMesh(Organ organ, LeafBlade blade, std::shared_ptr<const COrgans> organs,
                        std::vector<std::uint32_t> shown, double growth, const Rounding& rounding)
-    : m_organ(organ), m_blade(std::move(blade)), m_organs(std::move(organs)), m_shown(std::move(shown)),
-      m_growth(growth), m_rounding(rounding) {}
+    : m_organ(organ), m_blade(std::move(blade)), m_organs(std::move(organs)), m_count(shown.size()),
+      m_growth(growth), m_rounding(rounding) {
+    if (m_count < m_organs->grown.size()) m_shown = std::move(shown);
+}
 
 const char* COrganMesh::name() const { return lookOf(m_organ).name; }
 Surface COrganMesh::surface() const { return lookOf(m_organ).surface; }

@@ -105,8 +105,6 @@ GenerationBound boundOf(const CGeneration& generation, double trunkRadius) {
 void measure(const CTree& tree, SizeBound& bound) {
     const double trunkRadius = tree.generation(0).stems[0].radius;
     for (const auto& generation : tree.generations()) bound.generations.push_back(boundOf(*generation, trunkRadius));
-    for (const auto& generation : tree.generations())
-        for (const CStem& stem : generation->stems) bound.bearers.length = std::max(bound.bearers.length, stem.length);
 }
 
 /// Of one that is too large to be grown for this: every segment is a stem as thick as the trunk.
@@ -170,9 +168,7 @@ SizeBound boundOf(const CParams& params) {
         const double written = modules[kLeafSymbol + static_cast<std::size_t>(organ)];
         bound.organs[static_cast<std::size_t>(organ)] = written + perBearer * bound.stems();
     }
-    bound.bearers.leaves = bound.organs[0];
-    bound.bearers.leafLength = poseOf(params.common, Organ::Leaf).length;
-    return bound;
+    return bound; // bearers are of all generations, and cards would stand for the last only
 }
 } // namespace
 

@@ -7,7 +7,6 @@
 namespace stromar {
 
 namespace {
-constexpr std::string_view kTurtleLetters = "+-&^\\/|$![]%";
 constexpr std::string_view kOrganLetters = "LBK"; // after ~
 constexpr std::array<std::pair<std::string_view, std::string_view>, 4> kSpellings = {
     {{"\u2212", "-"}, {"\u2192", "->"}, {"\u27f6", "->"}, {"\u03c9", "axiom"}}};

@@ -11,6 +11,8 @@ namespace stromar {
 /// Letters of words, as numbers: those of one byte are themselves, organs (`~L`) follow.
 using Symbol = std::uint8_t;
 constexpr Symbol kLeafSymbol = 128, kBlossomSymbol = 129, kFruitSymbol = 130;
+/// What the turtle understands, beside organs. Other letters draw nothing.
+inline constexpr std::string_view kTurtleLetters = "Ff+-&^\\/|$!%[]";
 /// "F", "~L"
 std::string symbolName(Symbol symbol);
 
