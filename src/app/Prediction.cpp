@@ -33,8 +33,8 @@ std::string memoryText(double bytes) {
 }
 } // namespace
 
-Prediction predictSize(const CParams& params, const Detail& detail) {
-    const SizeBound bound = methodOf(params).bound(params);
+Prediction predictSize(const CParams& params, const Detail& detail, const CProgress& progress) {
+    const SizeBound bound = methodOf(params).bound(params, progress);
     const MeshParams mesh = meshParamsOf(params);
     // Where few leaves are left, there may be none by chance.
     const double left = mesh.seasonOf(Organ::Leaf).share, leaves = bound.organs[static_cast<std::size_t>(Organ::Leaf)];
@@ -66,13 +66,13 @@ std::string refusalText(const Prediction& size, const SizeLimits& limits) {
     return text;
 }
 
-void refuseTooLarge(const CParams& params, const Detail& detail, const SizeLimits& limits) {
-    const Prediction size = predictSize(params, detail);
+void refuseTooLarge(const CParams& params, const Detail& detail, const SizeLimits& limits, const CProgress& progress) {
+    const Prediction size = predictSize(params, detail, progress);
     if (!limits.allow(size)) throw CTooLarge(size, limits);
 }
 
-bool mayShowCards(const CParams& params, const Detail& detail) {
-    return showsCards(params, methodOf(params).bound(params), meshParamsOf(params), detail);
+bool mayShowCards(const CParams& params, const Detail& detail, const CProgress& progress) {
+    return showsCards(params, methodOf(params).bound(params, progress), meshParamsOf(params), detail);
 }
 
 double nearestThatFits(const CParams& params, const ParamRef& ref, double fits, const Detail& detail,

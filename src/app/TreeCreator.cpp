@@ -80,7 +80,7 @@ private:
 
     void chooseTwig() {
         m_made.leafCounts.reset();
-        if (!mayShowCards(m_params, m_detail)) return;
+        if (!mayShowCards(m_params, m_detail, m_progress)) return;
         m_made.leafCounts = m_builder.growOrgans(m_params, m_tree, Organ::Leaf, OrganDemand::none(), m_progress);
         const auto stem = typicalStem(m_tree, *m_made.leafCounts, m_mesh);
         if (!stem) return;
@@ -194,7 +194,7 @@ void CTreeCreator::forgetOthers(const Detail& detail) {
 
 std::shared_ptr<const TreeModel> CTreeCreator::create(const CParams& params, const Detail& detail,
                                                       const CProgress& progress) {
-    refuseTooLarge(params, detail, m_limits);
+    refuseTooLarge(params, detail, m_limits, progress);
     CStopwatch watch;
     updateTree(params, progress);
     auto model = CModelMaker(*this, params, detail, progress).make(watch);

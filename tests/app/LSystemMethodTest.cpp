@@ -115,6 +115,14 @@ TEST(LSystemMethod, ModulesAreCountedWithoutBeingDerived) {
     EXPECT_FALSE(countModules(parseGrammar("axiom: A\nA -> A%A"), 3));
 }
 
+TEST(LSystemMethod, ABoundThatTakesLongCanBeCancelled) {
+    const CParams params = withGrammar("axiom: A(0)\nA(x) : x < 30 -> F A(x+1) A(x+1)", 22);
+    CProgress cancelled;
+    cancelled.cancel();
+    EXPECT_THROW(predictSize(params, detailOf(Model::Full), cancelled), CCancelled);
+    EXPECT_THROW(growTree(CLSystemBuilder(), params, cancelled), CCancelled);
+}
+
 // Deletes, doubles and swaps letters of good grammars.
 TEST(LSystemMethod, BrokenGrammarsCrashNothing) {
     std::mt19937 random(4);

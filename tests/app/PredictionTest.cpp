@@ -46,7 +46,7 @@ Built builtOf(const TreeModel& model) {
     }
     for (const Organ organ : kOrgans) built.organs += double(model.tree->organs(organ)->total);
     built.vertices = double(model.vertexCount());
-    built.bytes = heldBytes(model, methodOf(model.params).bound(model.params));
+    built.bytes = heldBytes(model, methodOf(model.params).bound(model.params, CProgress()));
     return built;
 }
 

@@ -1,8 +1,11 @@
 // How fast trees grow, are meshed, change under an edit and are written. Real time: the work runs on several threads.
-#include "stromar/tree/weberpenn/WeberPennBuilder.h"
+#include "stromar/params/methods/lsystem/LSystemParams.h"
 #include "stromar/params/methods/weberpenn/WeberPennParams.h"
 #include "stromar/app/Export.h"
 #include "stromar/app/Formats.h"
+#include "stromar/app/Methods.h"
+#include "stromar/tree/lsystem/LSystemBuilder.h"
+#include "stromar/params/ParamText.h"
 #include "stromar/model/MeshValues.h"
 #include "stromar/params/TreeFile.h"
 #include <algorithm>
@@ -34,20 +37,20 @@ Counter perSecond(double count) { return Counter(count, Counter::kIsIterationInv
 
 void growStructure(State& state, const CParams& params) {
     std::size_t stems = 0;
-    for (auto _ : state) stems = growTree(CWeberPennBuilder(), params, CProgress())->stemCount();
+    for (auto _ : state) stems = growTree(*methodOf(params).makeBuilder(true), params, CProgress())->stemCount();
     state.counters["stems/s"] = perSecond(double(stems));
 }
 
 /// Structure is made before; what is timed is rings, points and triangles.
 void buildMeshes(State& state, const CParams& params, const Detail& detail) {
     const CProgress progress;
-    const CWeberPennBuilder builder;
-    const auto tree = builder.build(params, nullptr, 0, progress);
+    const auto builder = methodOf(params).makeBuilder(true);
+    const auto tree = builder->build(params, nullptr, 0, progress);
     const MeshParams mesh = meshParamsOf(params);
     const auto plans = meshAllStems(*tree, mesh, detail, progress);
     const auto none = std::make_shared<const COrgans>();
     const CTree leafy = tree->withOrgans(
-        {builder.growOrgans(params, *tree, Organ::Leaf, demandOf(detail, plansOf(plans)), progress), none, none});
+        {builder->growOrgans(params, *tree, Organ::Leaf, demandOf(detail, plansOf(plans)), progress), none, none});
     std::size_t vertices = 0;
     for (auto _ : state) {
         vertices = 0;
@@ -58,17 +61,15 @@ void buildMeshes(State& state, const CParams& params, const Detail& detail) {
     state.counters["vertices/s"] = perSecond(double(vertices));
 }
 
-/// What one step of a slider costs: the level's own generation and all deeper ones are made again.
-void editLevel(State& state, const CParams& params, std::size_t level) {
+/// What one step of a slider costs: what the value does not touch is kept.
+void editValue(State& state, const CParams& params, const ParamRef& ref) {
     CTreeCreator creator;
     CParams edited = params;
-    // The trunk has no down angle; its curve stands for an edit of everything.
-    Degrees& angle = level == 0 ? weberPenn(edited).level[0].curve : weberPenn(edited).level[level].downAngle;
-    const Degrees before = angle;
+    const double before = ref.get(edited);
     creator.create(edited, detailOf(Model::Simple), CProgress());
     std::size_t vertices = 0;
     for (auto _ : state) {
-        angle = angle == before ? Degrees(before.value + 1) : before;
+        ref.set(edited, ref.get(edited) == before ? before + ref.info->step : before);
         vertices = creator.create(edited, detailOf(Model::Simple), CProgress())->vertexCount();
     }
     state.counters["vertices/s"] = perSecond(double(vertices));
@@ -104,6 +105,11 @@ void add(const std::string& name, Function&& function) {
         ->Unit(benchmark::kMillisecond);
 }
 
+void addEdit(const Preset& preset, const std::string& key, const std::string& name) {
+    const ParamRef ref = *findParam(key, preset.params.block());
+    add("Edit/" + preset.name + "/" + name, [=, params = preset.params](State& state) { editValue(state, params, ref); });
+}
+
 void addPreset(const Preset& preset) {
     const CParams params = preset.params;
     add("Structure/" + preset.name, [=](State& state) { growStructure(state, params); });
@@ -114,10 +120,20 @@ void addPreset(const Preset& preset) {
             add("MemCopy" + kind + "/" + preset.name,
                 [=, &detail](State& state) { copyMeshes(state, *CTreeCreator().create(params, detail, CProgress())); });
     }
-    for (std::size_t level = 0; level < std::min<std::size_t>(4, static_cast<std::size_t>(weberPenn(params).levels) + 1);
-         ++level)
-        add("Edit/" + preset.name + "/level" + std::to_string(level),
-            [=](State& state) { editLevel(state, params, level); });
+    if (&params.block() == &lsystemBlock()) return addEdit(preset, "LengthUnit", "word");
+    const int levels = std::min(kParamLevels, weberPenn(params).levels + 1);
+    // The trunk has no down angle; its curve stands for an edit of everything.
+    for (int level = 0; level < levels; ++level)
+        addEdit(preset, level == 0 ? "0Curve" : std::to_string(level) + "DownAngle", "level" + std::to_string(level));
+}
+
+/// Of a grammar that doubles: ten million modules.
+void derive(State& state, int threads) {
+    const Grammar grammar = parseGrammar("axiom: A(1,1)\nA(l,w) -> !(w)F(l)[+(30)A(l*0.8,w*0.7)]/(137)A(l*0.9,w*0.7)");
+    const CRewriter rewriter(grammar, 1);
+    std::size_t modules = 0;
+    for (auto _ : state) modules = rewriter.derive(20, CProgress(threads)).size();
+    state.counters["modules/s"] = perSecond(double(modules));
 }
 
 void addExports(const CParams& params) {
@@ -135,7 +151,8 @@ int main(int argc, char** argv) {
     if (benchmark::ReportUnrecognizedArguments(argc, argv)) return 1;
     const std::vector<Preset> presets = readPresets();
     for (const Preset& preset : presets) addPreset(preset);
-    if (!presets.empty()) addExports(presets.front().params);
+    if (const auto apple = std::ranges::find(presets, "apple", &Preset::name); apple != presets.end()) addExports(apple->params);
+    for (const int threads : {1, 2}) add("Derive/" + std::to_string(threads), [=](State& state) { derive(state, threads); });
     benchmark::RunSpecifiedBenchmarks();
     benchmark::Shutdown();
     return 0;

@@ -49,7 +49,7 @@ constexpr ParamBlock kBlock{
 
 const PoleParams& pole(const CParams& params) { return params.as<PoleParams>(); }
 
-SizeBound poleBound(const CParams& params) {
+SizeBound poleBound(const CParams& params, const CProgress&) {
     GenerationBound trunk;
     trunk.stems = 1;
     trunk.segments = trunk.along = pole(params).pieces;

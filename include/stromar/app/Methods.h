@@ -22,7 +22,8 @@ struct TreeMethod {
     const ParamBlock* block; ///< its word, label, help, table and groups
     /// `varied` false replaces every random number by its middle value.
     std::unique_ptr<ITreeBuilder> (*makeBuilder)(bool varied);
-    SizeBound (*bound)(const CParams& params);
+    /// Throws CCancelled where it takes long.
+    SizeBound (*bound)(const CParams& params, const CProgress& progress);
     std::span<const Guide> guides{}; ///< drawn around the tree, with handles
     DemoPlant demonstration{};
     /// The generation of stems that a value is about, for the picture: kLeaves, kNoGeneration. Null: none.

@@ -3,6 +3,7 @@
 #include "stromar/mesh/twig/Twig.h"
 #include "stromar/params/ParamTable.h"
 #include "stromar/util/Error.h"
+#include "stromar/util/Progress.h"
 
 namespace stromar {
 
@@ -14,7 +15,8 @@ struct Prediction {
 
 /// Upper bounds of what a tree of these parameters may have, over all seeds. Most methods tell in microseconds; that of an
 /// L-system derives its word, and throws as its builder does.
-Prediction predictSize(const CParams& params, const Detail& detail);
+/// Throws CCancelled.
+Prediction predictSize(const CParams& params, const Detail& detail, const CProgress& progress = CProgress());
 
 /// What a tree may take.
 struct SizeLimits {
@@ -43,11 +45,11 @@ private:
     Prediction m_size;
 };
 /// Throws CTooLarge.
-void refuseTooLarge(const CParams& params, const Detail& detail, const SizeLimits& limits);
+void refuseTooLarge(const CParams& params, const Detail& detail, const SizeLimits& limits, const CProgress& progress);
 
 /// Whether cards may stand for the last stems: the level of detail has some, they gain something, and their picture can
 /// be made.
-bool mayShowCards(const CParams& params, const Detail& detail);
+bool mayShowCards(const CParams& params, const Detail& detail, const CProgress& progress);
 
 /// The value of `ref` nearest to its own at which the tree is predicted to be within the limits, found between `fits`
 /// and its own. Whole for integers. `fits` itself when not even that is small enough.

@@ -57,6 +57,10 @@ QImage COffscreenPainter::paint(const ViewModel& view, const QSize& pixels, cons
 void COffscreenPainter::rest() {
     if (!m_renderer.attached() || !m_context->makeCurrent(&m_surface)) return;
     m_scene.show({});
+    {
+        QOpenGLFramebufferObject buffer(16, 16); // OpenSceneGraph holds what it drew until it draws something else
+        m_renderer.draw(buffer.handle(), 16, 16, CCamera());
+    }
     m_renderer.detach();
     m_context->doneCurrent();
 }

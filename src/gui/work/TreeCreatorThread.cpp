@@ -154,7 +154,7 @@ void CTreeCreatorThread::readSurfaces(const Request& request) {
 
 std::shared_ptr<const ViewModel> CTreeCreatorThread::create(const Request& request, const CProgress& progress) {
     if (request.anew) m_creator->forget();
-    refuseTooLarge(request.params, detailOf(Model::Full), request.limits); // also where the simple one would fit
+    refuseTooLarge(request.params, detailOf(Model::Full), request.limits, progress); // also where the simple one would fit
     m_creator->setLimits(request.limits);
     m_fitting = request.params;
     auto view = std::make_shared<ViewModel>();

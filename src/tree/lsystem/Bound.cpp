@@ -138,7 +138,7 @@ std::optional<std::array<double, 256>> countModules(const Grammar& grammar, int 
 }
 
 namespace {
-SizeBound boundOf(const CParams& params) {
+SizeBound boundOf(const CParams& params, const CProgress& progress) {
     const LSystemParams& l = lsystem(params);
     const Grammar grammar = grammarOf(params);
     const auto counted = countModules(grammar, l.derivations);
@@ -153,12 +153,12 @@ SizeBound boundOf(const CParams& params) {
         modules = *counted;
         estimate(modules['F'], bound);
     } else {
-        const CWord word = wordOf(params, grammar, l.derivations, true, CProgress(), kMaxDerived);
+        const CWord word = wordOf(params, grammar, l.derivations, true, progress, kMaxDerived);
         modules = countsIn(word);
         if (modules['F'] > kMeasured)
             estimate(modules['F'], bound);
         else {
-            const auto stems = stemsOf(word, interpret(word, turtleParamsOf(params), CProgress()), CProgress());
+            const auto stems = stemsOf(word, interpret(word, turtleParamsOf(params), progress), progress);
             if (!stems.empty()) measure(CTree(1, {stems.begin(), stems.end()}), bound);
         }
     }
@@ -172,10 +172,10 @@ SizeBound boundOf(const CParams& params) {
 }
 } // namespace
 
-SizeBound lsystemBound(const CParams& params) {
+SizeBound lsystemBound(const CParams& params, const CProgress& progress) {
     // A step of a hand asks several times for the same tree.
     thread_local std::optional<std::pair<CParams, SizeBound>> last;
-    if (!last || !(last->first == params)) last = {params, boundOf(params)};
+    if (!last || !(last->first == params)) last = {params, boundOf(params, progress)};
     return last->second;
 }
 

@@ -201,7 +201,7 @@ BearerBound bearersOf(const CParams& params) {
 }
 } // namespace
 
-SizeBound weberPennBound(const CParams& params) {
+SizeBound weberPennBound(const CParams& params, const CProgress&) {
     const WeberPennParams& w = weberPenn(params);
     const CommonParams& c = params.common;
     SizeBound bound;

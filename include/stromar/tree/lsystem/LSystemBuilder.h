@@ -39,6 +39,6 @@ std::optional<std::array<double, 256>> countModules(const Grammar& grammar, int 
 
 /// Of a tree of up to 500,000 segments it is what its seed grows, for it is grown to know; of a larger one, what the
 /// numbers of modules say. Throws as build() does, and CError when there are more modules than CRewriter allows.
-SizeBound lsystemBound(const CParams& params);
+SizeBound lsystemBound(const CParams& params, const CProgress& progress);
 
 } // namespace stromar

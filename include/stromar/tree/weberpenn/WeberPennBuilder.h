@@ -19,7 +19,7 @@ private:
     bool m_varied;
 };
 
-SizeBound weberPennBound(const CParams& params);
+SizeBound weberPennBound(const CParams& params, const CProgress& progress);
 
 /// The height of the tree that a seed gives, metres (Weber & Penn §4.3).
 double scaleOfTree(const CParams& params, bool varied);

@@ -56,7 +56,7 @@ constexpr ParamInfo kRows[] = {
      .help = N_("How often the word is rewritten."), .atRandom = false, .demo = {.values = {1, 3, 5}}},
     {.key = "LengthUnit", .label = N_("Unit of length"), .group = kGrammar, .section = N_("Turtle"), .unit = Unit::Metre, .field = field<&LSystemParams::lengthUnit>,
      .range = {1e-6, 1000}, .useful = {0.01, 2}, .step = 0.01, .decimals = 3, .defaults = {1}, .invalidates = kFromTrunk,
-     .help = N_("How long F(1) is."), .demo = {.values = {0.4, 0.7, 1}}},
+     .help = N_("How long F(1) is."), .atRandom = false, .demo = {.values = {0.4, 0.7, 1}}},
     {.key = "WidthUnit", .label = N_("Unit of width"), .group = kGrammar, .section = N_("Turtle"), .unit = Unit::Metre, .field = field<&LSystemParams::widthUnit>,
      .range = {1e-6, 1000}, .useful = {0.001, 0.1}, .step = 0.001, .decimals = 4, .defaults = {0.03}, .invalidates = kFromTrunk,
      .help = N_("How thick wood of the width !(1) is: a diameter."), .demo = {.values = {0.01, 0.03, 0.06}}},
