@@ -21,6 +21,7 @@ const TreeMethod kMethods[] = {
     {.block = &lsystemBlock(),
      .makeBuilder = [](bool varied) -> std::unique_ptr<ITreeBuilder> { return std::make_unique<CLSystemBuilder>(varied); },
      .bound = &lsystemBound,
+     .boundIsQuick = false,
      .demonstration = {.settings = "Derivations=4"},
      .language = &lsystemLanguage()},
 };

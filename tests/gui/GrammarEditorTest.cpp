@@ -127,6 +127,9 @@ TEST_F(GrammarEditor, PairsBracketsAndFinds) {
     EXPECT_EQ(code().matchingBracket(close), open);
     EXPECT_EQ(code().matchingBracket(open + 1), -1);
     auto* find = part<QLineEdit>("find");
+    code().setFocus();
+    QTest::keyClick(&code(), Qt::Key_F, Qt::ControlModifier);
+    EXPECT_TRUE(find->hasFocus());
     find->setText(QStringLiteral("wr"));
     QTest::keyClick(find, Qt::Key_Return);
     const int first = code().textCursor().selectionStart();

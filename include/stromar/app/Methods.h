@@ -24,6 +24,7 @@ struct TreeMethod {
     std::unique_ptr<ITreeBuilder> (*makeBuilder)(bool varied);
     /// Throws CCancelled where it takes long.
     SizeBound (*bound)(const CParams& params, const CProgress& progress);
+    bool boundIsQuick = true; ///< false: not for the window's thread
     std::span<const Guide> guides{}; ///< drawn around the tree, with handles
     DemoPlant demonstration{};
     /// The generation of stems that a value is about, for the picture: kLeaves, kNoGeneration. Null: none.

@@ -255,6 +255,11 @@ bool CLanguageEditor::eventFilter(QObject* watched, QEvent* event) {
         event->ignore(); // the document's
         return true;
     }
+    const bool finds = key->matches(QKeySequence::Find) || key->matches(QKeySequence::FindNext);
+    if (watched == m_code && finds && event->type() == QEvent::ShortcutOverride) {
+        event->accept(); // not the panel's
+        return true;
+    }
     if (event->type() != QEvent::KeyPress) return QWidget::eventFilter(watched, event);
     const bool isReturn = key->key() == Qt::Key_Return || key->key() == Qt::Key_Enter;
     if (watched == m_code && key->matches(QKeySequence::Find)) {

@@ -2,6 +2,7 @@
 #include "document/FileController.h"
 #include "window/QtText.h"
 #include "work/ExportDialog.h"
+#include "stromar/app/Methods.h"
 #include "stromar/app/Prediction.h"
 #include <QFileInfo>
 #include <QMessageBox>
@@ -19,8 +20,9 @@ void CExportController::chooseAndExport() {
     takeTyped(*m_window);
     const Detail& full = detailOf(Model::Full);
     const auto shown = m_shown();
-    const double vertices = shown && shown->detail == &full ? double(shown->vertexCount())
-                                                            : predictSize(m_document.params(), full).vertices;
+    const bool isFull = shown && shown->detail == &full, mayPredict = methodOf(m_document.params()).boundIsQuick;
+    const double vertices = isFull || !mayPredict ? (shown ? double(shown->vertexCount()) : 0)
+                                                  : predictSize(m_document.params(), full).vertices;
     CExportDialog dialog(QFileInfo(m_document.displayName()).completeBaseName(), vertices, m_window);
     if (dialog.exec() == QDialog::Accepted) exportTo(dialog.path(), dialog.options());
 }
