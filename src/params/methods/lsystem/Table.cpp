@@ -13,10 +13,10 @@ constexpr Group kGroups[] = {kGrammar, Group::Tree, Group::Trunk, Group::Leaves,
 constexpr Invalidation kFromTrunk{Stage::Structure, 0};
 constexpr Invalidation kLeavesOnly{Stage::Structure, Invalidation::kLeaves};
 
-constexpr string_view kFirstGrammar = "#define r 0.8       // 0.5 .. 0.95   length of a branch, as a part of the wood below it\n"
-                                      "#define w 0.7       // 0.4 .. 0.9    width, likewise\n"
-                                      "axiom: !(8)F(1)/(90)A(1,8)\n"
-                                      "A(l,b) -> !(b)F(l*r)[&A(l*r,b*w)]/(137.5)[&A(l*r,b*w)]/(137.5)A(l*r,b*w)\n";
+constexpr string_view kFirstGrammar = "#define r 0.86      // 0.5 .. 0.95   length of a branch, as a part of the wood below it\n"
+                                      "#define w 0.55      // 0.4 .. 0.9    width, likewise\n"
+                                      "axiom: !(7)F(1)/(90)A(1,6)\n"
+                                      "A(l,b) -> !(b)F(l*r)[&&A(l*r,b*w)]/(137.5)[&&A(l*r,b*w)]/(137.5)A(l*r,b*0.75)\n";
 
 bool writes(const CParams& params, string_view organ) { return lsystem(params).grammar.find(organ) != std::string::npos; }
 
@@ -62,7 +62,7 @@ constexpr ParamInfo kRows[] = {
      .help = N_("How thick wood of the width !(1) is: a diameter."), .demo = {.values = {0.01, 0.03, 0.06}}},
     {.key = "TurnAngle", .label = N_("Angle"), .group = kGrammar, .section = N_("Turtle"), .unit = Unit::Degree, .field = field<&LSystemParams::turnAngle>,
      .range = {-360, 360}, .useful = {0, 90}, .step = 0.5, .decimals = 2, .defaults = {22.5}, .invalidates = kFromTrunk,
-     .help = N_("How far + - & ^ \\ / turn where they have no number."), .inactive = kNeedsBareTurns},
+     .help = N_("How far + - & ^ \\ / turn where they have no number."), .inactive = kNeedsBareTurns, .demo = {.values = {10, 22.5, 40}}},
     {.key = "TropismBend", .label = N_("Strength"), .group = kGrammar, .section = N_("Tropism"), .field = field<&LSystemParams::tropismBend>,
      .range = {-3.1415, 3.1415}, .useful = {-0.5, 0.5}, .step = 0.01, .decimals = 3, .defaults = {0}, .invalidates = kFromTrunk,
      .help = N_("How far every F bends towards the tropism's direction when it stands square to it, in radians."), .demo = {.values = {-0.3, 0, 0.3}}},
