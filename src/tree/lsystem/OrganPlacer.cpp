@@ -69,8 +69,10 @@ void COrganPlacer::countOn(std::size_t g, std::vector<std::uint32_t>& counts) co
 
 std::span<const CTurtleGeneration::Written> COrganPlacer::writtenOn(std::size_t g, std::size_t stem) const {
     const auto& written = generation(g).organs[static_cast<std::size_t>(m_organ)];
-    const auto range = std::ranges::equal_range(written, static_cast<std::uint32_t>(stem), {}, &CTurtleGeneration::Written::stem);
-    return {range.begin(), range.end()};
+    const auto wanted = static_cast<std::uint32_t>(stem);
+    const auto first = std::ranges::lower_bound(written, wanted, {}, &CTurtleGeneration::Written::stem);
+    const auto end = std::ranges::upper_bound(written, wanted, {}, &CTurtleGeneration::Written::stem);
+    return {first, end};
 }
 
 std::uint64_t COrganPlacer::idOf(const Site& site) const {
