@@ -25,8 +25,9 @@ private:
     std::chrono::steady_clock::time_point m_last = std::chrono::steady_clock::now();
 };
 
-bool meshIsStale(const CParams& made, const CParams& wanted, int generation) {
-    const Invalidation invalid = invalidationOf(made, wanted);
+bool meshIsStale(const std::optional<CParams>& made, const CParams& wanted, int generation) {
+    if (!made) return true;
+    const Invalidation invalid = invalidationOf(*made, wanted);
     return invalid.stage <= Stage::Mesh && invalid.generation <= generation;
 }
 

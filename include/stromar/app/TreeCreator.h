@@ -4,6 +4,7 @@
 #include "stromar/model/TreeModel.h"
 #include "stromar/tree/TreeBuilder.h"
 #include <memory>
+#include <optional>
 #include <vector>
 
 namespace stromar {
@@ -27,7 +28,7 @@ private:
     struct MadeStems {
         std::shared_ptr<const CGeneration> source;
         StemMesh stems;
-        CParams params;
+        std::optional<CParams> params; ///< filling in defaults takes longer than a small step
         Drawn drawn = Drawn::All;
         bool last = false; ///< no generation follows: the plan is not kept
     };
@@ -36,7 +37,7 @@ private:
         Meshes bearers;           ///< on which stems they may be, where that matters
         std::shared_ptr<const COrgans> organs;
         std::shared_ptr<const COrganMesh> mesh;
-        CParams params;
+        std::optional<CParams> params;
     };
     /// What a level of detail shows.
     struct MadeModel {
