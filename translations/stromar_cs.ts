@@ -2058,6 +2058,10 @@
         <source>A grammar rewrites a word, and a turtle draws it. The Algorithmic Beauty of Plants, chapters 1 and 2.</source>
         <translation>Gramatika přepisuje slovo a želva je kreslí. The Algorithmic Beauty of Plants, kapitoly 1 a 2.</translation>
     </message>
+    <message>
+        <source>L-systems (*.l *.lsys)</source>
+        <translation>L-systémy (*.l *.lsys)</translation>
+    </message>
 </context>
 <context>
     <name>stromar::CCurveEditor</name>
@@ -2361,10 +2365,6 @@
         <translation>Importovat text</translation>
     </message>
     <message>
-        <source>L-systems (*.l *.lsys);;All files (*)</source>
-        <translation>L-systémy (*.l *.lsys);;Všechny soubory (*)</translation>
-    </message>
-    <message>
         <source>Cannot import the text</source>
         <translation>Text nelze importovat</translation>
     </message>
@@ -2373,16 +2373,8 @@
         <translation>Exportovat text</translation>
     </message>
     <message>
-        <source>L-systems (*.l *.lsys)</source>
-        <translation>L-systémy (*.l *.lsys)</translation>
-    </message>
-    <message>
         <source>Cannot export the text</source>
         <translation>Text nelze exportovat</translation>
-    </message>
-    <message>
-        <source>Grammar</source>
-        <translation>Gramatika</translation>
     </message>
     <message>
         <source> … %1 more</source>
@@ -2399,6 +2391,10 @@
     <message>
         <source>To the next: %1</source>
         <translation>K dalšímu: %1</translation>
+    </message>
+    <message>
+        <source>All files (*)</source>
+        <translation>Všechny soubory (*)</translation>
     </message>
 </context>
 <context>

@@ -2058,6 +2058,10 @@
         <source>A grammar rewrites a word, and a turtle draws it. The Algorithmic Beauty of Plants, chapters 1 and 2.</source>
         <translation>Грамматика переписывает слово, а черепаха его рисует. The Algorithmic Beauty of Plants, главы 1 и 2.</translation>
     </message>
+    <message>
+        <source>L-systems (*.l *.lsys)</source>
+        <translation>L-системы (*.l *.lsys)</translation>
+    </message>
 </context>
 <context>
     <name>stromar::CCurveEditor</name>
@@ -2361,10 +2365,6 @@
         <translation>Импорт текста</translation>
     </message>
     <message>
-        <source>L-systems (*.l *.lsys);;All files (*)</source>
-        <translation>L-системы (*.l *.lsys);;Все файлы (*)</translation>
-    </message>
-    <message>
         <source>Cannot import the text</source>
         <translation>Не удалось импортировать текст</translation>
     </message>
@@ -2373,16 +2373,8 @@
         <translation>Экспорт текста</translation>
     </message>
     <message>
-        <source>L-systems (*.l *.lsys)</source>
-        <translation>L-системы (*.l *.lsys)</translation>
-    </message>
-    <message>
         <source>Cannot export the text</source>
         <translation>Не удалось экспортировать текст</translation>
-    </message>
-    <message>
-        <source>Grammar</source>
-        <translation>Грамматика</translation>
     </message>
     <message>
         <source> … %1 more</source>
@@ -2399,6 +2391,10 @@
     <message>
         <source>To the next: %1</source>
         <translation>К следующему: %1</translation>
+    </message>
+    <message>
+        <source>All files (*)</source>
+        <translation>Все файлы (*)</translation>
     </message>
 </context>
 <context>

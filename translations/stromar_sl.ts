@@ -2058,6 +2058,10 @@
         <source>A grammar rewrites a word, and a turtle draws it. The Algorithmic Beauty of Plants, chapters 1 and 2.</source>
         <translation>Gramatika prepisuje besedo, želva jo nariše. The Algorithmic Beauty of Plants, poglavji 1 in 2.</translation>
     </message>
+    <message>
+        <source>L-systems (*.l *.lsys)</source>
+        <translation>L-sistemi (*.l *.lsys)</translation>
+    </message>
 </context>
 <context>
     <name>stromar::CCurveEditor</name>
@@ -2361,10 +2365,6 @@
         <translation>Uvozi besedilo</translation>
     </message>
     <message>
-        <source>L-systems (*.l *.lsys);;All files (*)</source>
-        <translation>L-sistemi (*.l *.lsys);;Vse datoteke (*)</translation>
-    </message>
-    <message>
         <source>Cannot import the text</source>
         <translation>Besedila ni mogoče uvoziti</translation>
     </message>
@@ -2373,16 +2373,8 @@
         <translation>Izvozi besedilo</translation>
     </message>
     <message>
-        <source>L-systems (*.l *.lsys)</source>
-        <translation>L-sistemi (*.l *.lsys)</translation>
-    </message>
-    <message>
         <source>Cannot export the text</source>
         <translation>Besedila ni mogoče izvoziti</translation>
-    </message>
-    <message>
-        <source>Grammar</source>
-        <translation>Gramatika</translation>
     </message>
     <message>
         <source> … %1 more</source>
@@ -2399,6 +2391,10 @@
     <message>
         <source>To the next: %1</source>
         <translation>Do naslednje: %1</translation>
+    </message>
+    <message>
+        <source>All files (*)</source>
+        <translation>Vse datoteke (*)</translation>
     </message>
 </context>
 <context>

@@ -60,7 +60,6 @@ std::vector<Demonstration> demonstrationsOf(const ParamRef& ref) {
     for (const std::string_view settings :
          {plant.settings, plant.settingsOf ? plant.settingsOf(shown) : std::string_view(), ref.info->demo.settings})
         apply(params, settings, shown.level);
-    if (method.block != &weberPennBlock() && !inactiveReason(shown, params).empty()) return all; // greyed in its plant
     for (const double value : valuesOf(*ref.info)) {
         all.push_back({params, value});
         shown.set(all.back().params, value);

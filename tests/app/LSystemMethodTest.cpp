@@ -109,7 +109,9 @@ TEST(LSystemMethod, ModulesAreCountedWithoutBeingDerived) {
     const CWord word = CRewriter(plain, 1).derive(9, CProgress());
     std::array<double, 256> derived{};
     for (std::size_t i = 0; i < word.size(); ++i) ++derived[word.symbol(i)];
-    EXPECT_EQ(*counts, derived);
+    EXPECT_EQ(counts->modules, derived);
+    EXPECT_EQ(counts->numbers, double(word.numberCount()));
+    EXPECT_EQ(counts->bytes(), double(word.bytes()));
     EXPECT_FALSE(countModules(parseGrammar("axiom: A(1)\nA(x) : x < 3 -> A(x+1)A(x)"), 3));
     EXPECT_FALSE(countModules(parseGrammar("axiom: A\nA -> (0.5) AA\nA -> (0.5) F"), 3));
     EXPECT_FALSE(countModules(parseGrammar("axiom: A\nA -> A%A"), 3));
@@ -121,6 +123,26 @@ TEST(LSystemMethod, ABoundThatTakesLongCanBeCancelled) {
     cancelled.cancel();
     EXPECT_THROW(predictSize(params, detailOf(Model::Full), cancelled), CCancelled);
     EXPECT_THROW(growTree(CLSystemBuilder(), params, cancelled), CCancelled);
+}
+
+// Words without wood, modules of many numbers, and organs without end: all are held in bounds that are known before.
+TEST(LSystemMethod, NoWordTakesTheMachinesMemory) {
+    std::string many = "B(0";
+    for (int i = 0; i < 300; ++i) many += ",0";
+    many += ")";
+    const auto refusalOf = [](const CParams& params) -> std::string {
+        try {
+            CTreeCreator(true, {.bytes = 1e9}).create(params, detailOf(Model::Full, 3), CProgress(2));
+        } catch (const CError& e) {
+            return e.what();
+        }
+        return "grown";
+    };
+    EXPECT_NE(refusalOf(withGrammar("axiom: FA\nA -> A A " + many, 21)).find("more than 80000000 numbers"), std::string::npos);
+    const std::string leaves = refusalOf(withGrammar("axiom: FA\nA -> A A ~L", 23));
+    EXPECT_NE(leaves.find("of memory"), std::string::npos) << leaves;
+    const std::string plain = refusalOf(withGrammar("axiom: FA\nA -> A A", 26));
+    EXPECT_NE(plain.find("more than 20000000 modules"), std::string::npos) << plain;
 }
 
 // Deletes, doubles and swaps letters of good grammars.

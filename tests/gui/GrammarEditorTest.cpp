@@ -162,12 +162,12 @@ TEST_F(GrammarEditor, APickedBranchMarksItsLineAndALineItsBranches) {
 }
 
 TEST_F(GrammarEditor, CanBeDetached) {
-    part<QToolButton>("tear")->click();
-    EXPECT_TRUE(editor().tornOff());
+    part<QToolButton>("detach")->click();
+    EXPECT_TRUE(editor().detached());
     EXPECT_NE(code().window(), &window);
     EXPECT_TRUE(code().isVisible());
     code().window()->close();
-    EXPECT_FALSE(editor().tornOff());
+    EXPECT_FALSE(editor().detached());
     EXPECT_EQ(code().window(), &window);
 }
 

@@ -58,8 +58,8 @@ TEST_P(PresetMesh, AlmostEveryBranchHasACollar) {
         std::size_t allChosen = 0, allCollars = 0;
         for (std::size_t g = 1; g < all.size(); ++g) {
             const auto& stems = tree->generation(g).stems;
-            const auto leavesWood = [&](std::size_t s) { // others are stubs as thick as long, as the figures of the book have
-                return stems[s].length > kStub * std::max(stems[s].radius, stems[s].parentRadius);
+            const auto leavesWood = [&](std::size_t s) { // figures of the book have stubs as thick as long
+                return byLevels || stems[s].length > kStub * std::max(stems[s].radius, stems[s].parentRadius);
             };
             std::size_t chosen = 0, collars = 0;
             for (std::size_t s = 0; s < stems.size(); ++s) chosen += all[g].plan.stemIsChosen[s] && leavesWood(s);

@@ -15,6 +15,7 @@ namespace stromar {
 struct TextLanguage {
     std::string_view key;    ///< of the row that holds the text
     std::string_view suffix; ///< of files that hold such a text alone
+    std::string_view files;  ///< what they are called, and their names: "Poems (*.poem)"; marked for translation
 
     enum class Token { Comment, Directive, Number, Name, Turtle, Organ, Bracket, Arrow };
     struct Span {

@@ -2,6 +2,7 @@
 #include "stromar/params/methods/lsystem/LSystemParams.h"
 #include "stromar/tree/lsystem/LSystemBuilder.h"
 #include "stromar/tree/lsystem/TurtleStems.h"
+#include "stromar/util/Translatable.h"
 #include <algorithm>
 
 namespace stromar {
@@ -178,6 +179,7 @@ std::vector<std::vector<std::uint32_t>> segmentsWrittenBy(const CParams& params,
 constexpr TextLanguage kLanguage{
     .key = "Grammar",
     .suffix = "l",
+    .files = N_("L-systems (*.l *.lsys)"),
     .spans = &spansOf,
     .words = &wordsOf,
     .faults = &faultsOf,

@@ -6,7 +6,6 @@
 #include "stromar/params/ParamText.h"
 #include "stromar/util/FileSet.h"
 #include "stromar/util/Text.h"
-#include <QElapsedTimer>
 #include <QEvent>
 #include <QFileDialog>
 #include <QFontDatabase>
@@ -146,7 +145,7 @@ QWidget* CLanguageEditor::makeToolBar() {
     };
     addButton("import", tr("Import…"), tr("Take the text of a file"), [this] { importFile(); });
     addButton("export", tr("Export…"), tr("Write the text to a file of its own"), [this] { exportFile(); });
-    addButton("tear", tr("Detach"), tr("Show the editor in a window of its own, or back in its tab"), [this] { setTornOff(!tornOff()); });
+    addButton("detach", tr("Detach"), tr("Show the editor in a window of its own, or back in its tab"), [this] { setDetached(!detached()); });
     return bar;
 }
 
@@ -216,9 +215,8 @@ void CLanguageEditor::check() {
 }
 
 void CLanguageEditor::commit() {
-    static QElapsedTimer sinceLast;
-    if (m_gesture == 0 || !sinceLast.isValid() || sinceLast.elapsed() > kBurstMs) m_gesture = nextGesture();
-    sinceLast.start();
+    if (m_gesture == 0 || !m_sinceCommit.isValid() || m_sinceCommit.elapsed() > kBurstMs) m_gesture = nextGesture();
+    m_sinceCommit.start();
     m_committed = m_code->toPlainText();
     emit edited(m_committed, m_gesture);
 }
@@ -246,7 +244,7 @@ bool CLanguageEditor::eventFilter(QObject* watched, QEvent* event) {
     }
     if (watched == m_code && event->type() == QEvent::FocusIn) QTimer::singleShot(0, this, &CLanguageEditor::tellLine);
     if (watched == m_window && event->type() == QEvent::Close) {
-        setTornOff(false);
+        setDetached(false);
         return true;
     }
     if (!key) return QWidget::eventFilter(watched, event);
@@ -326,7 +324,7 @@ bool CLanguageEditor::held() const { return std::ranges::any_of(m_sliders, &CDef
 // Files, and a window of its own.
 
 void CLanguageEditor::importFile() {
-    const QString path = QFileDialog::getOpenFileName(this, tr("Import a Text"), {}, tr("L-systems (*.l *.lsys);;All files (*)"));
+    const QString path = QFileDialog::getOpenFileName(this, tr("Import a Text"), {}, trText(m_language.files) + QStringLiteral(";;") + tr("All files (*)"));
     if (path.isEmpty()) return;
     try {
         m_code->showText(toQString(readFile(toPath(path))));
@@ -339,7 +337,7 @@ void CLanguageEditor::importFile() {
 
 void CLanguageEditor::exportFile() {
     const QString suffix = toQString(m_language.suffix);
-    QString path = QFileDialog::getSaveFileName(this, tr("Export the Text"), {}, tr("L-systems (*.l *.lsys)"));
+    QString path = QFileDialog::getSaveFileName(this, tr("Export the Text"), {}, trText(m_language.files));
     if (path.isEmpty()) return;
     if (!path.contains(QLatin1Char('.'))) path += QLatin1Char('.') + suffix;
     try {
@@ -349,11 +347,11 @@ void CLanguageEditor::exportFile() {
     }
 }
 
-void CLanguageEditor::setTornOff(bool torn) {
-    if (torn == tornOff()) return;
-    if (torn) {
+void CLanguageEditor::setDetached(bool detach) {
+    if (detach == detached()) return;
+    if (detach) {
         m_window = new QWidget(window(), Qt::Window);
-        m_window->setWindowTitle(tr("Grammar"));
+        m_window->setWindowTitle(m_code->accessibleName());
         m_window->setAttribute(Qt::WA_DeleteOnClose, false);
         auto* column = new QVBoxLayout(m_window);
         column->addWidget(m_inner);

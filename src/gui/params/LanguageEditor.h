@@ -1,5 +1,6 @@
 #pragma once
 #include "stromar/app/TextLanguage.h"
+#include <QElapsedTimer>
 #include <QPointer>
 #include <QTimer>
 #include <QWidget>
@@ -19,7 +20,7 @@ class CCodeEditor;
 class CDefineSlider;
 
 /// A text in a language with all that helps to write it: the editor, what is wrong, a slider for every number that the
-/// text offers, and the steps of what it describes. It can be torn off into a window of its own.
+/// text offers, and the steps of what it describes. It can be detached into a window of its own.
 class CLanguageEditor : public QWidget {
     Q_OBJECT
 public:
@@ -32,8 +33,8 @@ public:
     CCodeEditor& code() { return *m_code; }
     /// Whether a slider is held.
     bool held() const;
-    bool tornOff() const { return !m_window.isNull(); }
-    void setTornOff(bool torn);
+    bool detached() const { return !m_window.isNull(); }
+    void setDetached(bool detach);
     /// Marks the line that wrote what was picked.
     void showLine(int line);
 
@@ -66,7 +67,7 @@ private:
     void showStep(const TextLanguage::Step& step);
 
     const TextLanguage& m_language;
-    QWidget* m_inner; ///< what is torn off
+    QWidget* m_inner; ///< what is detached
     QPointer<QWidget> m_window;
     CCodeEditor* m_code;
     QLineEdit* m_find;
@@ -79,6 +80,7 @@ private:
     std::unique_ptr<CStepReader> m_reader;
     std::unique_ptr<CParams> m_params;
     QTimer m_typed, m_stepPause;
+    QElapsedTimer m_sinceCommit;
     QString m_committed;
     int m_gesture = 0, m_line = 0;
 };

@@ -14,12 +14,13 @@
 namespace stromar {
 
 namespace {
-constexpr double kMeasured = 500'000;       // segments up to which a tree is grown to know its size
+constexpr double kMeasured = 500'000;       // segments and organs up to which a tree is grown to know its size
 constexpr std::size_t kMaxDerived = 20'000'000; // modules, where only deriving them tells how many there are
 constexpr double kMargin = 1 + 1e-9;        // of sums
 constexpr std::size_t kThicknesses = 8;     // classes of one generation
 constexpr double kSegmentBytes = sizeof(TurtleSegment) + 3 * sizeof(std::uint32_t); // of the path, and lists of children
-constexpr double kModuleBytes = 40;         // of two words
+constexpr double kOrganBytes = sizeof(TurtleOrgan) + sizeof(CTurtleGeneration::Written);
+constexpr double kWords = 2; // that are held at once
 
 /// A kind of module as productions tell them apart.
 using ModuleKind = std::pair<Symbol, std::size_t>;
@@ -56,13 +57,21 @@ bool cuts(const std::vector<SuccessorModule>& word) {
     return std::ranges::find(word, Symbol('%'), &SuccessorModule::symbol) != word.end();
 }
 
-std::array<double, 256> countsIn(const CWord& word) {
-    std::array<double, 256> counts{};
-    for (std::size_t i = 0; i < word.size(); ++i) ++counts[word.symbol(i)];
-    return counts;
+WordSize sizeOf(const CWord& word) {
+    WordSize size;
+    for (std::size_t i = 0; i < word.size(); ++i) ++size.modules[word.symbol(i)];
+    size.numbers = double(word.numberCount());
+    return size;
 }
 
-double sumOf(const std::array<double, 256>& counts) { return std::accumulate(counts.begin(), counts.end(), 0.0); }
+double written(const WordSize& size, Organ organ) { return size.modules[kLeafSymbol + static_cast<std::size_t>(organ)]; }
+double organsIn(const WordSize& size) {
+    double sum = 0;
+    for (const Organ organ : kOrgans) sum += written(size, organ);
+    return sum;
+}
+/// Segments and organs.
+double drawnBy(const WordSize& size) { return size.modules['F'] + organsIn(size); }
 
 /// With all digits, as far as an integer holds them.
 std::string wholeText(double number) {
@@ -115,7 +124,10 @@ void estimate(double segments, SizeBound& bound) {
 }
 } // namespace
 
-std::optional<std::array<double, 256>> countModules(const Grammar& grammar, int derivations) {
+double WordSize::total() const { return std::accumulate(modules.begin(), modules.end(), 0.0); }
+double WordSize::bytes() const { return total() * CWord::kModuleBytes + numbers * sizeof(double); }
+
+std::optional<WordSize> countModules(const Grammar& grammar, int derivations) {
     CCountRules rules(grammar);
     Counts counts;
     addWord(counts, grammar.axiom, 1);
@@ -132,9 +144,12 @@ std::optional<std::array<double, 256>> countModules(const Grammar& grammar, int 
         }
         counts = std::move(next);
     }
-    std::array<double, 256> bySymbol{};
-    for (const auto& [kind, number] : counts) bySymbol[kind.first] += number;
-    return bySymbol;
+    WordSize size;
+    for (const auto& [kind, number] : counts) {
+        size.modules[kind.first] += number;
+        size.numbers += number * double(kind.second);
+    }
+    return size;
 }
 
 namespace {
@@ -142,31 +157,24 @@ SizeBound boundOf(const CParams& params, const CProgress& progress) {
     const LSystemParams& l = lsystem(params);
     const Grammar grammar = grammarOf(params);
     const auto counted = countModules(grammar, l.derivations);
-    if (counted && sumOf(*counted) > double(CRewriter::kMaxModules))
-        throw CError("this grammar makes " + wholeText(sumOf(*counted)) + " modules in " +
-                     std::to_string(l.derivations) + " derivations; at most " + std::to_string(CRewriter::kMaxModules) +
-                     " are allowed");
+    if (counted && counted->total() > double(CRewriter::kMaxModules))
+        throw CError("this grammar makes " + wholeText(counted->total()) + " modules in " + std::to_string(l.derivations) +
+                     " derivations; at most " + std::to_string(CRewriter::kMaxModules) + " are allowed");
     SizeBound bound;
     bound.base = baseFormOf(params.common);
-    std::array<double, 256> modules{};
-    if (counted && (*counted)['F'] > kMeasured) {
-        modules = *counted;
-        estimate(modules['F'], bound);
-    } else {
-        const CWord word = wordOf(params, grammar, l.derivations, true, progress, kMaxDerived);
-        modules = countsIn(word);
-        if (modules['F'] > kMeasured)
-            estimate(modules['F'], bound);
-        else {
-            const auto stems = stemsOf(word, interpret(word, turtleParamsOf(params), progress), progress);
-            if (!stems.empty()) measure(CTree(1, {stems.begin(), stems.end()}), bound);
-        }
-    }
-    bound.scratchPerSegment = kSegmentBytes + kModuleBytes * sumOf(modules) / std::max(1.0, modules['F']);
+    std::optional<CWord> word;
+    if (!counted || drawnBy(*counted) <= kMeasured) word = wordOf(params, grammar, l.derivations, true, progress, kMaxDerived);
+    const WordSize size = word ? sizeOf(*word) : *counted;
+    if (drawnBy(size) <= kMeasured) {
+        const auto stems = stemsOf(*word, interpret(*word, turtleParamsOf(params), progress), progress);
+        if (!stems.empty()) measure(CTree(1, {stems.begin(), stems.end()}), bound);
+    } else
+        estimate(std::max(1.0, size.modules['F']), bound);
+    bound.scratchPerSegment =
+        kSegmentBytes + (kWords * size.bytes() + kOrganBytes * organsIn(size)) / std::max(1.0, size.modules['F']);
     for (const Organ organ : kOrgans) {
         const double perBearer = std::max(0, COrganPlacer::perBearer(params, organ));
-        const double written = modules[kLeafSymbol + static_cast<std::size_t>(organ)];
-        bound.organs[static_cast<std::size_t>(organ)] = written + perBearer * bound.stems();
+        bound.organs[static_cast<std::size_t>(organ)] = written(size, organ) + perBearer * bound.stems();
     }
     return bound; // bearers are of all generations, and cards would stand for the last only
 }

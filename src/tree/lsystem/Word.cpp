@@ -12,8 +12,8 @@ namespace {
 constexpr std::size_t kGrain = 16384;
 constexpr std::uint64_t kAxiomId = 0x61786d, kChoice = 0x6368;
 
-[[noreturn]] void failTooLong(std::size_t max) {
-    throw CError("the word of this grammar would have more than " + std::to_string(max) + " modules");
+[[noreturn]] void failTooLong(std::size_t max, const char* what) {
+    throw CError("the word of this grammar would have more than " + std::to_string(max) + " " + what);
 }
 
 /// To so many significant digits.
@@ -99,7 +99,9 @@ CWord CRewriter::derive(const CWord& word, const CProgress& progress) const {
         starts[c].second += starts[c - 1].second;
     }
     const auto [modules, numbers] = starts.back();
-    if (modules > m_maxModules || numbers > std::numeric_limits<std::uint32_t>::max()) failTooLong(m_maxModules);
+    static_assert(kMaxNumbersEach * kMaxModules <= std::numeric_limits<std::uint32_t>::max());
+    if (modules > m_maxModules) failTooLong(m_maxModules, "modules");
+    if (numbers > kMaxNumbersEach * m_maxModules) failTooLong(kMaxNumbersEach * m_maxModules, "numbers");
     CWord next;
     next.resize(modules, numbers);
     const auto rewrite = [&](std::size_t begin, std::size_t end) {

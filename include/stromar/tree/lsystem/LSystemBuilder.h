@@ -33,11 +33,19 @@ TurtleParams turtleParamsOf(const CParams& params);
 CWord wordOf(const CParams& params, const Grammar& grammar, int derivations, bool varied, const CProgress& progress,
              std::size_t maxModules = CRewriter::kMaxModules);
 
-/// How many modules of each letter there are after so many derivations, where neither conditions nor context nor chance
-/// decide; else nothing. By rewriting numbers of modules: takes microseconds.
-std::optional<std::array<double, 256>> countModules(const Grammar& grammar, int derivations);
+/// How large a word is.
+struct WordSize {
+    std::array<double, 256> modules{}; ///< of each letter
+    double numbers = 0;                ///< of all modules
 
-/// Of a tree of up to 500,000 segments it is what its seed grows, for it is grown to know; of a larger one, what the
+    double total() const; ///< modules
+    double bytes() const;
+};
+/// After so many derivations, where neither conditions nor context nor chance decide; else nothing. By rewriting numbers
+/// of modules: takes microseconds.
+std::optional<WordSize> countModules(const Grammar& grammar, int derivations);
+
+/// Of a tree of up to 500,000 segments and organs it is what its seed grows, for it is grown to know; of a larger one, what the
 /// numbers of modules say. Throws as build() does, and CError when there are more modules than CRewriter allows.
 SizeBound lsystemBound(const CParams& params, const CProgress& progress);
 

@@ -23,10 +23,9 @@ public:
     /// Which production of the grammar wrote it; kNoProduction: the axiom. What a module grows into is written by what wrote
     /// the module.
     std::uint16_t writer(std::size_t i) const { return m_writers[i]; }
-    std::size_t bytes() const {
-        return size() * (sizeof(Symbol) + sizeof(std::uint64_t) + sizeof(std::uint16_t) + sizeof(std::uint32_t)) +
-               m_numbers.size() * sizeof(double);
-    }
+    std::size_t numberCount() const { return m_numbers.size(); }
+    std::size_t bytes() const { return size() * kModuleBytes + m_numbers.size() * sizeof(double); }
+    static constexpr std::size_t kModuleBytes = sizeof(Symbol) + sizeof(std::uint64_t) + sizeof(std::uint16_t) + sizeof(std::uint32_t);
     /// "F(1)[+A(0.5,2)]", numbers to so many digits.
     std::string text(std::size_t first, std::size_t count, int digits = 17) const;
 
@@ -47,13 +46,14 @@ private:
 class CRewriter {
 public:
     static constexpr std::size_t kMaxModules = 100'000'000;
+    static constexpr std::size_t kMaxNumbersEach = 4; ///< on average, of a word of so many modules
 
     /// `varied` false replaces every random number by its middle value.
     CRewriter(const Grammar& grammar, std::uint64_t seed, bool varied = true, std::size_t maxModules = kMaxModules);
 
     CWord axiom() const;
     /// The next word. Throws CInputError with the place of a number that is not finite, CError when there are more
-    /// modules than allowed, CCancelled.
+    /// modules or numbers than allowed, before they are held, CCancelled.
     CWord derive(const CWord& word, const CProgress& progress) const;
     CWord derive(int times, const CProgress& progress) const;
     /// How often each production would be applied to derive the next word.
