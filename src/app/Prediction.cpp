@@ -15,7 +15,7 @@ namespace {
 constexpr double kManyLeaves = 1000;
 
 bool showsCards(const CParams& params, const SizeBound& bound, const MeshParams& mesh, const Detail& detail) {
-    return detail.twigPlanes > 0 && isBakeable(params) && suitsCards(bound.bearers, mesh.seasonOf(Organ::Leaf));
+    return detail.twigPlanes > 0 && isBakeable(params) && suitsCards(bound.twigs, mesh.seasonOf(Organ::Leaf));
 }
 
 /// "950", "1.3 million": rounded up.

@@ -69,7 +69,7 @@ public:
         m_model->milliseconds.structure += watch.lap();
         for (const Organ organ : kOrgans) m_model->organs[static_cast<std::size_t>(organ)] = meshOrgans(organ);
         if (m_model->twig)
-            m_model->cards = meshOfTwigs(m_tree, *m_made.leafCounts, *m_model->twig, m_mesh, m_detail, m_progress);
+            m_model->cards = meshOfTwigs(m_asCards, m_tree, *m_made.leafCounts, *m_model->twig, m_mesh, m_detail, m_progress);
         auto& ms = m_model->milliseconds;
         ms.mesh += watch.lap();
         ms.total = ms.structure + ms.smooth + ms.mesh;
@@ -77,22 +77,20 @@ public:
     }
 
 private:
-    std::uint32_t except() const { return m_model->twig ? cardGeneration(m_tree) : kNoGeneration; }
-
     void chooseTwig() {
         m_made.leafCounts.reset();
         if (!mayShowCards(m_params, m_detail, m_progress)) return;
         m_made.leafCounts = m_builder.growOrgans(m_params, m_tree, Organ::Leaf, OrganDemand::none(), m_progress);
-        const auto stem = typicalStem(m_tree, *m_made.leafCounts, m_mesh);
-        if (!stem) return;
-        const std::size_t last = cardGeneration(m_tree);
-        std::vector<bool> chosen(m_tree.generation(last).stems.size(), false);
-        chosen[*stem] = true;
-        OrganDemand itsLeaves{.chosenStems = true};
-        itsLeaves.stems.resize(last + 1, nullptr);
-        itsLeaves.stems[last] = &chosen;
+        const StemSet twigs = twigsOf(m_tree, *m_made.leafCounts);
+        const auto typical = typicalOf(twigs, m_tree, *m_made.leafCounts, m_mesh);
+        if (!typical) return;
+        OrganDemand itsLeaves{.stems = StemSet{}};
+        itsLeaves.stems->stems.resize(typical->generation + 1);
+        itsLeaves.stems->stems.back().resize(typical->stem + 1);
+        itsLeaves.stems->stems.back().back() = true;
         const auto leaves = m_builder.growOrgans(m_params, m_tree, Organ::Leaf, itsLeaves, m_progress);
-        m_model->twig = twigOf(m_tree, *leaves, *stem, m_mesh);
+        m_model->twig = twigAt(*typical, twigs, m_tree, *leaves, m_mesh);
+        m_asCards = twigs;
     }
 
     void makeStems(std::size_t g, CStopwatch& watch) {
@@ -101,13 +99,12 @@ private:
         const auto& source = m_tree.generations()[g];
         // The simple model changes with every step of a hand: new memory would cost it more than it saves.
         const bool last = m_detail.model == Model::Full && g + 1 == m_tree.generationCount();
-        const Drawn drawn = g == except()                           ? Drawn::AsCards
-                            : isSparse(m_tree, generation, m_detail) ? Drawn::Part
-                                                                     : Drawn::All;
-        if (!made.stems.mesh || made.source != source || made.drawn != drawn ||
+        const bool sparse = isSparse(m_tree, generation, m_detail, m_asCards);
+        const std::vector<bool> asCards = g < m_asCards.stems.size() ? m_asCards.stems[g] : std::vector<bool>();
+        if (!made.stems.mesh || made.source != source || made.sparse != sparse || made.asCards != asCards ||
             meshIsStale(made.params, m_params, generation)) {
             made = {}; // first the memory of the old mesh
-            made = {source, meshStems(g, drawn, watch), m_params, drawn};
+            made = {source, meshStems(g, watch), m_params, sparse, asCards};
         } else if (made.last && !last)
             made.stems.plan = planStems(g);
         made.last = last;
@@ -121,24 +118,22 @@ private:
         m_model->milliseconds.mesh += watch.lap();
     }
 
-    StemMesh meshStems(std::size_t g, Drawn drawn, CStopwatch& watch) {
-        const int generation = static_cast<int>(g);
-        if (drawn == Drawn::AsCards) return emptyStemMesh(m_tree, generation);
+    StemMesh meshStems(std::size_t g, CStopwatch& watch) {
         StemMesh stems{planStems(g), nullptr};
         m_model->milliseconds.smooth += watch.lap();
-        stems.mesh = meshOfStems(m_tree, generation, stems.plan, m_mesh, m_progress);
+        stems.mesh = meshOfStems(m_tree, static_cast<int>(g), stems.plan, m_mesh, m_progress);
         return stems;
     }
 
     MeshPlan planStems(std::size_t g) const {
         const StemMesh* parents = g > 0 ? &m_made.stems[g - 1].stems : nullptr;
-        return planRings(m_tree, static_cast<int>(g), m_mesh, m_detail, parents, m_progress);
+        return planRings(m_tree, static_cast<int>(g), m_mesh, m_detail, parents, m_progress, m_asCards);
     }
 
     std::shared_ptr<const COrgans> growOrgans(Organ organ) {
         MadeOrgans& made = m_made.organs[static_cast<std::size_t>(organ)];
-        const OrganDemand demand = demandOf(m_detail, m_plans, organ == Organ::Leaf ? except() : kNoGeneration);
-        const Meshes bearers = demand.chosenStems ? m_model->stems : Meshes();
+        const OrganDemand demand = demandOf(m_detail, m_plans, asCards(organ));
+        const Meshes bearers = demand.stems ? m_model->stems : Meshes();
         if (!made.organs || made.growth != m_growth || made.bearers != bearers) {
             made = {}; // first the memory of the old ones
             made.organs = m_builder.growOrgans(m_params, m_tree, organ, demand, m_progress);
@@ -147,6 +142,9 @@ private:
         }
         return made.organs;
     }
+
+    /// Whose organs of a kind cards show.
+    StemSet asCards(Organ organ) const { return organ == Organ::Leaf ? m_asCards : StemSet(); }
 
     /// The tree with what is grown on it: the same object as long as nothing of it changes.
     void keepTree(const OrganArrays& organs) {
@@ -159,8 +157,7 @@ private:
     std::shared_ptr<const COrganMesh> meshOrgans(Organ organ) {
         MadeOrgans& made = m_made.organs[static_cast<std::size_t>(organ)];
         if (!made.mesh || meshIsStale(made.params, m_params, Invalidation::kLeaves)) {
-            made.mesh = meshOfOrgans(*m_model->tree, organ, m_plans, m_mesh, m_detail, m_progress,
-                                     organ == Organ::Leaf ? except() : kNoGeneration);
+            made.mesh = meshOfOrgans(*m_model->tree, organ, m_plans, m_mesh, m_detail, m_progress, asCards(organ));
             made.params = m_params;
         }
         return made.mesh;
@@ -176,6 +173,7 @@ private:
     const CProgress& m_progress;
     std::shared_ptr<TreeModel> m_model;
     std::vector<const MeshPlan*> m_plans;
+    StemSet m_asCards; ///< twigs that cards show
 };
 
 CTreeCreator::CTreeCreator(bool varied, const SizeLimits& limits)

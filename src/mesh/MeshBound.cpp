@@ -17,8 +17,9 @@ constexpr double kCopies = 2;           // the mesh, and what the graphics card 
 /// Of stems of one thickness in a generation.
 class CStemMeshBound {
 public:
-    CStemMeshBound(const SizeBound& tree, std::size_t generation, double thickness, const Detail& detail)
-        : m_base(tree.base), m_bound(tree.generations[generation]), m_thickness(thickness), m_trunk(generation == 0),
+    CStemMeshBound(const BaseForm& base, std::span<const GenerationBound> generations, std::size_t generation,
+                   double thickness, const Detail& detail)
+        : m_base(base), m_bound(generations[generation]), m_thickness(thickness), m_trunk(generation == 0),
           m_smooth(static_cast<int>(generation) < detail.smoothGenerations), m_detail(detail) {}
 
     double points() const {
@@ -83,7 +84,7 @@ private:
 double stemVertices(const SizeBound& tree, std::size_t generation, const Detail& detail) {
     double vertices = 0;
     for (const auto& [share, thickness] : tree.generations[generation].thickness)
-        vertices += share * CStemMeshBound(tree, generation, thickness, detail).vertices();
+        vertices += share * CStemMeshBound(tree.base, tree.generations, generation, thickness, detail).vertices();
     return vertices * tree.generations[generation].stems;
 }
 
@@ -106,31 +107,41 @@ struct OrganBound {
     double grown = 0, vertices = 0, corners = 0;
 };
 
-OrganBound organBound(const SizeBound& tree, Organ organ, const MeshParams& params, const Detail& detail, bool onCards) {
-    const double count = tree.organs[static_cast<std::size_t>(organ)];
-    // Which of them have fallen is chance: of none or all of them it is known.
-    const bool all = params.seasonOf(organ).share > 0;
-    if (organ == Organ::Leaf && onCards) {
-        const double cards = std::min(4 * std::ceil(count * detail.share),
-                                      tree.generations.back().stems * double(maxVerticesOfCard(detail)));
-        return {std::min(count, 2 * tree.bearers.leaves), all ? cards : 0, all ? 1.5 * cards : 0}; // rectangles
-    }
-    const double grown = demandOf(detail, {}).bound(count);
+/// Of so many that are grown. Which of them have fallen is chance: of none or all of them it is known.
+OrganBound drawnBound(double grown, Organ organ, const MeshParams& params, const Detail& detail) {
+    if (params.seasonOf(organ).share <= 0) return {grown, 0, 0};
     const LeafBlade blade = bladeOf(params, organ, detail);
-    return {grown, all ? grown * double(blade.points.size()) : 0, all ? grown * double(blade.indices.size()) : 0};
+    return {grown, grown * double(blade.points.size()), grown * double(blade.indices.size())};
+}
+
+/// Rectangles, for those on twigs.
+OrganBound cardBound(double leaves, const TwigBound& twigs, const MeshParams& params, const Detail& detail) {
+    const double grown = std::min(leaves, 2 * twigs.leaves); // of the typical one
+    if (params.seasonOf(Organ::Leaf).share <= 0) return {grown, 0, 0};
+    const double vertices = std::min(4 * std::ceil(leaves * detail.share), twigs.stems * double(maxVerticesOfCard(detail)));
+    return {grown, vertices, 1.5 * vertices};
+}
+
+OrganBound organBound(const SizeBound& tree, Organ organ, const MeshParams& params, const Detail& detail, bool onCards) {
+    const double count = tree.organs[static_cast<std::size_t>(organ)], demanded = demandOf(detail, {}).bound(count);
+    if (organ != Organ::Leaf || !onCards) return drawnBound(demanded, organ, params, detail);
+    const OrganBound cards = cardBound(count, tree.twigs, params, detail);
+    const OrganBound others = drawnBound(std::min(demanded, tree.twigs.otherLeaves), organ, params, detail);
+    return {cards.grown + others.grown, cards.vertices + others.vertices, cards.corners + others.corners};
 }
 } // namespace
 
 MeshBound meshBound(const SizeBound& tree, const MeshParams& params, const Detail& detail, bool onCards) {
     MeshBound bound;
     double corners = 0, maxCollarBytes = 0;
-    for (std::size_t g = 0; g < tree.generations.size(); ++g) {
-        if (onCards && g + 1 == tree.generations.size()) continue;
-        const double drawn = g >= 2 && g + 1 == tree.generations.size() ? twigShareBound(tree, detail) : 1;
+    const std::vector<GenerationBound>& wood = onCards ? tree.twigs.wood : tree.generations;
+    for (std::size_t g = 0; g < wood.size(); ++g) {
+        const bool sparse = !onCards && g >= 2 && g + 1 == wood.size();
+        const double drawn = sparse ? twigShareBound(tree, detail) : 1;
         double collarBytes = 0;
-        for (const auto& [share, thickness] : tree.generations[g].thickness) {
-            const CStemMeshBound each(tree, g, thickness, detail);
-            const double stems = drawn * share * tree.generations[g].stems;
+        for (const auto& [share, thickness] : wood[g].thickness) {
+            const CStemMeshBound each(tree.base, wood, g, thickness, detail);
+            const double stems = drawn * share * wood[g].stems;
             bound.vertices += stems * each.vertices();
             corners += stems * each.corners();
             bound.bytes += 2 * stems * each.planBytes(); // its parts and the whole

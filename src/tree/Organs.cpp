@@ -3,7 +3,6 @@
 #include "stromar/util/Random.h"
 #include <algorithm>
 #include <cmath>
-#include <numeric>
 
 namespace stromar {
 
@@ -11,9 +10,17 @@ namespace {
 constexpr std::uint64_t kThinning = 0x7468696e;
 }
 
-std::size_t COrgans::totalOn(std::size_t generation) const {
-    if (generation >= counts.size()) return 0;
-    return std::accumulate(counts[generation].begin(), counts[generation].end(), std::size_t{0});
+StemSet twigsOf(const CTree& tree, const COrgans& leaves) {
+    StemSet twigs;
+    twigs.stems.resize(leaves.counts.size());
+    for (std::size_t g = 0; g < leaves.counts.size(); ++g) {
+        std::vector<bool>& own = twigs.stems[g];
+        for (const std::uint32_t count : leaves.counts[g]) own.push_back(count > 0);
+        if (own.empty() || g + 1 == tree.generationCount()) continue;
+        for (const CStem& branch : tree.generation(g + 1).stems)
+            if (branch.parent >= 0) own[static_cast<std::size_t>(branch.parent)] = false;
+    }
+    return twigs;
 }
 
 std::shared_ptr<const COrgans> allOrgans(LeafArray grown,

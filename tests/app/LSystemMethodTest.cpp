@@ -178,6 +178,24 @@ TEST(LSystemMethod, BrokenGrammarsCrashNothing) {
     EXPECT_GT(grown, 20);
 }
 
+TEST(LSystemMethod, CardsStandForTwigsOfAllGenerations) {
+    CParams params = withGrammar("axiom: F(1)[+F(0.5)~L(0.1)~L~L~L~L~L]F(1)[&F(0.4)[-F(0.5)~L~L~L~L~L~L]F(0.4)~L]~L[/(90)+F(0.3)]F(0.2)");
+    const Detail& detail = detailOf(Model::Full, 2);
+    const auto model = created(params, detail);
+    ASSERT_TRUE(model->cards);
+    const StemSet twigs = twigsOf(*model->tree, *model->tree->organs(Organ::Leaf));
+    EXPECT_TRUE(twigs.has(1, 0));
+    EXPECT_FALSE(twigs.has(1, 1)) << "it has a branch";
+    EXPECT_FALSE(twigs.has(1, 2)) << "it bears nothing";
+    EXPECT_TRUE(twigs.has(2, 0));
+    EXPECT_EQ(model->cards->positions.size() % 2, 0u);
+    EXPECT_EQ(model->organs[0]->count(), 2u) << "on stems that are no twigs";
+    EXPECT_GT(model->stems[1]->vertexCount(), 0u) << "the branch, and the bare one";
+    EXPECT_EQ(model->stems[2]->vertexCount(), 0u);
+    lsystem(params).grammar = "axiom: F(1)[+F(0.5)]F(1)[&F(0.4)[-F(0.5)]~L]~L";
+    EXPECT_FALSE(created(params, detail)->cards);
+}
+
 TEST(GrammarLanguage, ColoursALine) {
     const TextLanguage& language = *treeMethods()[1].language;
     bool inComment = false;

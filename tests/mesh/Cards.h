@@ -8,7 +8,7 @@ namespace stromar::test {
 /// What cards show of a tree; null where they gain nothing.
 inline std::shared_ptr<const Twig> twigOf(const CTree& tree, const CParams& params) {
     const MeshParams mesh = meshParamsOf(params);
-    if (!suitsCards(methodOf(params).bound(params, CProgress()).bearers, mesh.seasonOf(Organ::Leaf))) return nullptr;
+    if (!suitsCards(methodOf(params).bound(params, CProgress()).twigs, mesh.seasonOf(Organ::Leaf))) return nullptr;
     return typicalTwig(tree, mesh);
 }
 

@@ -148,8 +148,9 @@ TEST(HandBuiltTree, LeavesOfTheTrunkAreDrawnBesideCards) {
     const auto all = meshAllStems(tree, meshParams(), detail, CProgress(2));
     const auto twig = typicalTwig(tree, meshParams());
     ASSERT_TRUE(twig);
-    EXPECT_GT(meshOfTwigs(tree, *tree.organs(Organ::Leaf), *twig, meshParams(), detail, CProgress(2))->vertexCount(), 0u);
-    const auto own = meshOfOrgans(tree, Organ::Leaf, plansOf(all), meshParams(), detail, CProgress(2), cardGeneration(tree));
+    EXPECT_GT(meshOfTwigs(twigsOf(tree, *tree.organs(Organ::Leaf)), tree, *tree.organs(Organ::Leaf), *twig, meshParams(), detail, CProgress(2))->vertexCount(), 0u);
+    const auto own = meshOfOrgans(tree, Organ::Leaf, plansOf(all), meshParams(), detail, CProgress(2),
+                                  twigsOf(tree, *tree.organs(Organ::Leaf)));
     EXPECT_EQ(own->vertexCount(), 8 * bladeOf(meshParams(), Organ::Leaf, detail).points.size()) << "those of the trunk";
 }
 

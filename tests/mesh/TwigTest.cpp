@@ -23,6 +23,12 @@ Carded cardsOf(const CParams& params) {
     return {tree, twigOf(*tree, params)};
 }
 
+std::shared_ptr<const CMesh> cardMesh(const CTree& tree, const Twig& twig, const CParams& params, const Detail& detail,
+                                      int threads = 2) {
+    const COrgans& leaves = *tree.organs(Organ::Leaf);
+    return meshOfTwigs(twigsOf(tree, leaves), tree, leaves, twig, meshParamsOf(params), detail, CProgress(threads));
+}
+
 std::size_t quads(const CMesh& mesh) { return mesh.triangleCount() / 2; }
 } // namespace
 
@@ -46,12 +52,12 @@ TEST_P(PresetTwig, KeepsTheCrown) {
     const Bounds all = meshesOf(*m_made.tree, m_sample.params, detailOf(Model::Full)).back()->bounds();
     for (const int lod : {2, 3}) {
         const Detail& detail = detailOf(Model::Full, lod);
-        const auto mesh = meshOfTwigs(*m_made.tree, *m_made.tree->organs(Organ::Leaf), twig, meshParamsOf(m_sample.params), detail, CProgress(2));
+        const auto mesh = cardMesh(*m_made.tree, twig, m_sample.params, detail);
         EXPECT_TRUE(checkLeaves(*mesh).sound()) << lod;
         EXPECT_LE(double(quads(*mesh)), std::ceil(detail.share * double(m_made.tree->leaves().size())));
         const double kept = mesh->area() * twig.shownArea / twig.cardArea() / twig.allLeafArea;
-        EXPECT_GT(kept, lod == 2 ? 0.8 : 0.6) << lod;
-        EXPECT_LT(kept, 1.6) << lod;
+        EXPECT_GT(kept, 0.35) << lod; // leaves around a twig hide each other
+        EXPECT_LT(kept, 1.3) << lod;
         const Bounds box = mesh->bounds();
         for (int i = 0; i < 3; ++i) {
             EXPECT_GT(box.max[i] - box.min[i], 0.85f * (all.max[i] - all.min[i])) << lod << ", " << i;
@@ -90,7 +96,7 @@ TEST(Twig, IsPressedSoThatNoLeafIsSeenEdgeOn) {
 TEST(Twig, CardsStandAboutTheirStems) {
     const CParams params = preset("quaking_aspen");
     const auto [tree, twig] = cardsOf(params);
-    const auto mesh = meshOfTwigs(*tree, *tree->organs(Organ::Leaf), *twig, meshParamsOf(params), detailOf(Model::Full, 3), CProgress(2));
+    const auto mesh = cardMesh(*tree, *twig, params, detailOf(Model::Full, 3));
     std::size_t card = 0;
     const CGeneration& last = tree->generation(tree->generationCount() - 1);
     ASSERT_EQ(mesh->vertexCount(), 4 * last.stems.size()) << "every stem bears leaves";
@@ -135,10 +141,10 @@ TEST(Twig, OfRandomTreesIsSoundAndTheSameForEveryNumberOfThreads) {
         if (!twig) continue;
         for (const int lod : {2, 3}) {
             const Detail& detail = detailOf(Model::Full, lod);
-            const auto mesh = meshOfTwigs(*tree, *tree->organs(Organ::Leaf), *twig, meshParamsOf(params), detail, CProgress(3));
+            const auto mesh = cardMesh(*tree, *twig, params, detail, 3);
             const MeshFaults faults = checkLeaves(*mesh);
             EXPECT_TRUE(faults.sound()) << number << ", LOD " << lod << ": " << inWords(faults);
-            const auto again = meshOfTwigs(*tree, *tree->organs(Organ::Leaf), *twig, meshParamsOf(params), detail, CProgress(1));
+            const auto again = cardMesh(*tree, *twig, params, detail, 1);
             EXPECT_TRUE(std::ranges::equal(mesh->positions, again->positions)) << number;
             EXPECT_TRUE(std::ranges::equal(mesh->normals, again->normals)) << number;
             ++looked;

@@ -57,7 +57,7 @@ SizeBound poleBound(const CParams& params, const CProgress&) {
     SizeBound bound;
     bound.generations = {trunk};
     bound.organs = {double(pole(params).plan.size()), 0, 0};
-    bound.bearers = {bound.organs[0], pole(params).height, params.common.leafScale};
+    bound.twigs = {1, bound.organs[0], pole(params).height, params.common.leafScale, {}, 0};
     return bound;
 }
 } // namespace

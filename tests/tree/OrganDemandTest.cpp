@@ -77,9 +77,9 @@ TEST(OrganDemand, OnlyChosenStemsBear) {
         every7th[s] = true;
         there += all->counts[last][s];
     }
-    OrganDemand demand{.share = 0.05, .chosenStems = true};
-    demand.stems.resize(last + 1, nullptr);
-    demand.stems[last] = &every7th;
+    OrganDemand demand{.share = 0.05, .stems = StemSet{}};
+    demand.stems->stems.resize(last + 1);
+    demand.stems->stems[last] = every7th;
     const auto some = leavesOf(params, demand);
     for (const CLeaf& leaf : some->grown) EXPECT_EQ(leaf.stem % 7, 0u);
     const double wanted = 0.05 * double(all->total);

@@ -24,12 +24,12 @@ public:
     void forgetOthers(const Detail& detail);
 
 private:
-    enum class Drawn { All, Part, AsCards }; ///< of a generation
     struct MadeStems {
         std::shared_ptr<const CGeneration> source;
         StemMesh stems;
         std::optional<CParams> params; ///< filling in defaults takes longer than a small step
-        Drawn drawn = Drawn::All;
+        bool sparse = false;
+        std::vector<bool> asCards; ///< by stem; empty: none
         bool last = false; ///< no generation follows: the plan is not kept
     };
     struct MadeOrgans {

@@ -65,23 +65,22 @@ struct StemMesh {
     std::shared_ptr<const CMesh> mesh;
 };
 
-/// Whether a level of detail may leave out stems of a generation: only of the last one, from level 2 on.
-bool isSparse(const CTree& tree, int generation, const Detail& detail);
+/// Whether a level of detail may leave out stems of a generation: only of the last one, and where no cards stand for
+/// twigs.
+bool isSparse(const CTree& tree, int generation, const Detail& detail, const StemSet& asCards = {});
 
 /// Decides where the rings of a generation stand. With the `parents`' mesh, that of the generation before at the same
 /// level of detail, branches get collars on it. A sparse generation keeps so many stems, chosen evenly, that all wood
 /// together has about the detail's share of the triangles of LOD 0, but never less than that share of them.
+/// Stems that cards show (see Twig.h) have no tubes, but count as chosen: what they bear besides leaves is drawn.
 /// Time linear in the segments; runs on progress.threads() threads.
 MeshPlan planRings(const CTree& tree, int generation, const MeshParams& params, const Detail& detail,
-                   const StemMesh* parents, const CProgress& progress);
+                   const StemMesh* parents, const CProgress& progress, const StemSet& asCards = {});
 
 /// The mesh of one generation of stems: every tube is closed at its base and its tip. Same result for any number of
 /// threads. Throws CCancelled.
 std::shared_ptr<const CMesh> meshOfStems(const CTree& tree, int generation, const MeshPlan& plan, const MeshParams& params,
                                          const CProgress& progress);
-
-/// No mesh for a generation that cards show: see Twig.h. What it bears is drawn.
-StemMesh emptyStemMesh(const CTree& tree, int generation);
 
 /// The meshes of all generations, each on the one before.
 std::vector<StemMesh> meshAllStems(const CTree& tree, const MeshParams& params, const Detail& detail,

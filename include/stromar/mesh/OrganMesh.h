@@ -81,17 +81,15 @@ private:
     Rounding m_rounding;
 };
 
-constexpr std::uint32_t kNoGeneration = ~0u;
-
 /// Which organs of a kind a level of detail shows on the stems that `plans`, by generation, chose: at most its share or
-/// kFewOrgans. Not those of the generation `except`, which cards show.
-OrganDemand demandOf(const Detail& detail, std::span<const MeshPlan* const> plans, std::uint32_t except = kNoGeneration);
+/// kFewOrgans. Not those on stems that cards show.
+OrganDemand demandOf(const Detail& detail, std::span<const MeshPlan* const> plans, const StemSet& asCards = {});
 
 /// The grown leaves of a tree by their form, seen from above; blossoms as cards, fruits as ellipsoids. As many and as
 /// large as the season has them, on stems that `plans` chose, enlarged to keep the area of all as far as
 /// kMaxLeafGrowth allows. Throws CCancelled.
 std::shared_ptr<const COrganMesh> meshOfOrgans(const CTree& tree, Organ organ, std::span<const MeshPlan* const> plans,
                                                const MeshParams& params, const Detail& detail,
-                                               const CProgress& progress, std::uint32_t except = kNoGeneration);
+                                               const CProgress& progress, const StemSet& asCards = {});
 
 } // namespace stromar

@@ -5,12 +5,14 @@
 #include <glm/vec3.hpp>
 #include <limits>
 #include <memory>
+#include <optional>
 #include <span>
 #include <vector>
 
 namespace stromar {
 
 struct CGeneration;
+class CTree;
 
 /// What grows on stems of any generation. Blossoms and fruits are placed like leaves.
 enum class Organ { Leaf, Blossom, Fruit };
@@ -37,7 +39,6 @@ struct COrgans {
     std::uint32_t countOn(std::size_t generation, std::size_t stem) const {
         return generation < counts.size() && !counts[generation].empty() ? counts[generation][stem] : 0;
     }
-    std::size_t totalOn(std::size_t generation) const;
 };
 using OrganArrays = std::array<std::shared_ptr<const COrgans>, kOrgans.size()>; ///< by Organ, none is null
 
@@ -45,19 +46,31 @@ using OrganArrays = std::array<std::shared_ptr<const COrgans>, kOrgans.size()>; 
 std::shared_ptr<const COrgans> allOrgans(LeafArray grown,
                                          const std::vector<std::shared_ptr<const CGeneration>>& generations);
 
+/// Some of a tree's stems, by generation; of a generation that is missing or empty none.
+struct StemSet {
+    std::vector<std::vector<bool>> stems;
+
+    bool has(std::size_t generation, std::size_t stem) const {
+        return generation < stems.size() && stem < stems[generation].size() && stems[generation][stem];
+    }
+    bool empty() const { return stems.empty(); }
+};
+
+/// The tree's twigs: stems without branches that bear leaves. Linear in the stems.
+StemSet twigsOf(const CTree& tree, const COrgans& leaves);
+
 /// Which organs of a kind are grown. Those that are kept are chosen by a number of each one's own place, so that a
 /// larger demand keeps what a smaller one has. How many are kept is left to chance, near to what is aimed at.
 struct OrganDemand {
     double share = 1;                                      ///< of all the tree bears
     double max = std::numeric_limits<double>::infinity();
     double few = 0;                                        ///< so many are not thinned
-    bool chosenStems = false;                              ///< only on those of `stems`
-    std::vector<const std::vector<bool>*> stems{};         ///< by generation; null or missing: on none
+    std::optional<StemSet> stems{};                        ///< only on these
 
     static OrganDemand none() { return {.share = 0, .max = 0}; }
 
     bool mayBear(std::size_t generation, std::size_t stem) const {
-        return !chosenStems || (generation < stems.size() && stems[generation] && (*stems[generation])[stem]);
+        return !stems || stems->has(generation, stem);
     }
     /// Of `offered`, which sit on stems that may bear, of `total` on all stems: the part that is kept, 0..1.
     double partOf(double total, double offered) const;

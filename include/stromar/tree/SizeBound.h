@@ -21,11 +21,14 @@ struct GenerationBound {
     bool forks = false, helix = false, roundEnds = false, spheres = false;
 };
 
-/// What is known of the stems that bear leaves before a tree is grown.
-struct BearerBound {
-    double leaves = 0;     ///< on one of them, at most
-    double length = 0;     ///< of one of them, metres, at most
-    double leafLength = 0; ///< metres
+/// What is known of a tree's twigs (see twigsOf) before it is grown, and of what is left when cards stand for them.
+struct TwigBound {
+    double stems = 0;                  ///< at most
+    double leaves = 0;                 ///< on a large one: twice the mean
+    double length = 0;                 ///< likewise, metres
+    double leafLength = 0;             ///< metres
+    std::vector<GenerationBound> wood; ///< the stems that are none, by generation
+    double otherLeaves = 0;            ///< on those, at most
 };
 
 /// How large a tree can become, over all seeds; told by the values alone, in microseconds.
@@ -33,7 +36,7 @@ struct SizeBound {
     std::vector<GenerationBound> generations;
     std::array<double, kOrgans.size()> organs{}; ///< by Organ
     BaseForm base;
-    BearerBound bearers;
+    TwigBound twigs;
     double scratchPerStem = 0, scratchPerSegment = 0; ///< bytes that the builder keeps besides
 
     double stems() const;

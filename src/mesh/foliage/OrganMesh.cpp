@@ -35,6 +35,14 @@ std::optional<double> meetTriangle(const glm::dvec3& from, const glm::dvec3& dir
     if (u < 0 || v < 0 || u + v > 1) return {};
     return glm::dot(ac, q) / volume;
 }
+
+std::size_t countOn(const StemSet& stems, const COrgans& organs) {
+    std::size_t count = 0;
+    for (std::size_t g = 0; g < stems.stems.size(); ++g)
+        for (std::size_t s = 0; s < stems.stems[g].size(); ++s)
+            if (stems.stems[g][s]) count += organs.countOn(g, s);
+    return count;
+}
 } // namespace
 
 COrganMesh::COrganMesh(Organ organ, LeafBlade blade, std::shared_ptr<const COrgans> organs,
@@ -119,7 +127,7 @@ std::shared_ptr<const CMesh> COrganMesh::expanded(const CProgress& progress) con
     return mesh;
 }
 
-OrganDemand demandOf(const Detail& detail, std::span<const MeshPlan* const> plans, std::uint32_t except) {
+OrganDemand demandOf(const Detail& detail, std::span<const MeshPlan* const> plans, const StemSet& asCards) {
     OrganDemand demand;
     demand.share = detail.share;
     if (detail.leafBudget != std::numeric_limits<std::size_t>::max()) demand.max = double(detail.leafBudget);
@@ -127,26 +135,28 @@ OrganDemand demandOf(const Detail& detail, std::span<const MeshPlan* const> plan
     const auto bearsAll = [](const MeshPlan* plan) {
         return std::ranges::find(plan->stemIsChosen, false) == plan->stemIsChosen.end();
     };
-    demand.chosenStems = except != kNoGeneration || !std::ranges::all_of(plans, bearsAll);
-    if (!demand.chosenStems) return demand;
-    for (std::size_t g = 0; g < plans.size(); ++g)
-        demand.stems.push_back(g == except ? nullptr : &plans[g]->stemIsChosen);
+    if (asCards.empty() && std::ranges::all_of(plans, bearsAll)) return demand;
+    demand.stems.emplace();
+    for (const MeshPlan* plan : plans) demand.stems->stems.push_back(plan->stemIsChosen);
+    for (std::size_t g = 0; g < asCards.stems.size(); ++g)
+        for (std::size_t s = 0; s < asCards.stems[g].size(); ++s)
+            if (asCards.stems[g][s]) demand.stems->stems[g][s] = false;
     return demand;
 }
 
 std::shared_ptr<const COrganMesh> meshOfOrgans(const CTree& tree, Organ organ, std::span<const MeshPlan* const> plans,
                                                const MeshParams& params, const Detail& detail,
-                                               const CProgress& progress, std::uint32_t except) {
+                                               const CProgress& progress, const StemSet& asCards) {
     progress.poll();
     const SeasonShare season = params.seasonOf(organ);
     const auto& organs = tree.organs(organ);
-    const std::size_t total = organs->total - (except == kNoGeneration ? 0 : organs->totalOn(except));
+    const std::size_t total = organs->total - countOn(asCards, *organs);
     std::vector<std::uint32_t> shown;
     shown.reserve(organs->grown.size());
     std::size_t drawable = 0;
     for (std::uint32_t i = 0; i < organs->grown.size(); ++i) {
         const CLeaf& own = organs->grown[i];
-        if (own.generation == except || !plans[own.generation]->stemIsChosen[own.stem]) continue;
+        if (asCards.has(own.generation, own.stem) || !plans[own.generation]->stemIsChosen[own.stem]) continue;
         ++drawable;
         if (!hasFallen(tree.generation(own.generation).stems[own.stem], own.number, season.share)) shown.push_back(i);
     }

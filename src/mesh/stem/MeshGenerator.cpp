@@ -26,15 +26,6 @@ std::shared_ptr<const CMesh> meshOfStems(const CTree& tree, int generation, cons
     return mesh;
 }
 
-StemMesh emptyStemMesh(const CTree& tree, int generation) {
-    const CGeneration& own = tree.generation(static_cast<std::size_t>(generation));
-    StemMesh empty;
-    empty.plan.tubeOfPath.assign(own.paths.size(), -1);
-    empty.plan.stemIsChosen.assign(own.stems.size(), true);
-    empty.mesh = allocateMesh("branches " + std::to_string(generation), Surface::Bark, 0, 0);
-    return empty;
-}
-
 std::vector<const MeshPlan*> plansOf(std::span<const StemMesh> stems) {
     std::vector<const MeshPlan*> plans;
     for (const StemMesh& own : stems) plans.push_back(&own.plan);

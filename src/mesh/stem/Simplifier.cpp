@@ -28,18 +28,16 @@ bool isChosen(const CStem& stem, std::uint32_t s, double share) {
 /// Chooses the parts of one generation for a level of detail: which rings are drawn and how many points each has.
 class CSimplifier {
 public:
-    CSimplifier(const CTree& tree, int generation, const MeshParams& params, const Detail& detail, const StemMesh* parents,
-                double share)
+    CSimplifier(const CTree& tree, int generation, const MeshParams& params, const Detail& detail, const StemMesh* parents)
         : m_detail(detail), m_generation(tree.generation(static_cast<std::size_t>(generation))),
           m_surface(tree, generation, params), m_smoother(m_surface), m_line(m_generation, m_surface),
-          m_smooth(generation < detail.smoothGenerations), m_share(share) {
+          m_smooth(generation < detail.smoothGenerations) {
         if (parents && detail.collarRings > 0)
             m_collars.emplace(tree.generation(static_cast<std::size_t>(generation - 1)), *parents);
     }
 
     void planStem(std::uint32_t s, MeshPlan& plan) {
         const CStem& stem = m_generation.stems[s];
-        if (!isChosen(stem, s, m_share)) return;
         for (std::uint32_t p = 0; p < stem.pathCount; ++p) planPath(s, stem.firstPath + p, plan);
     }
 
@@ -247,7 +245,6 @@ private:
     CSmoother m_smoother;
     CCentreLine m_line;
     bool m_smooth;
-    double m_share; ///< of the stems that is drawn
     std::optional<CCollarMaker> m_collars;
     Disc m_last{};        ///< of the tube that is being planned
     double m_spacing = 0; ///< metres below which rings coincide
@@ -283,21 +280,20 @@ void layOut(MeshPlan& plan, std::size_t paths) {
 }
 
 MeshPlan planAll(const CTree& tree, int generation, const MeshParams& params, const Detail& detail,
-                 const StemMesh* parents, double share, const CProgress& progress) {
+                 const StemMesh* parents, const std::vector<bool>& drawn, const CProgress& progress) {
     const CGeneration& own = tree.generation(static_cast<std::size_t>(generation));
     std::vector<MeshPlan> parts((own.stems.size() + kGrain - 1) / kGrain);
     parallelFor(
         own.stems.size(), kGrain,
         [&](std::size_t begin, std::size_t end) {
-            CSimplifier simplifier(tree, generation, params, detail, parents, share);
+            CSimplifier simplifier(tree, generation, params, detail, parents);
             for (std::size_t s = begin; s < end; ++s)
-                simplifier.planStem(static_cast<std::uint32_t>(s), parts[begin / kGrain]);
+                if (drawn[s]) simplifier.planStem(static_cast<std::uint32_t>(s), parts[begin / kGrain]);
         },
         progress);
     MeshPlan plan;
     for (const MeshPlan& part : parts) append(plan, part);
     layOut(plan, own.paths.size());
-    for (std::uint32_t s = 0; s < own.stems.size(); ++s) plan.stemIsChosen.push_back(isChosen(own.stems[s], s, share));
     return plan;
 }
 
@@ -305,7 +301,8 @@ MeshPlan planAll(const CTree& tree, int generation, const MeshParams& params, co
 double shareOfTwigs(const CTree& tree, const MeshParams& params, const Detail& detail, const CProgress& progress) {
     const int last = static_cast<int>(tree.generationCount()) - 1;
     const auto size = [&](int generation, const Detail& at) {
-        return double(planAll(tree, generation, params, at, nullptr, 1, progress).indexCount);
+        const std::vector<bool> all(tree.generation(static_cast<std::size_t>(generation)).stems.size(), true);
+        return double(planAll(tree, generation, params, at, nullptr, all, progress).indexCount);
     };
     double left = 0;
     for (int g = 0; g <= last; ++g) left += detail.share * size(g, detailOf(detail.model, 0));
@@ -314,15 +311,22 @@ double shareOfTwigs(const CTree& tree, const MeshParams& params, const Detail& d
 }
 } // namespace
 
-bool isSparse(const CTree& tree, int generation, const Detail& detail) {
-    return detail.share < 1 && generation >= 2 && generation + 1 == static_cast<int>(tree.generationCount());
+bool isSparse(const CTree& tree, int generation, const Detail& detail, const StemSet& asCards) {
+    return asCards.empty() && detail.share < 1 && generation >= 2 && generation + 1 == static_cast<int>(tree.generationCount());
 }
 
 MeshPlan planRings(const CTree& tree, int generation, const MeshParams& params, const Detail& detail,
-                   const StemMesh* parents, const CProgress& progress) {
-    const bool sparse = isSparse(tree, generation, detail);
-    const double share = sparse ? shareOfTwigs(tree, params, detail, progress) : 1;
-    return planAll(tree, generation, params, detail, parents, share, progress);
+                   const StemMesh* parents, const CProgress& progress, const StemSet& asCards) {
+    const auto g = static_cast<std::size_t>(generation);
+    const double share = isSparse(tree, generation, detail, asCards) ? shareOfTwigs(tree, params, detail, progress) : 1;
+    std::vector<bool> chosen, drawn;
+    for (std::uint32_t s = 0; s < tree.generation(g).stems.size(); ++s) {
+        chosen.push_back(isChosen(tree.generation(g).stems[s], s, share));
+        drawn.push_back(chosen.back() && !asCards.has(g, s));
+    }
+    MeshPlan plan = planAll(tree, generation, params, detail, parents, drawn, progress);
+    plan.stemIsChosen = std::move(chosen);
+    return plan;
 }
 
 } // namespace stromar

@@ -1,6 +1,7 @@
 #include "stromar/mesh/twig/Twig.h"
 #include "foliage/Foliage.h"
 #include "foliage/LeafBlade.h"
+#include "twig/LeafyTwigs.h"
 #include "twig/StraightStem.h"
 #include "stem/TubeWriter.h"
 #include "stromar/util/Rasterise.h"
@@ -11,8 +12,8 @@
 namespace stromar {
 
 namespace {
-constexpr double kFewestLeaves = 6; // of a stem at most; shorter ones have half of them
-constexpr double kLongest = 32;     // stem as long as can be, in leaves' lengths; most have half of that
+constexpr double kFewestLeaves = 6; // of a large twig; most have half of them
+constexpr double kLongest = 32;     // large twig, in leaves' lengths; most have half of that
 constexpr double kFlat = 0.35;       // spread out of the plane over that in it
 constexpr double kMaxTilt = 0.9;    // radians between a leaf that is seen best and one in the picture
 constexpr double kShowsBack = -0.25; // of a normal's z
@@ -20,33 +21,11 @@ constexpr double kMargin = 0.02;     // of the card, around what it shows
 constexpr int kCells = 128;          // of the grid that measures what leaves cover, on a side
 using std::numbers::pi;
 
-/// What is known of the stems that bear leaves.
-struct Bearers {
-    std::vector<std::uint32_t> leaves; ///< of each stem
-    double count = 0, total = 0;       ///< stems with leaves; their leaves
-    double stemLength = 0;             ///< mean, metres
-};
-
-Bearers bearersOf(const CTree& tree, const COrgans& leaves, double share) {
-    const CGeneration& last = tree.generation(cardGeneration(tree));
-    Bearers bearers{std::vector<std::uint32_t>(last.stems.size(), 0)};
-    for (std::size_t s = 0; s < last.stems.size(); ++s) {
-        bearers.leaves[s] = presentOn(last.stems[s], leaves.countOn(cardGeneration(tree), s), share);
-        if (bearers.leaves[s] == 0) continue;
-        bearers.total += bearers.leaves[s];
-        bearers.count += 1;
-        bearers.stemLength += last.stems[s].length;
-    }
-    bearers.stemLength /= std::max(1.0, bearers.count);
-    return bearers;
-}
-
-std::vector<const CLeaf*> leavesOf(const CTree& tree, const COrgans& organs, std::uint32_t stem, double share) {
+std::vector<const CLeaf*> leavesAt(const TwigPlace& place, const CTree& tree, const COrgans& organs, double share) {
     std::vector<const CLeaf*> leaves;
-    const std::uint32_t last = cardGeneration(tree);
     for (const CLeaf& leaf : organs.grown)
-        if (leaf.generation == last && leaf.stem == stem &&
-            !hasFallen(tree.generation(last).stems[stem], leaf.number, share))
+        if (leaf.generation == place.generation && leaf.stem == place.stem &&
+            !hasFallen(tree.generation(place.generation).stems[place.stem], leaf.number, share))
             leaves.push_back(&leaf);
     return leaves;
 }
@@ -163,36 +142,55 @@ void frame(Twig& twig) {
 }
 } // namespace
 
-bool suitsCards(const BearerBound& bearers, const SeasonShare& season) {
-    return season.size > 0 && bearers.leaves * season.share >= kFewestLeaves &&
-           bearers.length <= kLongest * bearers.leafLength;
+std::vector<LeafyTwig> leafyTwigs(const StemSet& twigs, const CTree& tree, const COrgans& leaves, double share) {
+    std::vector<LeafyTwig> leafy;
+    for (std::uint32_t g = 0; g < twigs.stems.size(); ++g)
+        for (std::uint32_t s = 0; s < twigs.stems[g].size(); ++s) {
+            if (!twigs.stems[g][s]) continue;
+            const std::uint32_t present = presentOn(tree.generation(g).stems[s], leaves.countOn(g, s), share);
+            if (present > 0) leafy.push_back({g, s, present});
+        }
+    return leafy;
 }
 
-std::optional<std::uint32_t> typicalStem(const CTree& tree, const COrgans& leaves, const MeshParams& params) {
-    const CGeneration& last = tree.generation(cardGeneration(tree));
-    const Bearers bearers = bearersOf(tree, leaves, params.seasonOf(Organ::Leaf).share);
-    std::optional<std::uint32_t> best;
+double leavesOn(const std::vector<LeafyTwig>& twigs) {
+    double total = 0;
+    for (const LeafyTwig& twig : twigs) total += twig.leaves;
+    return total;
+}
+
+bool suitsCards(const TwigBound& twigs, const SeasonShare& season) {
+    return season.size > 0 && twigs.leaves * season.share >= kFewestLeaves && twigs.length <= kLongest * twigs.leafLength;
+}
+
+std::optional<TwigPlace> typicalOf(const StemSet& twigs, const CTree& tree, const COrgans& leaves, const MeshParams& params) {
+    const std::vector<LeafyTwig> leafy = leafyTwigs(twigs, tree, leaves, params.seasonOf(Organ::Leaf).share);
+    const auto count = double(leafy.size());
+    const double total = leavesOn(leafy);
+    double meanLength = 0;
+    for (const LeafyTwig& twig : leafy) meanLength += twig.of(tree).length;
+    meanLength /= std::max(1.0, count);
+    std::optional<TwigPlace> best;
     double nearest = 0;
-    for (std::uint32_t s = 0; s < last.stems.size(); ++s) {
-        if (bearers.leaves[s] == 0) continue;
-        const CStem& stem = last.stems[s];
-        const double off = std::abs(bearers.leaves[s] * bearers.count / bearers.total - 1) +
-                           std::abs(stem.length / bearers.stemLength - 1) +
+    for (const LeafyTwig& twig : leafy) {
+        const CStem& stem = twig.of(tree);
+        const double off = std::abs(twig.leaves * count / total - 1) + std::abs(stem.length / meanLength - 1) +
                            (stem.pathCount - 1); // rather one without clones
         if (best && off >= nearest) continue;
         nearest = off;
-        best = s;
+        best = {twig.generation, twig.stem};
     }
     return best;
 }
 
-std::shared_ptr<const Twig> twigOf(const CTree& tree, const COrgans& organs, std::uint32_t chosen,
+std::shared_ptr<const Twig> twigAt(const TwigPlace& place, const StemSet& twigs, const CTree& tree, const COrgans& organs,
                                    const MeshParams& params) {
     const SeasonShare season = params.seasonOf(Organ::Leaf);
-    const CGeneration& last = tree.generation(cardGeneration(tree));
-    const std::vector<const CLeaf*> leaves = leavesOf(tree, organs, chosen, season.share);
-    const Spread spread = spreadOf(CStraightStem(last, last.stems[chosen], 0), leaves, season.size);
-    const CStraightStem stem(last, last.stems[chosen], spread.turn);
+    const CGeneration& all = tree.generation(place.generation);
+    const CStem& own = all.stems[place.stem];
+    const std::vector<const CLeaf*> leaves = leavesAt(place, tree, organs, season.share);
+    const Spread spread = spreadOf(CStraightStem(all, own, 0), leaves, season.size);
+    const CStraightStem stem(all, own, spread.turn);
     const LeafBlade blade = makeBlade(params.leaf, detailOf(Model::Full, 3));
     auto twig = std::make_shared<Twig>();
     twig->leaves = straightLeaves(stem, leaves, blade, season.size);
@@ -205,15 +203,16 @@ std::shared_ptr<const Twig> twigOf(const CTree& tree, const COrgans& organs, std
             glm::clamp(glm::dot(stem.segments()[i - 1].frame[2], stem.segments()[i].frame[2]), -1.0, 1.0));
     frame(*twig);
     twig->leafArea = twig->leaves->area() / double(leaves.size());
-    twig->allLeafArea = bearersOf(tree, organs, season.share).total * twig->leafArea;
+    twig->allLeafArea = leavesOn(leafyTwigs(twigs, tree, organs, season.share)) * twig->leafArea;
     twig->shownArea = coverage(*twig, *twig->leaves) * twig->cardArea();
     return twig;
 }
 
 std::shared_ptr<const Twig> typicalTwig(const CTree& tree, const MeshParams& params) {
     const COrgans& leaves = *tree.organs(Organ::Leaf);
-    const auto stem = typicalStem(tree, leaves, params);
-    return stem ? twigOf(tree, leaves, *stem, params) : nullptr;
+    const StemSet twigs = twigsOf(tree, leaves);
+    const auto place = typicalOf(twigs, tree, leaves, params);
+    return place ? twigAt(*place, twigs, tree, leaves, params) : nullptr;
 }
 
 } // namespace stromar

@@ -1,4 +1,5 @@
 #include "foliage/Foliage.h"
+#include "twig/LeafyTwigs.h"
 #include "twig/StraightStem.h"
 #include "stem/TubeWriter.h"
 #include "stromar/mesh/twig/Twig.h"
@@ -14,58 +15,50 @@ constexpr double kBendPerRow = 0.5; // radians
 constexpr int kMaxRows = 4;
 constexpr double kMinGrowth = 0.7; // of areas
 constexpr double kMaxCut = 2;       // length of a stem over that of its card
+/// A card is seen from any side, on the average half of it; a twig all around shows as much from each.
+constexpr double kSeenFromAside = 2;
 constexpr double kMaxBent = 0.3;    // cosine between a normal and the triangles around it
 constexpr double kMaxGrowth = kMaxLeafGrowth * kMaxLeafGrowth;
 
-/// How the stems' cards are made.
+/// How the twigs' cards are made.
 struct CardPlan {
-    std::vector<std::uint32_t> stems;  ///< that get one
-    std::vector<std::uint32_t> leaves; ///< of all stems of the generation
+    std::vector<LeafyTwig> twigs; ///< that get one
     std::uint32_t planes, rows;
-    double each; ///< for how many stems a card stands
+    double each; ///< for how many twigs a card stands
 
     std::size_t verticesOfCard() const { return std::size_t{planes} * (rows + 1) * 2; }
     std::size_t indicesOfCard() const { return std::size_t{planes} * rows * 6; }
 };
 
-CardPlan planCards(const CTree& tree, const COrgans& leaves, const Twig& twig, double share, const Detail& detail) {
+CardPlan planCards(const std::vector<LeafyTwig>& twigs, const Twig& typical, const Detail& detail) {
     CardPlan plan{};
-    const std::vector<CStem>& stems = tree.generation(cardGeneration(tree)).stems;
-    double total = 0;
-    for (std::size_t s = 0; s < stems.size(); ++s) {
-        plan.leaves.push_back(presentOn(stems[s], leaves.countOn(cardGeneration(tree), s), share));
-        total += plan.leaves.back();
-    }
-    std::vector<std::uint32_t> bearers;
-    for (std::uint32_t s = 0; s < plan.leaves.size(); ++s)
-        if (plan.leaves[s] > 0) bearers.push_back(s);
-    const double budget = std::min(double(detail.leafBudget), std::ceil(total * detail.share));
-    const double perStem = budget / std::max(1.0, double(bearers.size()));
-    const double planes = twig.flat || perStem < detail.twigPlanes ? 1 : detail.twigPlanes;
-    const double wanted = std::clamp(std::ceil(twig.bend / kBendPerRow), 1.0, double(kMaxRows));
+    const double budget = std::min(double(detail.leafBudget), std::ceil(leavesOn(twigs) * detail.share));
+    const double perTwig = budget / std::max(1.0, double(twigs.size()));
+    const double planes = typical.flat || perTwig < detail.twigPlanes ? 1 : detail.twigPlanes;
+    const double wanted = std::clamp(std::ceil(typical.bend / kBendPerRow), 1.0, double(kMaxRows));
     plan.planes = static_cast<std::uint32_t>(planes);
-    plan.rows = static_cast<std::uint32_t>(std::clamp(std::floor(perStem / planes), 1.0, wanted));
+    plan.rows = static_cast<std::uint32_t>(std::clamp(std::floor(perTwig / planes), 1.0, wanted));
     const auto max = static_cast<std::size_t>(budget) / (plan.planes * plan.rows);
-    const std::size_t count = std::min(bearers.size(), max);
-    for (std::size_t i = 0; i < count; ++i) plan.stems.push_back(bearers[evenly(i, count, bearers.size())]);
-    plan.each = count > 0 ? double(bearers.size()) / double(count) : 1;
+    const std::size_t count = std::min(twigs.size(), max);
+    for (std::size_t i = 0; i < count; ++i) plan.twigs.push_back(twigs[evenly(i, count, twigs.size())]);
+    plan.each = count > 0 ? double(twigs.size()) / double(count) : 1;
     return plan;
 }
 
-/// Writes the cards of stems, one after the other.
+/// Writes the cards of twigs, one after the other.
 class CCardWriter {
 public:
     CCardWriter(const CTree& tree, const Twig& twig, const CardPlan& plan, const Rounding& rounding, CMesh& mesh)
-        : m_generation(tree.generation(cardGeneration(tree))), m_twig(twig), m_plan(plan), m_rounding(rounding),
+        : m_tree(tree), m_twig(twig), m_plan(plan), m_rounding(rounding),
           m_mesh(mesh), m_rows(plan.rows + 1), m_points(2 * m_rows.size()) {
         for (std::uint32_t row = 0; row < plan.rows; ++row)
             for (const std::uint32_t corner : {0u, 1u, 3u, 0u, 3u, 2u}) m_corners.push_back(2 * row + corner);
     }
 
     void write(std::size_t card) {
-        const std::uint32_t s = m_plan.stems[card];
-        const CStraightStem stem(m_generation, m_generation.stems[s], m_twig.turn);
-        setSize(stem, m_plan.each * m_plan.leaves[s] * m_twig.leafArea);
+        const LeafyTwig& own = m_plan.twigs[card];
+        const CStraightStem stem(m_tree.generation(own.generation), own.of(m_tree), m_twig.turn);
+        setSize(stem, m_plan.each * own.leaves * m_twig.leafArea);
         auto first = static_cast<std::uint32_t>(card * m_plan.verticesOfCard());
         VertexSink sink = sinkAt(m_mesh, first);
         std::uint32_t* index = m_mesh.indices.data() + card * m_plan.indicesOfCard();
@@ -93,9 +86,11 @@ private:
 
     /// How far the card reaches, so that it shows an area of leaves.
     void setSize(const CStraightStem& stem, double leafArea) {
-        const double longer = stem.length() / m_twig.length;
+        const double beyond = m_twig.high.y - m_twig.length; // the tip: leaves do not grow with their twig
+        const double longer = (stem.length() + beyond) / (m_twig.length + beyond);
         const double growth =
-            std::clamp(leafArea / (m_plan.planes * m_twig.shownArea * longer), kMinGrowth, kMaxGrowth);
+            std::clamp(leafArea / (m_plan.planes * m_twig.shownArea * longer), kMinGrowth,
+                       std::min(kMaxGrowth, kSeenFromAside * m_plan.each / m_plan.planes));
         m_along = longer * std::pow(growth, 0.25); // rather wider than longer: the crown keeps its size
         m_across = std::pow(growth, 0.75);
         double chords = 0;
@@ -162,7 +157,7 @@ private:
         return rounding.turned(point.front, point.place);
     }
 
-    const CGeneration& m_generation;
+    const CTree& m_tree;
     const Twig& m_twig;
     const CardPlan& m_plan;
     const Rounding& m_rounding;
@@ -178,17 +173,17 @@ std::size_t maxVerticesOfCard(const Detail& detail) {
     return 2 * static_cast<std::size_t>(detail.twigPlanes * (kMaxRows + 1));
 }
 
-std::shared_ptr<const CMesh> meshOfTwigs(const CTree& tree, const COrgans& leaves, const Twig& twig,
+std::shared_ptr<const CMesh> meshOfTwigs(const StemSet& twigs, const CTree& tree, const COrgans& leaves, const Twig& typical,
                                          const MeshParams& params, const Detail& detail,
                                          const CProgress& progress) {
-    const CardPlan plan = planCards(tree, leaves, twig, params.seasonOf(Organ::Leaf).share, detail);
+    const CardPlan plan = planCards(leafyTwigs(twigs, tree, leaves, params.seasonOf(Organ::Leaf).share), typical, detail);
     const Rounding rounding = roundingOf(tree, leaves, params.leaf);
-    const std::size_t count = plan.stems.size();
+    const std::size_t count = plan.twigs.size();
     const auto mesh = allocateMesh("twigs", Surface::Twig, plan.verticesOfCard() * count, plan.indicesOfCard() * count);
     parallelFor(
         count, kGrain,
         [&](std::size_t begin, std::size_t end) {
-            CCardWriter writer(tree, twig, plan, rounding, *mesh);
+            CCardWriter writer(tree, typical, plan, rounding, *mesh);
             for (std::size_t card = begin; card < end; ++card) writer.write(card);
         },
         progress);

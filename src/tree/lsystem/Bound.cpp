@@ -7,6 +7,7 @@
 #include <algorithm>
 #include <cmath>
 #include <glm/geometric.hpp>
+#include <limits>
 #include <map>
 #include <numbers>
 #include <numeric>
@@ -79,9 +80,9 @@ std::string wholeText(double number) {
 }
 
 /// How thick stems are, in classes of equally many.
-std::vector<ThicknessShare> thicknessOf(const CGeneration& generation, double trunkRadius) {
+std::vector<ThicknessShare> thicknessOf(const std::vector<const CStem*>& stems, double trunkRadius) {
     std::vector<double> radii;
-    for (const CStem& stem : generation.stems) radii.push_back(trunkRadius > 0 ? stem.radius / trunkRadius : 1);
+    for (const CStem* stem : stems) radii.push_back(trunkRadius > 0 ? stem->radius / trunkRadius : 1);
     std::ranges::sort(radii);
     std::vector<ThicknessShare> shares;
     const std::size_t classes = std::min(kThicknesses, radii.size());
@@ -92,28 +93,54 @@ std::vector<ThicknessShare> thicknessOf(const CGeneration& generation, double tr
     return shares;
 }
 
-GenerationBound boundOf(const CGeneration& generation, double trunkRadius) {
+GenerationBound boundOf(const CGeneration& generation, const std::vector<const CStem*>& stems, double trunkRadius) {
     GenerationBound bound;
-    bound.stems = double(generation.stems.size());
-    bound.segments = double(generation.segments.size()) / bound.stems * kMargin;
-    double along = double(generation.segments.size()), cosine = 1;
-    for (const CStem& stem : generation.stems) {
-        along = std::min(along, double(stem.segmentCount));
-        for (std::uint32_t s = 1; s < stem.segmentCount; ++s) {
-            const CSegment* segment = &generation.segments[stem.firstSegment + s];
+    bound.stems = double(stems.size());
+    double segments = 0, along = std::numeric_limits<double>::infinity(), cosine = 1;
+    for (const CStem* stem : stems) {
+        segments += stem->segmentCount;
+        along = std::min(along, double(stem->segmentCount));
+        for (std::uint32_t s = 1; s < stem->segmentCount; ++s) {
+            const CSegment* segment = &generation.segments[stem->firstSegment + s];
             cosine = std::min(cosine, glm::dot(segment[-1].frame[2], segment->frame[2]));
         }
     }
+    if (stems.empty()) return bound;
+    bound.segments = segments / bound.stems * kMargin;
     bound.along = std::max(1.0, along);
-    bound.thickness = thicknessOf(generation, trunkRadius);
+    bound.thickness = thicknessOf(stems, trunkRadius);
     bound.turn = std::acos(std::clamp(cosine, -1.0, 1.0)) * 180 / std::numbers::pi;
     return bound;
 }
 
-/// Of a tree that was grown.
-void measure(const CTree& tree, SizeBound& bound) {
+/// Of a tree that was grown: of all stems, or of those that are not in a set.
+std::vector<GenerationBound> boundsOf(const CTree& tree, const StemSet& without = {}) {
     const double trunkRadius = tree.generation(0).stems[0].radius;
-    for (const auto& generation : tree.generations()) bound.generations.push_back(boundOf(*generation, trunkRadius));
+    std::vector<GenerationBound> bounds;
+    for (std::size_t g = 0; g < tree.generationCount(); ++g) {
+        std::vector<const CStem*> stems;
+        for (std::size_t s = 0; s < tree.generation(g).stems.size(); ++s)
+            if (!without.has(g, s)) stems.push_back(&tree.generation(g).stems[s]);
+        bounds.push_back(boundOf(tree.generation(g), stems, trunkRadius));
+    }
+    return bounds;
+}
+
+TwigBound twigBoundOf(const CParams& params, const CTree& tree, const CProgress& progress) {
+    const auto leaves = COrganPlacer(params, tree, Organ::Leaf).grow(OrganDemand::none(), progress);
+    const StemSet twigs = twigsOf(tree, *leaves);
+    TwigBound bound{.leafLength = poseOf(params.common, Organ::Leaf).length, .wood = boundsOf(tree, twigs)};
+    for (std::size_t g = 0; g < twigs.stems.size(); ++g)
+        for (std::size_t s = 0; s < twigs.stems[g].size(); ++s) {
+            if (!twigs.stems[g][s]) continue;
+            ++bound.stems;
+            bound.leaves += leaves->countOn(g, s);
+            bound.length += tree.generation(g).stems[s].length;
+        }
+    bound.otherLeaves = double(leaves->total) - bound.leaves;
+    bound.leaves *= 2 / std::max(1.0, bound.stems);
+    bound.length *= 2 / std::max(1.0, bound.stems);
+    return bound;
 }
 
 /// Of one that is too large to be grown for this: every segment is a stem as thick as the trunk.
@@ -167,7 +194,11 @@ SizeBound boundOf(const CParams& params, const CProgress& progress) {
     const WordSize size = word ? sizeOf(*word) : *counted;
     if (drawnBy(size) <= kMeasured) {
         const auto stems = stemsOf(*word, interpret(*word, turtleParamsOf(params), progress), progress);
-        if (!stems.empty()) measure(CTree(1, {stems.begin(), stems.end()}), bound);
+        if (!stems.empty()) {
+            const CTree tree(1, {stems.begin(), stems.end()});
+            bound.generations = boundsOf(tree);
+            bound.twigs = twigBoundOf(params, tree, progress);
+        }
     } else
         estimate(std::max(1.0, size.modules['F']), bound);
     bound.scratchPerSegment =
@@ -176,7 +207,7 @@ SizeBound boundOf(const CParams& params, const CProgress& progress) {
         const double perBearer = std::max(0, COrganPlacer::perBearer(params, organ));
         bound.organs[static_cast<std::size_t>(organ)] = written(size, organ) + perBearer * bound.stems();
     }
-    return bound; // bearers are of all generations, and cards would stand for the last only
+    return bound;
 }
 } // namespace
 

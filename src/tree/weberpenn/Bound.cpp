@@ -191,13 +191,17 @@ GenerationBound boundOf(const CParams& params, int generation, double stems) {
     return bound;
 }
 
-BearerBound bearersOf(const CParams& params) {
+TwigBound twigsOf(const CParams& params, const SizeBound& bound) {
     const WeberPennParams& w = weberPenn(params);
     const CommonParams& c = params.common;
     if (w.levels < 2) return {};
     double length = w.scale;
     for (int g = 0; g < w.levels; ++g) length *= levelOf(params, g).length;
-    return {std::abs(w.leaves) * c.leafQuality, length, c.leafScale / std::sqrt(c.leafQuality)};
+    std::vector<GenerationBound> wood = bound.generations;
+    const double number = std::abs(w.leaves) * c.leafQuality, fewest = number / 2; // by the shape ratio along the parent
+    const double rounded = w.leaves > 0 ? c.leafWhorl : wood.back().paths;
+    if (fewest >= rounded) wood.pop_back(); // else some stems may have none
+    return {bound.generations.back().stems, number, length, c.leafScale / std::sqrt(c.leafQuality), wood, 0};
 }
 } // namespace
 
@@ -222,7 +226,7 @@ SizeBound weberPennBound(const CParams& params, const CProgress&) {
         return number == 0 ? 0 : stems.stems() * (std::abs(number) * leafiness + rounded);
     };
     bound.organs = {organs(w.leaves * c.leafQuality, c.leafWhorl), organs(c.blossoms, 1), organs(c.fruits, 1)};
-    bound.bearers = bearersOf(params);
+    bound.twigs = twigsOf(params, bound);
     return bound;
 }
 

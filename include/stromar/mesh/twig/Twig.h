@@ -11,8 +11,8 @@
 
 namespace stromar {
 
-/// What a card shows instead of a stem of the last generation with its leaves: a typical one of the tree, made
-/// straight. x to the right, y along the stem from its base, z to the viewer; metres.
+/// What a card shows instead of a twig (see twigsOf) with its leaves: a typical one of the tree, made straight. x to the
+/// right, y along the stem from its base, z to the viewer; metres.
 struct Twig {
     std::shared_ptr<const CMesh> wood, leaves;
     glm::dvec2 low, high; ///< what the card shows of x and y
@@ -27,27 +27,29 @@ struct Twig {
     double cardArea() const { return (high.x - low.x) * (high.y - low.y); }
 };
 
-/// Whether cards of whole twigs gain something: not where stems bear few leaves (the season counts), or are too long for
+/// Whether cards of whole twigs gain something: not where twigs bear few leaves (the season counts), or are too long for
 /// the leaves to be seen in a picture.
-bool suitsCards(const BearerBound& bearers, const SeasonShare& season);
+bool suitsCards(const TwigBound& twigs, const SeasonShare& season);
 
-/// The generation whose stems cards stand for: the last one.
-inline std::uint32_t cardGeneration(const CTree& tree) { return static_cast<std::uint32_t>(tree.generationCount()) - 1; }
+/// A stem of a tree.
+struct TwigPlace {
+    std::uint32_t generation, stem;
+};
 
-/// The stem of the last generation that is nearest to the mean of those that bear leaves; nothing where none does. Only
-/// the counts are looked at.
-std::optional<std::uint32_t> typicalStem(const CTree& tree, const COrgans& leaves, const MeshParams& params);
-/// What that stem with its leaves, which are grown, looks like.
-std::shared_ptr<const Twig> twigOf(const CTree& tree, const COrgans& leaves, std::uint32_t stem,
+/// The one of the twigs that is nearest to their mean; nothing where none bears leaves. Of the leaves only the counts
+/// are looked at.
+std::optional<TwigPlace> typicalOf(const StemSet& twigs, const CTree& tree, const COrgans& leaves, const MeshParams& params);
+/// What that one with its leaves, which are grown, looks like.
+std::shared_ptr<const Twig> twigAt(const TwigPlace& place, const StemSet& twigs, const CTree& tree, const COrgans& leaves,
                                    const MeshParams& params);
-/// Of a tree whose leaves are all grown; null when the last generation bears none.
+/// The typical one of twigsOf() a tree whose leaves are all grown; null when it has none.
 std::shared_ptr<const Twig> typicalTwig(const CTree& tree, const MeshParams& params);
 
-/// A card for every stem of the last generation that bears leaves, bent with it, in the detail's number of planes. No
+/// A card for every twig that bears leaves, bent with it, in the detail's number of planes. No
 /// more rectangles than the detail's share of the leaves: else fewer planes, straight cards, at last fewer cards. Each
 /// shows as much leaf as its stem has, as far as kMaxLeafGrowth allows. Throws CCancelled.
 /// Of the leaves only the counts are looked at.
-std::shared_ptr<const CMesh> meshOfTwigs(const CTree& tree, const COrgans& leaves, const Twig& twig,
+std::shared_ptr<const CMesh> meshOfTwigs(const StemSet& twigs, const CTree& tree, const COrgans& leaves, const Twig& typical,
                                          const MeshParams& params, const Detail& detail, const CProgress& progress);
 std::size_t maxVerticesOfCard(const Detail& detail);
 
