@@ -1,8 +1,10 @@
 #include "stromar/app/Methods.h"
 #include "methods/LSystem.h"
+#include "methods/Strands.h"
 #include "methods/WeberPenn.h"
 #include "stromar/params/methods/lsystem/LSystemParams.h"
 #include "stromar/tree/lsystem/LSystemBuilder.h"
+#include "stromar/tree/strands/StrandsBuilder.h"
 #include "stromar/tree/weberpenn/WeberPennBuilder.h"
 #include <algorithm>
 #include <cassert>
@@ -24,6 +26,12 @@ const TreeMethod kMethods[] = {
      .boundIsQuick = false,
      .demonstration = {.settings = "Derivations=4"},
      .language = &lsystemLanguage()},
+    {.block = &strandsBlock(),
+     .makeBuilder = [](bool varied) -> std::unique_ptr<ITreeBuilder> { return std::make_unique<CStrandsBuilder>(varied); },
+     .bound = &strandsBound,
+     .demonstration = {.settings = "Strands=60 TrunkHeight=1.5 InheritedLength=1.5"},
+     .quantities = strandQuantities(),
+     .curveAt = &strandCurveAt},
 };
 
 std::vector<TreeMethod>& known() {

@@ -154,21 +154,33 @@ Json predictedInfo(const Prediction& size) {
             {"bytes", std::ceil(size.bytes)}};
 }
 
+/// What the method knows of a segment, or of a stem at its base.
+void addQuantities(Json& line, const TreeModel& model, const SegmentPlace& place, bool ofStem) {
+    for (const SegmentQuantity& quantity : methodOf(model.params).quantities) {
+        if (ofStem && !quantity.ofStem) continue;
+        const double value = quantity.of(*model.tree, place);
+        const bool whole = quantity.count && value == std::floor(value);
+        line[std::string(quantity.name)] = whole ? Json(static_cast<std::int64_t>(value)) : Json(value);
+    }
+}
+
 /// The segments of a stem, path by path.
-void printSegments(const CGeneration& generation, std::size_t g, std::size_t index, std::ostream& out) {
+void printSegments(const TreeModel& model, std::size_t g, std::size_t index, std::ostream& out) {
+    const CGeneration& generation = model.tree->generation(g);
     const CStem& stem = generation.stems[index];
     for (std::uint32_t p = 0; p < stem.pathCount; ++p) {
         const CPath& path = generation.paths[stem.firstPath + p];
         for (std::uint32_t s = 0; s < path.segmentCount; ++s) {
             const CSegment& segment = generation.segments[path.firstSegment + s];
-            const Json line = {{"generation", g},
-                               {"stem", index},
-                               {"path", p},
-                               {"index", path.firstPosition + s},
-                               {"base", array(segment.position)},
-                               {"end", array(segment.axisPoint(1))},
-                               {"radius_base", segment.radiusBase},
-                               {"radius_end", segment.radiusEnd}};
+            Json line = {{"generation", g},
+                         {"stem", index},
+                         {"path", p},
+                         {"index", path.firstPosition + s},
+                         {"base", array(segment.position)},
+                         {"end", array(segment.axisPoint(1))},
+                         {"radius_base", segment.radiusBase},
+                         {"radius_end", segment.radiusEnd}};
+            addQuantities(line, model, {g, path.firstSegment + s}, false);
             out << line.dump() << "\n";
         }
     }
@@ -228,8 +240,10 @@ void printStructure(const CommonOptions& common, bool segments, std::ostream& ou
     for (std::size_t g = 0; g < tree.generationCount(); ++g) {
         const CGeneration& generation = tree.generation(g);
         for (std::size_t s = 0; s < generation.stems.size(); ++s) {
-            out << stemInfo(generation, g, s, leaves.countOn(g, s)).dump() << "\n";
-            if (segments) printSegments(generation, g, s, out);
+            Json stem = stemInfo(generation, g, s, leaves.countOn(g, s));
+            addQuantities(stem, *model, {g, generation.stems[s].firstSegment}, true);
+            out << stem.dump() << "\n";
+            if (segments) printSegments(*model, g, s, out);
             progress.poll();
         }
     }

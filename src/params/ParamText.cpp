@@ -34,7 +34,7 @@ const KeyIndex& keyIndex(const ParamBlock& block) {
 }
 
 std::optional<double> wordValue(const ParamInfo& info, std::string_view value) {
-    const auto word = std::ranges::find(info.words, lowerCase(value));
+    const auto word = std::ranges::find(info.words, lowerCase(value), lowerCase);
     if (word == info.words.end()) return {};
     return static_cast<double>(word - info.words.begin());
 }

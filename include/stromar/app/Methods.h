@@ -16,6 +16,19 @@ struct DemoPlant {
     std::string_view (*settingsOf)(const ParamRef& ref) = nullptr;
 };
 
+/// A segment of a tree.
+struct SegmentPlace {
+    std::size_t generation, segment;
+};
+
+/// What a method knows of every segment besides its geometry.
+struct SegmentQuantity {
+    std::string_view name; ///< as `structure` writes it
+    double (*of)(const CTree& tree, const SegmentPlace& place);
+    bool ofStem = false; ///< said of stems too: at their base
+    bool count = false;  ///< a whole number as a rule
+};
+
 /// A way to grow trees: one row of the table of methods. Files, command line, window, prediction and manual take all
 /// they need to know from here.
 struct TreeMethod {
@@ -30,6 +43,9 @@ struct TreeMethod {
     /// The generation of stems that a value is about, for the picture: kLeaves, kNoGeneration. Null: none.
     int (*generationOf)(const ParamRef& ref, const CParams& params) = nullptr;
     const TextLanguage* language = nullptr; ///< of its block text
+    std::span<const SegmentQuantity> quantities{};
+    /// Where a branch stands on a curve of the block: its x. Null: curves say nothing of single branches.
+    double (*curveAt)(const ParamInfo& curve, const CParams& params, const CTree& tree, const SegmentPlace& place) = nullptr;
 
     static constexpr int kLeaves = -1, kNone = -100;
 };

@@ -17,6 +17,9 @@ namespace {
 constexpr std::size_t kGrain = 64;
 constexpr int kFewestPointsPerLobe = 4;
 constexpr double kFreeOfDisc = 1.05; // radii that a tilted ring stays off the plane of the next
+constexpr double kTight = 0.985;     // cosine between rings that are close
+constexpr double kAside = 0.85;      // cosine between a ring and the way to the next
+constexpr double kTipReach = 4;      // radii of rings that a tip pushes out
 constexpr double kApart = 0.2;       // radii between the first own ring above a collar and the next
 
 /// Whether a stem is among the share of its generation that is drawn. A smaller share chooses of what a larger one
@@ -62,7 +65,8 @@ private:
                      tube.points >= static_cast<std::uint32_t>(kFewestPointsPerLobe * m_surface.ridges());
         tube.pointed = endsInPoint(stem, path);
         const double start = withCollar ? addCollar(stem, tube, plan) : 0;
-        if ((start > 0 || !withCollar) && addRings(stem, path, start, tube, plan) && !collarFolds(tube, plan)) {
+        if ((start > 0 || !withCollar) && addRings(stem, path, start, tube, plan) && !collarFolds(tube, plan) &&
+            unfold(stem, tube, plan)) {
             plan.tubes.push_back(tube);
             return true;
         }
@@ -146,7 +150,7 @@ private:
     /// A ring as the flat round thing it covers.
     struct Disc {
         Ring ring;
-        glm::dvec3 centre, axis;
+        glm::dvec3 centre, axis, right;
         double radius;
     };
 
@@ -154,7 +158,7 @@ private:
         const CCentreLine::Place place = m_line.at(ring.segment, ring.t);
         const double radius = m_surface.outerRadius(stem, m_generation.segments[ring.segment], ring.t);
         const double floor = m_surface.drawnFloor(stem, m_generation.segments[stem.firstSegment]);
-        return {ring, place.centre, place.frame[2], place.stretch * std::max(radius, floor)};
+        return {ring, place.centre, place.frame[2], place.frame[0], place.stretch * std::max(radius, floor)};
     }
 
     /// Whether two rings would touch or one reach through the other, so that the wall between them folds.
@@ -173,12 +177,21 @@ private:
     /// Appends a ring that keeps off the last one; a ring that is needed pushes others out, all but the first.
     void addRing(const CStem& stem, const Tube& tube, const Disc& disc, bool needed, MeshPlan& plan) {
         if (!needed && collide(m_last, disc)) return;
-        while (collide(m_last, disc) && plan.rings.size() - tube.firstRing > 1) {
+        while (collide(m_last, disc) && plan.rings.size() - tube.firstRing > 1 && alongBetween(m_last, disc) < kTipReach * (m_last.radius + disc.radius)) {
             plan.rings.pop_back();
             m_last = discAt(stem, plan.rings.back());
         }
         plan.rings.push_back(disc.ring);
         m_last = disc;
+    }
+
+    /// Metres along the path.
+    double alongBetween(const Disc& low, const Disc& high) const {
+        const auto along = [&](const Ring& ring) {
+            const CSegment& segment = m_generation.segments[ring.segment];
+            return segment.start + ring.t * segment.length;
+        };
+        return along(high.ring) - along(low.ring);
     }
 
     /// Whether a ring between segments changes too little to be drawn; `left` sums the turns since the last that is.
@@ -201,10 +214,75 @@ private:
     bool collarFolds(const Tube& tube, const MeshPlan& plan) {
         if (tube.collarRings == 0) return false;
         Tube trial = tube;
-        trial.firstVertex = 0;
-        trial.firstIndex = 0;
         trial.pointed = tube.pointed && tube.ringCount == 2;
         trial.ringCount = 2;
+        return !writeTrial(trial, plan);
+    }
+
+    /// Takes rings out where the walls of a stem that turns in less than its thickness would fold, and lets it end in a
+    /// point if its end would; false when that does not help.
+    bool unfold(const CStem& stem, Tube& tube, MeshPlan& plan) {
+        if (tube.lobed || !isTight(stem, tube, plan)) return true;
+        for (;;) {
+            Tube trial = tube;
+            if (writeTrial(trial, plan)) return true;
+            const std::uint32_t folded = foldedRing(trial, plan);
+            if (!tube.pointed && folded + 1 >= tube.ringCount)
+                tube.pointed = true;
+            else if (tube.ringCount > 2) {
+                const std::uint32_t out = std::clamp(folded, 1u, tube.ringCount - 2);
+                plan.rings.erase(plan.rings.begin() + tube.firstRing + out);
+                --tube.ringCount;
+            } else if (!tube.pointed)
+                tube.pointed = true;
+            else
+                return false;
+            halvePoints(stem, tube, plan);
+        }
+    }
+
+    /// Whether two rings that follow each other are turned against each other, so that the wall between them may fold.
+    bool isTight(const CStem& stem, const Tube& tube, const MeshPlan& plan) const {
+        Disc low = discAt(stem, *plan.ringsOf(tube));
+        for (std::uint32_t r = 1; r < tube.ringCount; ++r) {
+            const Disc high = discAt(stem, plan.ringsOf(tube)[r]);
+            const glm::dvec3 apart = high.centre - low.centre;
+            const double distance = glm::length(apart);
+            const bool tilted = distance < low.radius + high.radius && glm::dot(low.axis, high.axis) < kTight;
+            const bool aside = std::min(glm::dot(apart, low.axis), glm::dot(apart, high.axis)) < kAside * distance;
+            const bool twisted = glm::dot(low.right, high.right) < kAside; // about the line, where rings were left out
+            if (tilted || aside || twisted) return true;
+            low = high;
+        }
+        return false;
+    }
+
+    /// The first ring of a tube of the trial that has a vertex whose normal no triangle around it would have.
+    std::uint32_t foldedRing(const Tube& trial, const MeshPlan& plan) const {
+        const auto& indices = m_trial.indices;
+        for (std::size_t t = 0; t < trial.indexCount(); t += 3) {
+            const auto at = [&](std::size_t c) { return m_trial.positions[indices[t + c]]; };
+            const glm::vec3 face = glm::cross(at(1) - at(0), at(2) - at(0));
+            for (std::size_t c = 0; c < 3; ++c)
+                if (glm::dot(face, m_trial.normals[indices[t + c]]) <= 0) return ringOf(trial, plan, indices[t + c]);
+        }
+        return 1;
+    }
+
+    /// The lids' vertices belong to the last ring and to the first.
+    static std::uint32_t ringOf(const Tube& tube, const MeshPlan& plan, std::uint32_t vertex) {
+        std::uint32_t end = tube.collarRings * (tube.points + 1);
+        for (std::uint32_t r = 0; r < tube.ringCount; ++r) {
+            end += plan.ringsOf(tube)[r].points + 1;
+            if (vertex < end) return r;
+        }
+        return tube.ringCount - 1;
+    }
+
+    /// False when it folds.
+    bool writeTrial(Tube& trial, const MeshPlan& plan) {
+        trial.firstVertex = 0;
+        trial.firstIndex = 0;
         measure(plan, trial);
         m_trial.positions.resize(trial.vertexCount());
         m_trial.normals.resize(trial.vertexCount());
@@ -212,7 +290,7 @@ private:
         m_trial.skyVisibility.resize(trial.vertexCount());
         m_trial.indices.resize(trial.indexCount());
         CPointGenerator points(m_generation, plan, m_surface);
-        return !writeTube(plan, trial, points, m_trial);
+        return writeTube(plan, trial, points, m_trial);
     }
 
     template <typename Add>

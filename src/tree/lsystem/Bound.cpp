@@ -1,4 +1,5 @@
 #include "CommonValues.h"
+#include "MeasuredBound.h"
 #include "lsystem/OrganPlacer.h"
 #include "stromar/params/methods/lsystem/LSystemParams.h"
 #include "stromar/tree/lsystem/LSystemBuilder.h"
@@ -6,10 +7,7 @@
 #include "stromar/util/Text.h"
 #include <algorithm>
 #include <cmath>
-#include <glm/geometric.hpp>
-#include <limits>
 #include <map>
-#include <numbers>
 #include <numeric>
 
 namespace stromar {
@@ -17,8 +15,6 @@ namespace stromar {
 namespace {
 constexpr double kMeasured = 500'000;       // segments and organs up to which a tree is grown to know its size
 constexpr std::size_t kMaxDerived = 20'000'000; // modules, where only deriving them tells how many there are
-constexpr double kMargin = 1 + 1e-9;        // of sums
-constexpr std::size_t kThicknesses = 8;     // classes of one generation
 constexpr double kSegmentBytes = sizeof(TurtleSegment) + 3 * sizeof(std::uint32_t); // of the path, and lists of children
 constexpr double kOrganBytes = sizeof(TurtleOrgan) + sizeof(CTurtleGeneration::Written);
 constexpr double kWords = 2; // that are held at once
@@ -79,70 +75,6 @@ std::string wholeText(double number) {
     return number < 9e18 ? std::to_string(static_cast<std::uint64_t>(number)) : numberText(number);
 }
 
-/// How thick stems are, in classes of equally many.
-std::vector<ThicknessShare> thicknessOf(const std::vector<const CStem*>& stems, double trunkRadius) {
-    std::vector<double> radii;
-    for (const CStem* stem : stems) radii.push_back(trunkRadius > 0 ? stem->radius / trunkRadius : 1);
-    std::ranges::sort(radii);
-    std::vector<ThicknessShare> shares;
-    const std::size_t classes = std::min(kThicknesses, radii.size());
-    for (std::size_t c = 0; c < classes; ++c) {
-        const std::size_t first = c * radii.size() / classes, end = (c + 1) * radii.size() / classes;
-        shares.push_back({double(end - first) / double(radii.size()), radii[end - 1]});
-    }
-    return shares;
-}
-
-GenerationBound boundOf(const CGeneration& generation, const std::vector<const CStem*>& stems, double trunkRadius) {
-    GenerationBound bound;
-    bound.stems = double(stems.size());
-    double segments = 0, along = std::numeric_limits<double>::infinity(), cosine = 1;
-    for (const CStem* stem : stems) {
-        segments += stem->segmentCount;
-        along = std::min(along, double(stem->segmentCount));
-        for (std::uint32_t s = 1; s < stem->segmentCount; ++s) {
-            const CSegment* segment = &generation.segments[stem->firstSegment + s];
-            cosine = std::min(cosine, glm::dot(segment[-1].frame[2], segment->frame[2]));
-        }
-    }
-    if (stems.empty()) return bound;
-    bound.segments = segments / bound.stems * kMargin;
-    bound.along = std::max(1.0, along);
-    bound.thickness = thicknessOf(stems, trunkRadius);
-    bound.turn = std::acos(std::clamp(cosine, -1.0, 1.0)) * 180 / std::numbers::pi;
-    return bound;
-}
-
-/// Of a tree that was grown: of all stems, or of those that are not in a set.
-std::vector<GenerationBound> boundsOf(const CTree& tree, const StemSet& without = {}) {
-    const double trunkRadius = tree.generation(0).stems[0].radius;
-    std::vector<GenerationBound> bounds;
-    for (std::size_t g = 0; g < tree.generationCount(); ++g) {
-        std::vector<const CStem*> stems;
-        for (std::size_t s = 0; s < tree.generation(g).stems.size(); ++s)
-            if (!without.has(g, s)) stems.push_back(&tree.generation(g).stems[s]);
-        bounds.push_back(boundOf(tree.generation(g), stems, trunkRadius));
-    }
-    return bounds;
-}
-
-TwigBound twigBoundOf(const CParams& params, const CTree& tree, const CProgress& progress) {
-    const auto leaves = COrganPlacer(params, tree, Organ::Leaf).grow(OrganDemand::none(), progress);
-    const StemSet twigs = twigsOf(tree, *leaves);
-    TwigBound bound{.leafLength = poseOf(params.common, Organ::Leaf).length, .wood = boundsOf(tree, twigs)};
-    for (std::size_t g = 0; g < twigs.stems.size(); ++g)
-        for (std::size_t s = 0; s < twigs.stems[g].size(); ++s) {
-            if (!twigs.stems[g][s]) continue;
-            ++bound.stems;
-            bound.leaves += leaves->countOn(g, s);
-            bound.length += tree.generation(g).stems[s].length;
-        }
-    bound.otherLeaves = double(leaves->total) - bound.leaves;
-    bound.leaves *= 2 / std::max(1.0, bound.stems);
-    bound.length *= 2 / std::max(1.0, bound.stems);
-    return bound;
-}
-
 /// Of one that is too large to be grown for this: every segment is a stem as thick as the trunk.
 void estimate(double segments, SizeBound& bound) {
     GenerationBound all;
@@ -197,7 +129,8 @@ SizeBound boundOf(const CParams& params, const CProgress& progress) {
         if (!stems.empty()) {
             const CTree tree(1, {stems.begin(), stems.end()});
             bound.generations = boundsOf(tree);
-            bound.twigs = twigBoundOf(params, tree, progress);
+            const auto leaves = COrganPlacer(params, tree, Organ::Leaf).grow(OrganDemand::none(), progress);
+            bound.twigs = twigBoundOf(tree, *leaves, poseOf(params.common, Organ::Leaf).length);
         }
     } else
         estimate(std::max(1.0, size.modules['F']), bound);

@@ -1,6 +1,5 @@
 #include "lsystem/OrganPlacer.h"
 #include "stromar/params/methods/lsystem/LSystemParams.h"
-#include "stromar/util/Parallel.h"
 #include "stromar/util/Random.h"
 #include <algorithm>
 #include <cmath>
@@ -9,7 +8,6 @@
 namespace stromar {
 
 namespace {
-constexpr std::size_t kGrain = 256;
 constexpr std::uint64_t kOrganId = 0x6f7267, kStartTurn = 0x7475726e;
 } // namespace
 
@@ -26,33 +24,11 @@ int COrganPlacer::perBearer(const CParams& params, Organ organ) {
 }
 
 std::shared_ptr<const COrgans> COrganPlacer::grow(const OrganDemand& demand, const CProgress& progress) const {
-    auto organs = std::make_shared<COrgans>();
-    organs->counts.resize(m_tree.generationCount());
-    double offered = 0;
-    for (std::size_t g = 0; g < m_tree.generationCount(); ++g) {
-        countOn(g, organs->counts[g]);
-        for (std::size_t s = 0; s < organs->counts[g].size(); ++s) {
-            organs->total += organs->counts[g][s];
-            if (demand.mayBear(g, s)) offered += organs->counts[g][s];
-        }
-    }
-    const double part = demand.partOf(double(organs->total), offered);
-    if (part <= 0) return organs;
-    std::vector<Site> sites;
-    for (std::uint32_t g = 0; g < organs->counts.size(); ++g)
-        for (std::uint32_t s = 0; s < organs->counts[g].size(); ++s) {
-            if (!demand.mayBear(g, s)) continue;
-            for (Site site{g, s, 0}; site.number < organs->counts[g][s]; ++site.number)
-                if (part >= 1 || OrganDemand::keeps(part, idOf(site))) sites.push_back(site);
-        }
-    organs->grown.resize(sites.size());
-    parallelFor(
-        sites.size(), kGrain,
-        [&](std::size_t begin, std::size_t end) {
-            for (std::size_t i = begin; i < end; ++i) organs->grown[i] = place(sites[i]);
-        },
-        progress);
-    return organs;
+    std::vector<std::vector<std::uint32_t>> counts(m_tree.generationCount());
+    for (std::size_t g = 0; g < counts.size(); ++g) countOn(g, counts[g]);
+    return placeOrgans(
+        std::move(counts), demand, [this](const OrganSite& site) { return idOf(site); },
+        [this](const OrganSite& site) { return place(site); }, progress);
 }
 
 /// Empty where none bears any.
@@ -75,19 +51,19 @@ std::span<const CTurtleGeneration::Written> COrganPlacer::writtenOn(std::size_t 
     return {first, end};
 }
 
-std::uint64_t COrganPlacer::idOf(const Site& site) const {
+std::uint64_t COrganPlacer::idOf(const OrganSite& site) const {
     const CStem& stem = m_tree.generation(site.generation).stems[site.stem];
     return hashCombine(hashCombine(stem.id, kOrganId + static_cast<std::uint64_t>(m_organ)), site.number);
 }
 
-CLeaf COrganPlacer::place(const Site& site) const {
+CLeaf COrganPlacer::place(const OrganSite& site) const {
     const auto written = writtenOn(site.generation, site.stem);
     if (site.number < written.size()) return placeWritten(written[site.number], site);
     return placeOnBearer(site.number - static_cast<std::uint32_t>(written.size()), site);
 }
 
 /// As the turtle stood: its heading is the axis, its upper side the normal.
-CLeaf COrganPlacer::placeWritten(const CTurtleGeneration::Written& written, const Site& site) const {
+CLeaf COrganPlacer::placeWritten(const CTurtleGeneration::Written& written, const OrganSite& site) const {
     CLeaf organ{written.position, written.axis, written.normal, static_cast<float>(m_pose.length),
                 static_cast<float>(m_pose.width), site.stem, site.generation, site.number};
     if (written.size >= 0) {
@@ -104,7 +80,7 @@ CLeaf COrganPlacer::placeWritten(const CTurtleGeneration::Written& written, cons
 }
 
 /// The i-th of those along a stem; the last stands at its tip.
-CLeaf COrganPlacer::placeOnBearer(std::uint32_t i, const Site& site) const {
+CLeaf COrganPlacer::placeOnBearer(std::uint32_t i, const OrganSite& site) const {
     const CGeneration& all = m_tree.generation(site.generation);
     const CStem& stem = all.stems[site.stem];
     const auto whorl = static_cast<std::uint32_t>(m_whorl);

@@ -1,5 +1,6 @@
 #pragma once
 #include "CommonValues.h"
+#include "OrganSites.h"
 #include "stromar/tree/lsystem/TurtleStems.h"
 #include "stromar/util/Progress.h"
 
@@ -17,19 +18,15 @@ public:
     static int perBearer(const CParams& params, Organ organ);
 
 private:
-    struct Site {
-        std::uint32_t generation, stem, number;
-    };
-
     const CTurtleGeneration& generation(std::size_t g) const {
         return static_cast<const CTurtleGeneration&>(m_tree.generation(g));
     }
     std::span<const CTurtleGeneration::Written> writtenOn(std::size_t g, std::size_t stem) const;
     void countOn(std::size_t g, std::vector<std::uint32_t>& counts) const;
-    std::uint64_t idOf(const Site& site) const;
-    CLeaf place(const Site& site) const;
-    CLeaf placeWritten(const CTurtleGeneration::Written& written, const Site& site) const;
-    CLeaf placeOnBearer(std::uint32_t i, const Site& site) const;
+    std::uint64_t idOf(const OrganSite& site) const;
+    CLeaf place(const OrganSite& site) const;
+    CLeaf placeWritten(const CTurtleGeneration::Written& written, const OrganSite& site) const;
+    CLeaf placeOnBearer(std::uint32_t i, const OrganSite& site) const;
 
     const CParams& m_params;
     const CTree& m_tree;
