@@ -225,8 +225,9 @@ private:
         if (tube.lobed || !isTight(stem, tube, plan)) return true;
         for (;;) {
             Tube trial = tube;
-            if (writeTrial(trial, plan)) return true;
-            const std::uint32_t folded = foldedRing(trial, plan);
+            const bool folds = !writeTrial(trial, plan);
+            if (!folds && enclosesWood(trial)) return true;
+            const std::uint32_t folded = folds ? foldedRing(trial, plan) : tube.ringCount - 1;
             if (!tube.pointed && folded + 1 >= tube.ringCount)
                 tube.pointed = true;
             else if (tube.ringCount > 2) {
@@ -267,6 +268,17 @@ private:
                 if (glm::dot(face, m_trial.normals[indices[t + c]]) <= 0) return ringOf(trial, plan, indices[t + c]);
         }
         return 1;
+    }
+
+    /// Whether a tube of the trial is not inside out.
+    bool enclosesWood(const Tube& trial) const {
+        double volume = 0;
+        const glm::dvec3 origin(m_trial.positions[0]);
+        for (std::size_t t = 0; t < trial.indexCount(); t += 3) {
+            const auto at = [&](std::size_t c) { return glm::dvec3(m_trial.positions[m_trial.indices[t + c]]) - origin; };
+            volume += glm::dot(at(0), glm::cross(at(1), at(2)));
+        }
+        return volume > 0;
     }
 
     /// The lids' vertices belong to the last ring and to the first.
