@@ -31,7 +31,8 @@ const TreeMethod kMethods[] = {
      .bound = &strandsBound,
      .demonstration = {.settings = "Strands=60 TrunkHeight=1.5 InheritedLength=1.5"},
      .quantities = strandQuantities(),
-     .curveAt = &strandCurveAt},
+     .curvePlaces = &strandPlaces,
+     .curveAxis = &strandAxis},
 };
 
 std::vector<TreeMethod>& known() {
@@ -52,6 +53,11 @@ const TreeMethod& methodOf(const CParams& params) {
     const auto found = std::ranges::find(known(), &params.block(), &TreeMethod::block);
     assert(found != known().end());
     return *found;
+}
+
+CurveAxis axisOf(const ParamInfo& curve, const CParams& params) {
+    const TreeMethod& method = methodOf(params);
+    return method.curveAxis ? method.curveAxis(curve, params) : CurveAxis{curve.overLabel, curve.overStep};
 }
 
 const TextLanguage* languageOf(const ParamInfo& info) {

@@ -6,6 +6,7 @@
 #include "stromar/tree/TreeBuilder.h"
 #include <memory>
 #include <span>
+#include <vector>
 
 namespace stromar {
 
@@ -29,6 +30,14 @@ struct SegmentQuantity {
     bool count = false;  ///< a whole number as a rule
 };
 
+using CurvePlaces = std::vector<std::vector<double>>;
+
+/// The x of a curve.
+struct CurveAxis {
+    std::string_view label; ///< marked for translation
+    double step;            ///< to which its editor snaps; whole numbers are counted one by one
+};
+
 /// A way to grow trees: one row of the table of methods. Files, command line, window, prediction and manual take all
 /// they need to know from here.
 struct TreeMethod {
@@ -44,8 +53,10 @@ struct TreeMethod {
     int (*generationOf)(const ParamRef& ref, const CParams& params) = nullptr;
     const TextLanguage* language = nullptr; ///< of its block text
     std::span<const SegmentQuantity> quantities{};
-    /// Where a branch stands on a curve of the block: its x. Null: curves say nothing of single branches.
-    double (*curveAt)(const ParamInfo& curve, const CParams& params, const CTree& tree, const SegmentPlace& place) = nullptr;
+    /// Where every segment stands on a curve of the block: its x, by generation. Null: curves say nothing of segments.
+    CurvePlaces (*curvePlaces)(const ParamInfo& curve, const CParams& params, const CTree& tree) = nullptr;
+    /// What x of a curve is, where values decide it. Null: as its row says.
+    CurveAxis (*curveAxis)(const ParamInfo& curve, const CParams& params) = nullptr;
 
     static constexpr int kLeaves = -1, kNone = -100;
 };
@@ -53,6 +64,7 @@ struct TreeMethod {
 /// All that are known, in the order of File ▸ New.
 std::span<const TreeMethod> treeMethods();
 const TreeMethod& methodOf(const CParams& params);
+CurveAxis axisOf(const ParamInfo& curve, const CParams& params);
 /// Adds one more; once, before threads start.
 void registerMethod(const TreeMethod& method);
 

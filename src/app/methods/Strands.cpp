@@ -1,5 +1,6 @@
 #include "Strands.h"
 #include "stromar/tree/strands/StrandsBuilder.h"
+#include "stromar/util/Translatable.h"
 
 namespace stromar {
 
@@ -20,10 +21,26 @@ constexpr SegmentQuantity kQuantities[] = {
 
 std::span<const SegmentQuantity> strandQuantities() { return kQuantities; }
 
-double strandCurveAt(const ParamInfo& curve, const CParams& params, const CTree& tree, const SegmentPlace& place) {
-    const StrandBranch& branch = branchAt(tree, place);
+CurvePlaces strandPlaces(const ParamInfo& curve, const CParams& params, const CTree& tree) {
     const auto over = overOf(curve, params);
-    return over ? branch.quantity(*over) : branch.depth;
+    CurvePlaces places;
+    for (const auto& generation : tree.generations()) {
+        std::vector<double>& own = places.emplace_back();
+        for (const StrandBranch& branch : static_cast<const CStrandGeneration&>(*generation).branches)
+            own.push_back(over ? branch.quantity(*over) : branch.depth);
+    }
+    return places;
+}
+
+CurveAxis strandAxis(const ParamInfo& curve, const CParams& params) {
+    const auto over = overOf(curve, params);
+    if (!over) return {curve.overLabel, curve.overStep};
+    switch (*over) {
+    case CurveOver::Height: return {N_("height, m"), 0.1};
+    case CurveOver::RootLength: return {N_("from the root, m"), 0.1};
+    case CurveOver::Thickness: return {N_("thickness, cm"), 0.1};
+    default: return {curve.overLabel, curve.overStep};
+    }
 }
 
 } // namespace stromar

@@ -6,6 +6,7 @@ namespace stromar {
 // What the window and the command line tell of the strand model.
 
 std::span<const SegmentQuantity> strandQuantities();
-double strandCurveAt(const ParamInfo& curve, const CParams& params, const CTree& tree, const SegmentPlace& place);
+CurvePlaces strandPlaces(const ParamInfo& curve, const CParams& params, const CTree& tree);
+CurveAxis strandAxis(const ParamInfo& curve, const CParams& params);
 
 } // namespace stromar

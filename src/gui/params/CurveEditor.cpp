@@ -13,12 +13,15 @@
 #include <QSignalBlocker>
 #include <algorithm>
 #include <cmath>
+#include <limits>
 
 namespace stromar {
 
 namespace {
 constexpr double kGrip = 9; // pixels around a point
-constexpr int kHeight = 110;
+constexpr int kHeight = 110, kStripHeight = 26;
+constexpr double kUseHeight = 0.7; // of the picture, for most branches
+constexpr int kBins = 40;          // where x is no number of something
 constexpr double kApart = 1e-3; // of what x covers, that points keep between them
 
 double rounded(double value, double step) { return std::round(value / step) * step; }
@@ -27,21 +30,23 @@ QString shortNumber(double value) { return QLocale().toString(value, 'g', 4); }
 } // namespace
 
 CCurveEditor::CCurveEditor(const ParamInfo& info, QWidget* parent)
-    : QWidget(parent), m_info(info), m_over(info.shownOver), m_shown(info.useful), m_x(new QDoubleSpinBox), m_y(new QDoubleSpinBox) {
+    : QWidget(parent), m_info(info), m_axis{info.overLabel, info.overStep}, m_over(info.shownOver), m_shown(info.useful),
+      m_covered(info.useful), m_x(new QDoubleSpinBox), m_y(new QDoubleSpinBox), m_xLabel(new QLabel(trText(info.overLabel))),
+      m_numbers(new QWidget) {
     setFocusPolicy(Qt::StrongFocus);
     setMouseTracking(true);
     setAccessibleName(trText(info.label));
-    setMinimumHeight(kHeight + 34);
     auto* column = new QVBoxLayout(this);
     column->setContentsMargins(0, 0, 0, 0);
     column->addStretch(1);
-    auto* numbers = new QHBoxLayout;
-    numbers->addWidget(new QLabel(trText(info.overLabel)));
+    auto* numbers = new QHBoxLayout(m_numbers);
+    numbers->setContentsMargins(0, 0, 0, 0);
+    numbers->addWidget(m_xLabel);
     numbers->addWidget(m_x);
     numbers->addWidget(new QLabel(tr("value")));
     numbers->addWidget(m_y);
     numbers->addStretch(1);
-    column->addLayout(numbers);
+    column->addWidget(m_numbers);
     m_x->setObjectName(QStringLiteral("curveX"));
     m_y->setObjectName(QStringLiteral("curveY"));
     m_x->setRange(info.over.min, info.over.max);
@@ -57,7 +62,58 @@ CCurveEditor::CCurveEditor(const ParamInfo& info, QWidget* parent)
     choose(0);
 }
 
-QSize CCurveEditor::sizeHint() const { return {220, kHeight + 34}; }
+QSize CCurveEditor::sizeHint() const { return {220, m_folded ? kStripHeight : kHeight + 34}; }
+
+void CCurveEditor::setFolded(bool folded) {
+    m_folded = folded;
+    m_numbers->setVisible(!folded);
+    setCursor(folded ? Qt::PointingHandCursor : Qt::ArrowCursor);
+    setToolTip(QString());
+    updateGeometry();
+    update();
+}
+
+QColor CCurveEditor::colour() const {
+    return m_colour.value_or(palette().color(isEnabled() ? QPalette::Active : QPalette::Disabled, QPalette::Highlight));
+}
+
+void CCurveEditor::setAxis(const CurveAxis& axis) {
+    if (axis.label == m_axis.label) return;
+    m_axis = axis;
+    m_xLabel->setText(trText(axis.label));
+    m_x->setSingleStep(axis.step);
+    cover();
+    update();
+    emit shown();
+}
+
+void CCurveEditor::showUse(Use use) {
+    m_use = std::move(use);
+    if (!m_dragged) cover();
+    update();
+}
+
+void CCurveEditor::showBeside(std::vector<Beside> others, const Range& covered) {
+    m_beside = std::move(others);
+    m_covered = covered;
+    if (!m_dragged) cover();
+    update();
+}
+
+/// The picture holds all points, and the branches of the tree.
+void CCurveEditor::cover() {
+    m_over = m_info.shownOver;
+    m_shown = m_covered;
+    const auto hold = [this](const CCurve& curve) {
+        for (const auto& [x, y] : curve.points()) {
+            m_over = {std::min(m_over.min, x), std::max(m_over.max, x)};
+            m_shown = {std::min(m_shown.min, y), std::max(m_shown.max, y)};
+        }
+    };
+    hold(m_curve);
+    for (const Beside& other : m_beside) hold(other.curve);
+    if (!m_use.branches.empty()) m_over.max = std::max(m_over.max, *std::ranges::max_element(m_use.branches));
+}
 
 QRectF CCurveEditor::plot() const {
     const double left = 8 + fontMetrics().horizontalAdvance(shortNumber(m_shown.max));
@@ -75,7 +131,7 @@ CCurve::Point CCurveEditor::pointAt(const QPointF& place, bool snaps) const {
     const QRectF area = plot();
     CCurve::Point point{m_over.min + (place.x() - area.left()) / area.width() * (m_over.max - m_over.min),
                         m_shown.min + (area.bottom() - place.y()) / area.height() * (m_shown.max - m_shown.min)};
-    if (snaps) point = {rounded(point.x, m_info.overStep), rounded(point.y, m_info.step)};
+    if (snaps) point = {rounded(point.x, m_axis.step), rounded(point.y, m_info.step)};
     const double digits = std::pow(10, m_info.decimals);
     return {std::clamp(rounded(point.x, 1e-3), m_info.over.min, m_info.over.max),
             std::clamp(std::round(point.y * digits) / digits, m_info.range.min, m_info.range.max)};
@@ -84,16 +140,10 @@ CCurve::Point CCurveEditor::pointAt(const QPointF& place, bool snaps) const {
 void CCurveEditor::showCurve(const CCurve& curve) {
     if (curve == m_curve && m_x->isEnabled()) return;
     m_curve = curve;
-    if (!m_dragged) { // the picture grows to hold all points, but not under the hand
-        m_over = m_info.shownOver;
-        m_shown = m_info.useful;
-        for (const auto& [x, y] : curve.points()) {
-            m_over = {std::min(m_over.min, x), std::max(m_over.max, x)};
-            m_shown = {std::min(m_shown.min, y), std::max(m_shown.max, y)};
-        }
-    }
+    if (!m_dragged) cover(); // not under the hand
     choose(m_chosen ? std::min(*m_chosen, curve.points().size() - 1) : 0);
     update();
+    emit shown();
 }
 
 void CCurveEditor::choose(std::optional<std::size_t> point) {
@@ -123,6 +173,7 @@ void CCurveEditor::change(std::vector<CCurve::Point> points, int gesture) {
     if (curve == m_curve) return;
     m_curve = std::move(curve);
     choose(m_chosen);
+    if (m_dragged) tellRange();
     emit edited(m_curve, gesture);
 }
 
@@ -149,16 +200,27 @@ void CCurveEditor::typed() {
     if (m_chosen) move(*m_chosen, {m_x->value(), m_y->value()}, 0);
 }
 
+/// A point acts between its neighbours; the first and the last one all the way.
+void CCurveEditor::tellRange() {
+    constexpr double kAll = std::numeric_limits<double>::infinity();
+    const auto& points = m_curve.points();
+    const std::size_t i = *m_chosen;
+    emit rangeHeld(i > 0 ? points[i - 1].x : -kAll, i + 1 < points.size() ? points[i + 1].x : kAll);
+}
+
 void CCurveEditor::mousePressEvent(QMouseEvent* event) {
     if (event->button() != Qt::LeftButton) return QWidget::mousePressEvent(event);
+    if (m_folded) return emit unfoldWanted();
     if (const auto point = grip(event->position())) {
         choose(point);
         m_dragged = true;
         m_gesture = nextGesture();
+        tellRange();
     }
 }
 
 void CCurveEditor::mouseMoveEvent(QMouseEvent* event) {
+    if (m_folded) return;
     if (m_dragged && m_chosen)
         move(*m_chosen, pointAt(event->position(), !(event->modifiers() & Qt::ShiftModifier)), m_gesture);
     else if (const auto hot = grip(event->position()); hot != m_hot) {
@@ -176,6 +238,7 @@ void CCurveEditor::mouseReleaseEvent(QMouseEvent* event) {
 }
 
 void CCurveEditor::mouseDoubleClickEvent(QMouseEvent* event) {
+    if (m_folded) return;
     m_dragged = false;
     if (grip(event->position()) || m_curve.points().size() >= CCurve::kMaxPoints) return;
     const CCurve::Point point = pointAt(event->position(), !(event->modifiers() & Qt::ShiftModifier));
@@ -202,11 +265,16 @@ bool CCurveEditor::event(QEvent* event) {
 }
 
 void CCurveEditor::contextMenuEvent(QContextMenuEvent* event) {
-    const auto point = grip(event->pos());
+    const auto point = m_folded ? std::nullopt : grip(event->pos());
     if (!point) return QWidget::contextMenuEvent(event); // the row's menu: reset, copy, paste
     QMenu menu;
     menu.addAction(tr("&Delete Point"), this, [this, point] { remove(*point); })->setEnabled(m_curve.points().size() > 1);
     menu.exec(event->globalPos());
+}
+
+double CCurveEditor::shownStep() const {
+    const double span = m_over.max - m_over.min;
+    return m_axis.step * std::max(1.0, std::ceil(span / m_axis.step / 12));
 }
 
 void CCurveEditor::paintGrid(QPainter& painter) const {
@@ -214,7 +282,7 @@ void CCurveEditor::paintGrid(QPainter& painter) const {
     QColor line = palette().color(QPalette::Text);
     line.setAlphaF(0.15f);
     painter.setPen(QPen(line, 1));
-    const double step = m_info.overStep * std::max(1.0, std::ceil((m_over.max - m_over.min) / m_info.overStep / 12));
+    const double step = shownStep();
     for (double x = std::ceil(m_over.min / step) * step; x <= m_over.max + 1e-9; x += step) {
         const double at = placeOf({x, 0}).x();
         painter.drawLine(QPointF(at, area.top()), QPointF(at, area.bottom()));
@@ -228,27 +296,83 @@ void CCurveEditor::paintGrid(QPainter& painter) const {
         text({placeOf({x, 0}).x() - 20, area.bottom() + 2, 40, 16}, Qt::AlignHCenter | Qt::AlignTop, x);
 }
 
-void CCurveEditor::paintCurve(QPainter& painter) const {
-    const auto& points = m_curve.points();
+/// How many branches stand at each x: of whole numbers each by itself.
+void CCurveEditor::paintUse(QPainter& painter) const {
+    const QRectF area = plot();
+    const bool whole = m_axis.step == 1;
+    const double width = whole ? 1 : (m_over.max - m_over.min) / kBins, first = whole ? m_over.min - 0.5 : m_over.min;
+    std::vector<double> bins(static_cast<std::size_t>((m_over.max - first) / width) + 1, 0);
+    for (const double x : m_use.branches)
+        if (const double bin = (x - first) / width; bin >= 0 && bin < double(bins.size())) ++bins[static_cast<std::size_t>(bin)];
+    const double most = std::max(1.0, *std::ranges::max_element(bins));
+    QColor fill = palette().color(QPalette::Text);
+    fill.setAlphaF(0.18f);
+    for (std::size_t i = 0; i < bins.size(); ++i) {
+        const double left = placeOf({first + width * double(i), 0}).x(), right = placeOf({first + width * double(i + 1), 0}).x();
+        const double high = kUseHeight * area.height() * bins[i] / most;
+        painter.fillRect(QRectF(left + 1, area.bottom() - high, right - left - 2, high), fill);
+    }
+    painter.setPen(QPen(palette().color(QPalette::Text), 1.5, Qt::DashLine));
+    for (const double x : m_use.marked)
+        painter.drawLine(QPointF(placeOf({x, 0}).x(), area.top()), QPointF(placeOf({x, 0}).x(), area.bottom()));
+}
+
+QPainterPath CCurveEditor::pathOf(const CCurve& curve) const {
+    const auto& points = curve.points();
     QPainterPath path(placeOf({m_over.min, points.front().y}));
     for (const CCurve::Point& point : points) path.lineTo(placeOf(point));
     path.lineTo(placeOf({m_over.max, points.back().y}));
-    const QColor colour = palette().color(isEnabled() ? QPalette::Active : QPalette::Disabled, QPalette::Highlight);
-    painter.setPen(QPen(colour, 2));
-    painter.drawPath(path);
+    return path;
+}
+
+void CCurveEditor::paintCurve(QPainter& painter) const {
+    for (const Beside& other : m_beside) {
+        QColor faint = other.colour;
+        faint.setAlphaF(0.55f);
+        painter.setPen(QPen(faint, 1.2));
+        painter.drawPath(pathOf(other.curve));
+    }
+    const auto& points = m_curve.points();
+    painter.setPen(QPen(colour(), 2));
+    painter.drawPath(pathOf(m_curve));
     for (std::size_t i = 0; i < points.size(); ++i) {
         const bool chosen = m_chosen == i && hasFocus();
-        painter.setPen(QPen(colour, 2));
-        painter.setBrush(chosen ? QBrush(colour) : palette().brush(QPalette::Base));
+        painter.setPen(QPen(colour(), 2));
+        painter.setBrush(chosen ? QBrush(colour()) : palette().brush(QPalette::Base));
         const double radius = m_hot == i ? 5.5 : 4.5;
         painter.drawEllipse(placeOf(points[i]), radius, radius);
     }
 }
 
+/// The curve alone, and its first and last value.
+void CCurveEditor::paintStrip(QPainter& painter) const {
+    const auto& points = m_curve.points();
+    const QRectF area = QRectF(rect()).adjusted(4, 4, -4, -4);
+    painter.setPen(palette().color(QPalette::Text));
+    const QString first = shortNumber(points.front().y), last = shortNumber(points.back().y);
+    const double room = fontMetrics().horizontalAdvance(QStringLiteral("000.0"));
+    painter.drawText(area, Qt::AlignVCenter | Qt::AlignLeft, first);
+    if (points.size() > 1) painter.drawText(area, Qt::AlignVCenter | Qt::AlignRight, last);
+    const QRectF drawn = area.adjusted(room, 2, -room, -2);
+    const auto place = [&](double x, double y) {
+        const double u = (x - m_over.min) / (m_over.max - m_over.min), v = (y - m_shown.min) / (m_shown.max - m_shown.min);
+        return QPointF(drawn.left() + u * drawn.width(), drawn.bottom() - v * drawn.height());
+    };
+    QPainterPath path(place(m_over.min, points.front().y));
+    for (const auto& [x, y] : points) path.lineTo(place(x, y));
+    path.lineTo(place(m_over.max, points.back().y));
+    painter.setPen(QPen(colour(), 1.6));
+    painter.drawPath(path);
+    painter.setPen(QPen(palette().color(QPalette::Text), 1, Qt::DashLine));
+    for (const double x : m_use.marked) painter.drawLine(place(x, m_shown.min), place(x, m_shown.max));
+}
+
 void CCurveEditor::paintEvent(QPaintEvent*) {
     QPainter painter(this);
     painter.setRenderHint(QPainter::Antialiasing);
+    if (m_folded) return paintStrip(painter);
     painter.fillRect(plot(), palette().brush(QPalette::Base));
+    if (!m_use.branches.empty()) paintUse(painter);
     paintGrid(painter);
     painter.setClipRect(plot().adjusted(-7, -7, 7, 7));
     paintCurve(painter);

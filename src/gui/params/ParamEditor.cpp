@@ -106,6 +106,7 @@ void CParamEditor::addCurve() {
     connect(m_curve, &CCurveEditor::edited, this,
             [this](const CCurve& curve, int gesture) { emit edited(m_ref, curve, gesture); });
     connect(m_curve, &CCurveEditor::released, this, &CParamEditor::released);
+    connect(m_curve, &CCurveEditor::rangeHeld, this, [this](double low, double high) { emit rangeHeld(m_ref, low, high); });
 }
 
 /// The text counts when the focus goes elsewhere, or on Ctrl+Enter.
@@ -133,6 +134,7 @@ void CParamEditor::addLanguage(const TextLanguage& language) {
 
 void CParamEditor::showTree(const CParams& params) {
     if (m_language) m_language->showParams(params);
+    if (m_curve) m_curve->setAxis(axisOf(*m_ref.info, params));
 }
 
 void CParamEditor::takeBlock() {

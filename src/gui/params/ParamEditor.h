@@ -37,6 +37,8 @@ public:
     void showTree(const CParams& params);
     /// The editor of a text that has a language, else null.
     CLanguageEditor* language() const { return m_language; }
+    /// The editor of a curve, else null.
+    CCurveEditor* curve() const { return m_curve; }
     /// Whether the slider, or a point of the curve, is held.
     bool held() const;
 
@@ -47,6 +49,8 @@ signals:
     void released();
     /// The cursor went to another line of a text; 0: away.
     void lineTouched(const stromar::ParamRef& ref, int line);
+    /// A point of a curve is held that acts between these x, which are not included.
+    void rangeHeld(const stromar::ParamRef& ref, double low, double high);
 
 protected:
     bool eventFilter(QObject* watched, QEvent* event) override;

@@ -1,4 +1,6 @@
 #include "params/ParamPanel.h"
+#include "params/CurveEditor.h"
+#include "params/CurveGroup.h"
 #include "params/LanguageEditor.h"
 #include "params/ParamEditor.h"
 #include "params/ParamRow.h"
@@ -161,7 +163,30 @@ void CParamPanel::addTab(const ParamPage& shown) {
         else
             addRow(ref);
     }
+    groupCurves();
     finishTab();
+}
+
+/// Several curves of one section are one picture.
+void CParamPanel::groupCurves() {
+    for (const Section& section : m_sections) {
+        if (section.tab != m_tabs->count() - 1) continue;
+        std::vector<CCurveEditor*> curves;
+        for (const QWidget* widget : section.rows)
+            if (const auto* row = qobject_cast<const CParamRow*>(widget))
+                if (CCurveEditor* curve = row->editors().front()->curve()) curves.push_back(curve);
+        if (curves.size() < 2) continue;
+        for (const CCurveEditor* curve : curves)
+            connect(curve, &CCurveEditor::unfoldWanted, this, &CParamPanel::curveUnfolded, Qt::QueuedConnection);
+        new CCurveGroup(std::move(curves), m_page->parentWidget());
+    }
+}
+
+std::vector<CParamEditor*> CParamPanel::curves() const {
+    std::vector<CParamEditor*> found;
+    for (const CParamRow* row : m_rows)
+        if (row->editors().front()->curve()) found.push_back(row->editors().front());
+    return found;
 }
 
 /// One column for all labels of a tab.
@@ -200,6 +225,7 @@ void CParamPanel::addRow(const ParamRef& ref) {
     connect(row, &CParamRow::assigned, this, &CParamPanel::assigned);
     connect(row, &CParamRow::released, this, &CParamPanel::released);
     connect(row, &CParamRow::lineTouched, this, &CParamPanel::lineTouched);
+    connect(row, &CParamRow::rangeHeld, this, &CParamPanel::rangeHeld);
     connect(row, &CParamRow::lockToggled, this, [this, ref](bool locked) { setLocked(ref, locked); });
 }
 
@@ -318,8 +344,8 @@ int CParamPanel::tabOf(Group group, int level) const {
 }
 
 void CParamPanel::showGeneration(int generation) {
-    const int level = std::min(generation, kParamLevels - 1);
-    m_tabs->setCurrentIndex(level == 0 ? tabOf(Group::Trunk) : tabOf(Group::Branches, level));
+    const int level = std::min(generation, kParamLevels - 1), tab = level == 0 ? tabOf(Group::Trunk) : tabOf(Group::Branches, level);
+    if (tabOf(Group::Branches) < m_tabs->count()) m_tabs->setCurrentIndex(tab); // else its values know no levels
 }
 
 void CParamPanel::showLeaves() { m_tabs->setCurrentIndex(tabOf(Group::Leaves)); }

@@ -38,6 +38,8 @@ public:
     void showLeaves();
     /// Opens the tab of a value and gives it the focus.
     void showParam(const ParamRef& ref);
+    /// Of all curves; folded or not.
+    std::vector<CParamEditor*> curves() const;
     /// Opens the tab of a text and marks one of its lines.
     void showLine(const ParamRef& ref, int line);
 
@@ -51,6 +53,10 @@ signals:
     void workshopWanted(const stromar::ParamRef& text);
     /// The cursor is in a line of a text; 0: away.
     void lineTouched(const stromar::ParamRef& ref, int line);
+    /// A point of a curve is held that acts between these x, which are not included.
+    void rangeHeld(const stromar::ParamRef& ref, double low, double high);
+    /// A curve was unfolded.
+    void curveUnfolded();
     /// The value under the mouse, else the one with the focus.
     void touched(const std::optional<stromar::ParamRef>& ref);
 
@@ -70,6 +76,7 @@ private:
     void addSection(std::string_view title);
     void addRow(const ParamRef& ref);
     void addText(const ParamRef& ref);
+    void groupCurves();
     void finishTab();
     QWidget* makePathEditor(const ParamRef& ref, QLineEdit* line);
     void updateVisibility();

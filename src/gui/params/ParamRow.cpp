@@ -83,6 +83,7 @@ void CParamRow::addEditor(CParamEditor* editor) {
     connect(editor, &CParamEditor::edited, this, &CParamRow::edited);
     connect(editor, &CParamEditor::released, this, &CParamRow::released);
     connect(editor, &CParamEditor::lineTouched, this, &CParamRow::lineTouched);
+    connect(editor, &CParamEditor::rangeHeld, this, &CParamRow::rangeHeld);
 }
 
 const ParamRef& CParamRow::ref() const { return m_editors.front()->ref(); }

@@ -38,6 +38,7 @@ signals:
     void assigned(const QString& text, const stromar::ParamValues& values);
     void released();
     void lineTouched(const stromar::ParamRef& ref, int line);
+    void rangeHeld(const stromar::ParamRef& ref, double low, double high);
     void lockToggled(bool locked);
 
 protected:

@@ -1,4 +1,6 @@
 #include "view/ViewController.h"
+#include "params/CurveEditor.h"
+#include "params/ParamEditor.h"
 #include "params/ParamPanel.h"
 #include "view/PictureDialog.h"
 #include "window/QtText.h"
@@ -65,6 +67,10 @@ CViewController::CViewController(CViewport& viewport, CParamPanel& panel, CDocum
     : QObject(parent), m_viewport(viewport), m_panel(panel), m_document(document) {
     connect(&m_panel, &CParamPanel::touched, this, &CViewController::onTouched);
     connect(&m_panel, &CParamPanel::lineTouched, this, &CViewController::onLineTouched);
+    connect(&m_panel, &CParamPanel::rangeHeld, this, &CViewController::onRangeHeld);
+    connect(&m_panel, &CParamPanel::released, this, &CViewController::onPanelReleased);
+    connect(&m_panel, &CParamPanel::curveUnfolded, this, &CViewController::showCurveUse);
+    connect(&m_panel.tabs(), &QTabWidget::currentChanged, this, &CViewController::showCurveUse);
     connect(&m_panel.tabs(), &QTabWidget::currentChanged, this, [this](int tab) {
         m_guide = nullptr;
         for (const Guide& guide : methodOf(m_document.params()).guides)
@@ -128,10 +134,12 @@ void CViewController::onPicked(const std::optional<ViewHit>& hit) {
         } else {
             const auto generation = static_cast<std::size_t>(hit->generation);
             if (const auto stem = nearestStem(tree, generation, point)) {
-                m_selected = Selected{hit->generation, tree.generation(generation).stems[*stem].id};
+                const CStem& own = tree.generation(generation).stems[*stem];
+                const std::uint32_t segment = nearestSegment(tree, generation, *stem, point);
+                m_selected = Selected{hit->generation, own.id, segment - own.firstSegment};
                 showWriterOf(generation, *stem);
             }
-            if (!methodOf(m_view->model->params).language) m_panel.showGeneration(hit->generation);
+            m_panel.showGeneration(hit->generation);
         }
     }
     updateSelection();
@@ -153,18 +161,98 @@ void CViewController::onLineTouched(const ParamRef& ref, int line) {
     m_selected.reset();
     model.selection.clear();
     model.selectionText.clear();
-    if (line > 0 && m_view && language && &m_view->model->params.block() == &m_document.params().block()) {
-        const CTree& tree = *m_view->model->tree;
-        const auto written = language->writtenBy(m_view->model->params, tree, line);
+    if (const CTree* tree = treeOfDocument(); tree && line > 0 && language) {
+        const auto written = language->writtenBy(m_view->model->params, *tree, line);
+        selectSegments(written);
         std::size_t count = 0;
-        for (std::size_t g = 0; g < written.size(); ++g)
-            for (const std::uint32_t s : written[g]) {
-                const CSegment& segment = tree.generation(g).segments[s];
-                if (++count <= kMaxLines) model.selection.push_back({toOsg(segment.position), toOsg(segment.axisPoint(1))});
-            }
+        for (const auto& own : written) count += own.size();
         if (count > 0) model.selectionText = tr("Line %1 wrote %n segment(s)", nullptr, static_cast<int>(count)).arg(line);
     }
     updateOverlay();
+}
+
+/// The tree that is shown, if it is one of the document's method.
+const CTree* CViewController::treeOfDocument() const {
+    return m_view && &m_view->model->params.block() == &m_document.params().block() ? m_view->model->tree.get() : nullptr;
+}
+
+/// By generation.
+void CViewController::selectSegments(const std::vector<std::vector<std::uint32_t>>& segments) {
+    auto& lines = m_viewport.overlay().model().selection;
+    for (std::size_t g = 0; g < segments.size(); ++g)
+        for (const std::uint32_t s : segments[g]) {
+            if (lines.size() == kMaxLines) return;
+            const CSegment& segment = m_view->model->tree->generation(g).segments[s];
+            lines.push_back({toOsg(segment.position), toOsg(segment.axisPoint(1))});
+        }
+}
+
+void CViewController::onRangeHeld(const ParamRef& curve, double low, double high) {
+    m_range = HeldRange{curve, low, high};
+    updateSelection();
+}
+
+void CViewController::onPanelReleased() {
+    if (!m_range) return;
+    m_range.reset();
+    updateSelection();
+}
+
+void CViewController::selectHeldRange() {
+    const CTree* tree = treeOfDocument();
+    const auto placesOf = methodOf(m_document.params()).curvePlaces;
+    if (!tree || !placesOf) return;
+    const CurvePlaces places = placesOf(*m_range->curve.info, m_view->model->params, *tree);
+    std::vector<std::vector<std::uint32_t>> touched(places.size());
+    std::size_t count = 0;
+    for (std::size_t g = 0; g < places.size(); ++g)
+        for (std::uint32_t s = 0; s < places[g].size(); ++s)
+            if (places[g][s] > m_range->low && places[g][s] < m_range->high) {
+                touched[g].push_back(s);
+                ++count;
+            }
+    selectSegments(touched);
+    m_viewport.overlay().model().selectionText = tr("This point touches %n branch(es)", nullptr, static_cast<int>(count));
+}
+
+/// Behind the curves that are seen: how the tree's branches lie along them; on all, where the selected one does.
+void CViewController::showCurveUse() {
+    const CTree* tree = treeOfDocument();
+    const auto placesOf = methodOf(m_document.params()).curvePlaces;
+    if (!tree || !placesOf) return;
+    for (const CParamEditor* editor : m_panel.curves()) {
+        CCurveEditor& curve = *editor->curve();
+        if (!curve.isVisible() || (curve.folded() && !m_selected)) {
+            curve.showUse({});
+            continue;
+        }
+        CCurveEditor::Use use;
+        const CurvePlaces places = placesOf(*editor->ref().info, m_view->model->params, *tree);
+        if (const auto at = selectedSegment()) use.marked = {places[at->generation][at->segment]};
+        for (const auto& own : places) use.branches.insert(use.branches.end(), own.begin(), own.end());
+        curve.showUse(std::move(use));
+    }
+}
+
+/// Nothing where none is selected, or the tree has it no more.
+std::optional<SegmentPlace> CViewController::selectedSegment() const {
+    const CTree* tree = treeOfDocument();
+    if (!tree || !m_selected || m_selected->generation == ViewPart::kLeaves) return {};
+    const auto generation = static_cast<std::size_t>(m_selected->generation);
+    if (generation >= tree->generationCount()) return {};
+    const auto& stems = tree->generation(generation).stems;
+    const auto stem = std::ranges::find(stems, m_selected->id, &CStem::id);
+    if (stem == stems.end() || m_selected->segment >= stem->segmentCount) return {};
+    return SegmentPlace{generation, stem->firstSegment + m_selected->segment};
+}
+
+/// What the method knows of a segment.
+QStringList CViewController::quantitiesAt(const SegmentPlace& place) const {
+    QStringList rows;
+    for (const SegmentQuantity& quantity : methodOf(m_view->model->params).quantities)
+        if (quantity.ofStem)
+            rows << QStringLiteral("%1 %2").arg(trText(quantity.name)).arg(quantity.of(*m_view->model->tree, place));
+    return rows;
 }
 
 void CViewController::clearSelection() {
@@ -176,7 +264,9 @@ void CViewController::updateSelection() {
     CViewOverlay::Model& model = m_viewport.overlay().model();
     model.selection.clear();
     model.selectionText.clear();
-    if (m_selected && m_view && m_selected->generation == ViewPart::kLeaves) {
+    if (m_range) {
+        selectHeldRange();
+    } else if (m_selected && m_view && m_selected->generation == ViewPart::kLeaves) {
         const CTree& tree = *m_view->model->tree;
         for (const CLeaf& leaf : tree.leaves())
             if (nameOf(tree, leaf) == m_selected->id) describeLeaf(leaf);
@@ -187,6 +277,7 @@ void CViewController::updateSelection() {
         const auto stem = std::ranges::find(stems, m_selected->id, &CStem::id);
         if (stem != stems.end()) describeStem(generation, *stem, static_cast<std::size_t>(stem - stems.begin()));
     }
+    showCurveUse();
     updateOverlay();
 }
 
@@ -204,6 +295,7 @@ void CViewController::describeStem(std::size_t generation, const CStem& stem, st
                     .arg(stem.parent + 1)
                     .arg(lengthText(stem.offset));
     if (stem.pathCount > 1) rows << tr("Split into %n path(s)", nullptr, static_cast<int>(stem.pathCount));
+    if (const auto at = selectedSegment()) rows << quantitiesAt(*at);
     model.selectionText = rows.join(QLatin1Char('\n'));
 }
 

@@ -2,6 +2,7 @@
 #include "document/Document.h"
 #include "work/TreeCreatorThread.h"
 #include "view/Viewport.h"
+#include "stromar/app/Methods.h"
 #include <QObject>
 
 namespace stromar {
@@ -37,11 +38,25 @@ private:
     struct Selected {
         int generation;   ///< ViewPart::kLeaves for a leaf
         std::uint64_t id; ///< of the stem or the leaf
+        std::uint32_t segment = 0; ///< of the stem
+    };
+    /// The branches that a point of a curve touches.
+    struct HeldRange {
+        ParamRef curve;
+        double low, high; ///< not included
     };
 
     void onTouched(const std::optional<ParamRef>& ref);
     void onPicked(const std::optional<ViewHit>& hit);
     void onLineTouched(const ParamRef& ref, int line);
+    void onRangeHeld(const ParamRef& curve, double low, double high);
+    void onPanelReleased();
+    const CTree* treeOfDocument() const;
+    void selectSegments(const std::vector<std::vector<std::uint32_t>>& segments);
+    void selectHeldRange();
+    void showCurveUse();
+    std::optional<SegmentPlace> selectedSegment() const;
+    QStringList quantitiesAt(const SegmentPlace& place) const;
     void showWriterOf(std::size_t generation, std::size_t stem);
     void onDragged(std::size_t handle, const glm::dvec2& to, int gesture);
     void describeStem(std::size_t generation, const CStem& stem, std::size_t number);
@@ -56,6 +71,7 @@ private:
     CDocument& m_document;
     std::shared_ptr<const ViewModel> m_view;
     std::optional<Selected> m_selected;
+    std::optional<HeldRange> m_range;
     const Guide* m_guide = nullptr;
     bool m_statistics = false, m_dragging = false;
 };
