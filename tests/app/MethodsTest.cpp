@@ -121,7 +121,7 @@ TEST(Methods, ErrorsNameThePoint) {
 
 TEST(Methods, MethodsThatAreNotKnownAreRefusedWithTheKnownOnes) {
     expectErrorAt("Format = 2\nMethod = pol\n", 2, 10, "did you mean 'pole'");
-    expectErrorAt("Format = 2\nMethod = strudel\nX = 1\n", 2, 10, "weber-penn, l-system, pole");
+    expectErrorAt("Format = 2\nMethod = strudel\nX = 1\n", 2, 10, "weber-penn, l-system, strands, pole");
 }
 
 TEST(Methods, TheFormatKeepsOlderReadersAway) {

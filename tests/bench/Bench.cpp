@@ -1,5 +1,6 @@
 // How fast trees grow, are meshed, change under an edit and are written. Real time: the work runs on several threads.
 #include "stromar/params/methods/lsystem/LSystemParams.h"
+#include "stromar/params/methods/strands/StrandsParams.h"
 #include "stromar/params/methods/weberpenn/WeberPennParams.h"
 #include "stromar/app/Export.h"
 #include "stromar/app/Formats.h"
@@ -120,6 +121,7 @@ void addPreset(const Preset& preset) {
             add("MemCopy" + kind + "/" + preset.name,
                 [=, &detail](State& state) { copyMeshes(state, *CTreeCreator().create(params, detail, CProgress())); });
     }
+    if (&params.block() == &strandsBlock()) return addEdit(preset, "TrunkHeight", "curve");
     if (&params.block() == &lsystemBlock()) return addEdit(preset, "LengthUnit", "word");
     const int levels = std::min(kParamLevels, weberPenn(params).levels + 1);
     // The trunk has no down angle; its curve stands for an edit of everything.
@@ -134,6 +136,16 @@ void derive(State& state, int threads) {
     std::size_t modules = 0;
     for (auto _ : state) modules = rewriter.derive(20, CProgress(threads)).size();
     state.counters["modules/s"] = perSecond(double(modules));
+}
+
+CParams withStrands(CParams params, int number) {
+    strands(params).strands = number;
+    return params;
+}
+
+void addStrands(const CParams& params) {
+    add("Structure/20000 strands", [=](State& state) { growStructure(state, withStrands(params, 20000)); });
+    addEdit({"2000 strands", withStrands(params, 2000)}, "TrunkHeight", "curve");
 }
 
 void addExports(const CParams& params) {
@@ -152,6 +164,7 @@ int main(int argc, char** argv) {
     const std::vector<Preset> presets = readPresets();
     for (const Preset& preset : presets) addPreset(preset);
     if (const auto apple = std::ranges::find(presets, "apple", &Preset::name); apple != presets.end()) addExports(apple->params);
+    addStrands(CParams(strandsBlock()));
     for (const int threads : {1, 2}) add("Derive/" + std::to_string(threads), [=](State& state) { derive(state, threads); });
     benchmark::RunSpecifiedBenchmarks();
     benchmark::Shutdown();

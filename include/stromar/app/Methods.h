@@ -26,6 +26,7 @@ struct SegmentPlace {
 struct SegmentQuantity {
     std::string_view name; ///< as `structure` writes it
     double (*of)(const CTree& tree, const SegmentPlace& place);
+    std::string_view label{}; ///< in the window, marked for translation; empty: not there
     bool ofStem = false; ///< said of stems too: at their base
     bool count = false;  ///< a whole number as a rule
 };

@@ -19,7 +19,7 @@ namespace stromar {
 
 namespace {
 constexpr double kGrip = 9; // pixels around a point
-constexpr int kHeight = 110, kStripHeight = 26;
+constexpr int kHeight = 130, kStripHeight = 26;
 constexpr double kUseHeight = 0.7; // of the picture, for most branches
 constexpr int kBins = 40;          // where x is no number of something
 constexpr double kApart = 1e-3; // of what x covers, that points keep between them
@@ -117,7 +117,7 @@ void CCurveEditor::cover() {
 
 QRectF CCurveEditor::plot() const {
     const double left = 8 + fontMetrics().horizontalAdvance(shortNumber(m_shown.max));
-    return {left, 6, std::max(10.0, width() - left - 8.0), std::max(10.0, m_x->geometry().top() - 26.0)};
+    return {left, 6, std::max(10.0, width() - left - 8.0), std::max(10.0, m_numbers->geometry().top() - 26.0)};
 }
 
 QPointF CCurveEditor::placeOf(const CCurve::Point& point) const {

@@ -41,6 +41,7 @@ public:
     void setAxis(const CurveAxis& axis);
     const CurveAxis& axis() const { return m_axis; }
     void showUse(Use use);
+    const Use& use() const { return m_use; }
 
     void setFolded(bool folded);
     bool folded() const { return m_folded; }

@@ -344,11 +344,16 @@ int CParamPanel::tabOf(Group group, int level) const {
 }
 
 void CParamPanel::showGeneration(int generation) {
-    const int level = std::min(generation, kParamLevels - 1), tab = level == 0 ? tabOf(Group::Trunk) : tabOf(Group::Branches, level);
-    if (tabOf(Group::Branches) < m_tabs->count()) m_tabs->setCurrentIndex(tab); // else its values know no levels
+    if (tabOf(Group::Branches) >= m_tabs->count()) return; // its values know no levels
+    const int level = std::min(generation, kParamLevels - 1);
+    m_tabs->setCurrentIndex(level == 0 ? tabOf(Group::Trunk) : tabOf(Group::Branches, level));
 }
 
 void CParamPanel::showLeaves() { m_tabs->setCurrentIndex(tabOf(Group::Leaves)); }
+
+void CParamPanel::showCurves() {
+    if (const auto all = curves(); !all.empty()) m_tabs->setCurrentIndex(tabOf(all.front()->ref().group(), all.front()->ref().level));
+}
 
 void CParamPanel::showParam(const ParamRef& ref) {
     m_tabs->setCurrentIndex(tabOf(ref.group(), ref.level));

@@ -38,6 +38,8 @@ public:
     void showLeaves();
     /// Opens the tab of a value and gives it the focus.
     void showParam(const ParamRef& ref);
+    /// Opens the tab of the first curve, if there is one.
+    void showCurves();
     /// Of all curves; folded or not.
     std::vector<CParamEditor*> curves() const;
     /// Opens the tab of a text and marks one of its lines.

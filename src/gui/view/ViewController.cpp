@@ -139,7 +139,10 @@ void CViewController::onPicked(const std::optional<ViewHit>& hit) {
                 m_selected = Selected{hit->generation, own.id, segment - own.firstSegment};
                 showWriterOf(generation, *stem);
             }
-            m_panel.showGeneration(hit->generation);
+            if (methodOf(m_view->model->params).curvePlaces)
+                m_panel.showCurves();
+            else
+                m_panel.showGeneration(hit->generation);
         }
     }
     updateSelection();
@@ -250,8 +253,8 @@ std::optional<SegmentPlace> CViewController::selectedSegment() const {
 QStringList CViewController::quantitiesAt(const SegmentPlace& place) const {
     QStringList rows;
     for (const SegmentQuantity& quantity : methodOf(m_view->model->params).quantities)
-        if (quantity.ofStem)
-            rows << QStringLiteral("%1 %2").arg(trText(quantity.name)).arg(quantity.of(*m_view->model->tree, place));
+        if (!quantity.label.empty())
+            rows << QStringLiteral("%1: %2").arg(trText(quantity.label)).arg(quantity.of(*m_view->model->tree, place));
     return rows;
 }
 
