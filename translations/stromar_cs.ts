@@ -2062,6 +2062,202 @@
         <source>L-systems (*.l *.lsys)</source>
         <translation>L-systémy (*.l *.lsys)</translation>
     </message>
+    <message>
+        <source>Strands</source>
+        <translation>Prameny</translation>
+    </message>
+    <message>
+        <source>Turns aside (Gravelius order)</source>
+        <translation>Odbočení (řád podle Gravelia)</translation>
+    </message>
+    <message>
+        <source>Splits below (Weibull order)</source>
+        <translation>Dělení pod ní (řád podle Weibulla)</translation>
+    </message>
+    <message>
+        <source>height, m</source>
+        <translation>výška, m</translation>
+    </message>
+    <message>
+        <source>from the root, m</source>
+        <translation>od kořene, m</translation>
+    </message>
+    <message>
+        <source>thickness, cm</source>
+        <translation>tloušťka, cm</translation>
+    </message>
+    <message>
+        <source>turns aside</source>
+        <translation>odbočení</translation>
+    </message>
+    <message>
+        <source>splits below</source>
+        <translation>dělení pod ní</translation>
+    </message>
+    <message>
+        <source>order</source>
+        <translation>řád</translation>
+    </message>
+    <message>
+        <source>height</source>
+        <translation>výška</translation>
+    </message>
+    <message>
+        <source>rootLength</source>
+        <translation>délka od kořene</translation>
+    </message>
+    <message>
+        <source>thickness</source>
+        <translation>tloušťka</translation>
+    </message>
+    <message>
+        <source>What the curve runs over: the number of turns aside from the trunk (order), or the height in metres, the length from the root in metres, the thickness in centimetres of the branch that splits, at its base.</source>
+        <translation>Přes co křivka běží: počet odbočení od kmene (řád), nebo výška v metrech, délka od kořene v metrech či tloušťka v centimetrech u paty větve, která se dělí.</translation>
+    </message>
+    <message>
+        <source>It places the leaves of twigs: their Number is 0.</source>
+        <translation>Rozmisťuje listy větviček: jejich počet je 0.</translation>
+    </message>
+    <message>
+        <source>How many strands the trunk has, S: each of them ends in a twig of its own, so a tree has as many twigs and 2S - 1 branches.</source>
+        <translation>Kolik pramenů má kmen, S: každý končí ve vlastní větvičce, strom má tedy stejně tolik větviček a 2S - 1 větví.</translation>
+    </message>
+    <message>
+        <source>Height of the trunk</source>
+        <translation>Výška kmene</translation>
+    </message>
+    <message>
+        <source>How long the trunk is below its first split.</source>
+        <translation>Jak dlouhý je kmen pod prvním dělením.</translation>
+    </message>
+    <message>
+        <source>Inherited length</source>
+        <translation>Zděděná délka</translation>
+    </message>
+    <message>
+        <source>The length that the first branches inherit, L: every split hands a part of it on.</source>
+        <translation>Délka, kterou dědí první větve, L: každé dělení předá její část dál.</translation>
+    </message>
+    <message>
+        <source>Thickness of a strand</source>
+        <translation>Tloušťka pramene</translation>
+    </message>
+    <message>
+        <source>How thick a branch of one strand is. One of S strands has the diameter d = this times the root of S, so that the wood above a split has the area of that below.</source>
+        <translation>Jak silná je větev s jedním pramenem. Větev s S prameny má průměr d = tato hodnota krát odmocnina z S, takže dřevo nad dělením má stejný průřez jako pod ním.</translation>
+    </message>
+    <message>
+        <source>Strands of the leader</source>
+        <translation>Prameny vedoucí větve</translation>
+    </message>
+    <message>
+        <source>Shares</source>
+        <translation>Podíly</translation>
+    </message>
+    <message>
+        <source>The part of the strands that goes on in the leader at a split, k_s: it gets S1 = 1 + (k_s (S - 2) rounded up), the side branch the rest. 0.5 splits evenly, 1 makes a single axis with twigs.</source>
+        <translation>Část pramenů, která při dělení pokračuje ve vedoucí větvi, k_s: dostane S1 = 1 + (k_s (S - 2) zaokrouhleno nahoru), boční větev zbytek. 0,5 dělí rovným dílem, 1 dá jedinou osu s větvičkami.</translation>
+    </message>
+    <message>
+        <source>Turn of the leader</source>
+        <translation>Natočení vedoucí větve</translation>
+    </message>
+    <message>
+        <source>Gravicentralism, k_c: the leader turns aside by this times the split angle times the root of S2 / S, the side branch by the rest. 0 goes straight on, as many trunks do.</source>
+        <translation>Gravicentralismus, k_c: vedoucí větev uhne o tuto hodnotu krát úhel dělení krát odmocnina z S2 / S, boční větev o zbytek. 0 pokračuje rovně jako mnohé kmeny.</translation>
+    </message>
+    <message>
+        <source>Angles</source>
+        <translation>Úhly</translation>
+    </message>
+    <message>
+        <source>The angle between leader and side branch at a split, α.</source>
+        <translation>Úhel mezi vedoucí a boční větví při dělení, α.</translation>
+    </message>
+    <message>
+        <source>Turn of the plane</source>
+        <translation>Natočení roviny</translation>
+    </message>
+    <message>
+        <source>How far the plane of a split is turned about the branch against the one before: 90 and 137.5 wind about it, 0 and 180 lie flat.</source>
+        <translation>O kolik je rovina dělení natočena kolem větve proti předchozí: 90 a 137,5 se kolem ní vinou, 0 a 180 leží v ploše.</translation>
+    </message>
+    <message>
+        <source>Hanging</source>
+        <translation>Převis</translation>
+    </message>
+    <message>
+        <source>Gravimorphism: how far every branch turns towards the ground after a split, until it hangs.</source>
+        <translation>Gravimorfismus: o kolik se každá větev po dělení stočí k zemi, dokud nevisí.</translation>
+    </message>
+    <message>
+        <source>Min length ratio</source>
+        <translation>Nejmenší poměr délek</translation>
+    </message>
+    <message>
+        <source>Lengths</source>
+        <translation>Délky</translation>
+    </message>
+    <message>
+        <source>A branch inherits the length of the one below times the root of its part of the strands, but at least this part, k_m.</source>
+        <translation>Větev dědí délku té pod ní krát odmocnina ze svého podílu pramenů, nejméně však tuto část, k_m.</translation>
+    </message>
+    <message>
+        <source>Max length ratio</source>
+        <translation>Největší poměr délek</translation>
+    </message>
+    <message>
+        <source>A branch inherits the length of the one below times the root of its part of the strands, but at most this part, k_M.</source>
+        <translation>Větev dědí délku té pod ní krát odmocnina ze svého podílu pramenů, nejvýše však tuto část, k_M.</translation>
+    </message>
+    <message>
+        <source>Drawn length</source>
+        <translation>Kreslená délka</translation>
+    </message>
+    <message>
+        <source>How much of the inherited length the branches above a split are drawn with, k_l; what they hand on stays the same.</source>
+        <translation>Jaká část zděděné délky se u větví nad dělením kreslí, k_l; co předávají dál, zůstává.</translation>
+    </message>
+    <message>
+        <source>Variation</source>
+        <translation>Obměna</translation>
+    </message>
+    <message>
+        <source>How far angles stray from the curves, by the seed: 0 gives every tree the same form.</source>
+        <translation>Jak daleko se úhly podle semínka odchylují od křivek: 0 dá každému stromu stejný tvar.</translation>
+    </message>
+    <message>
+        <source>Factors by depth</source>
+        <translation>Činitele podle hloubky</translation>
+    </message>
+    <message>
+        <source>A factor of this value over the depth: how many splits lie below.</source>
+        <translation>Činitel této hodnoty podle hloubky: kolik dělení leží pod větví.</translation>
+    </message>
+    <message>
+        <source>What curves run over</source>
+        <translation>Přes co křivky běží</translation>
+    </message>
+    <message>
+        <source>How many leaves a twig of one strand bears.</source>
+        <translation>Kolik listů nese větvička s jedním pramenem.</translation>
+    </message>
+    <message>
+        <source>The angle between the leaves and their twig.</source>
+        <translation>Úhel mezi listy a jejich větvičkou.</translation>
+    </message>
+    <message>
+        <source>The turn about the twig from one leaf to the next.</source>
+        <translation>Otočení kolem větvičky od jednoho listu k dalšímu.</translation>
+    </message>
+    <message>
+        <source>Strand model</source>
+        <translation>Model pramenů</translation>
+    </message>
+    <message>
+        <source>A trunk of strands that split again and again until each is a twig: drawn curves say how. Holton 1994.</source>
+        <translation>Kmen z pramenů, které se znovu a znovu dělí, až je každý větvičkou: jak, to říkají nakreslené křivky. Holton 1994.</translation>
+    </message>
 </context>
 <context>
     <name>stromar::CCurveEditor</name>
@@ -2929,6 +3125,14 @@ Na: %5, č. %6</translation>
             <numerusform>Řádek %1 napsal %n segment</numerusform>
             <numerusform>Řádek %1 napsal %n segmenty</numerusform>
             <numerusform>Řádek %1 napsal %n segmentů</numerusform>
+        </translation>
+    </message>
+    <message numerus="yes">
+        <source>This point touches %n branch(es)</source>
+        <translation>
+            <numerusform>Tento bod ovlivňuje %n větev</numerusform>
+            <numerusform>Tento bod ovlivňuje %n větve</numerusform>
+            <numerusform>Tento bod ovlivňuje %n větví</numerusform>
         </translation>
     </message>
 </context>

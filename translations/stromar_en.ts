@@ -24,5 +24,12 @@
             <numerusform>Line %1 wrote %n segments</numerusform>
         </translation>
     </message>
+    <message numerus="yes">
+        <source>This point touches %n branch(es)</source>
+        <translation>
+            <numerusform>This point touches %n branch</numerusform>
+            <numerusform>This point touches %n branches</numerusform>
+        </translation>
+    </message>
 </context>
 </TS>

@@ -2062,6 +2062,202 @@
         <source>L-systems (*.l *.lsys)</source>
         <translation>L-системы (*.l *.lsys)</translation>
     </message>
+    <message>
+        <source>Strands</source>
+        <translation>Пряди</translation>
+    </message>
+    <message>
+        <source>Turns aside (Gravelius order)</source>
+        <translation>Повороты в сторону (порядок по Гравелиусу)</translation>
+    </message>
+    <message>
+        <source>Splits below (Weibull order)</source>
+        <translation>Разделений ниже (порядок по Вейбуллу)</translation>
+    </message>
+    <message>
+        <source>height, m</source>
+        <translation>высота, м</translation>
+    </message>
+    <message>
+        <source>from the root, m</source>
+        <translation>от корня, м</translation>
+    </message>
+    <message>
+        <source>thickness, cm</source>
+        <translation>толщина, см</translation>
+    </message>
+    <message>
+        <source>turns aside</source>
+        <translation>повороты в сторону</translation>
+    </message>
+    <message>
+        <source>splits below</source>
+        <translation>разделений ниже</translation>
+    </message>
+    <message>
+        <source>order</source>
+        <translation>порядок</translation>
+    </message>
+    <message>
+        <source>height</source>
+        <translation>высота</translation>
+    </message>
+    <message>
+        <source>rootLength</source>
+        <translation>длина от корня</translation>
+    </message>
+    <message>
+        <source>thickness</source>
+        <translation>толщина</translation>
+    </message>
+    <message>
+        <source>What the curve runs over: the number of turns aside from the trunk (order), or the height in metres, the length from the root in metres, the thickness in centimetres of the branch that splits, at its base.</source>
+        <translation>По чему идёт кривая: число поворотов в сторону от ствола (порядок) или высота в метрах, длина от корня в метрах, толщина в сантиметрах у основания ветви, которая разделяется.</translation>
+    </message>
+    <message>
+        <source>It places the leaves of twigs: their Number is 0.</source>
+        <translation>Размещает листья на веточках: их число равно 0.</translation>
+    </message>
+    <message>
+        <source>How many strands the trunk has, S: each of them ends in a twig of its own, so a tree has as many twigs and 2S - 1 branches.</source>
+        <translation>Сколько прядей в стволе, S: каждая заканчивается своей веточкой, поэтому веточек столько же, а ветвей 2S - 1.</translation>
+    </message>
+    <message>
+        <source>Height of the trunk</source>
+        <translation>Высота ствола</translation>
+    </message>
+    <message>
+        <source>How long the trunk is below its first split.</source>
+        <translation>Какой длины ствол до первого разделения.</translation>
+    </message>
+    <message>
+        <source>Inherited length</source>
+        <translation>Наследуемая длина</translation>
+    </message>
+    <message>
+        <source>The length that the first branches inherit, L: every split hands a part of it on.</source>
+        <translation>Длина, которую наследуют первые ветви, L: каждое разделение передаёт её часть дальше.</translation>
+    </message>
+    <message>
+        <source>Thickness of a strand</source>
+        <translation>Толщина пряди</translation>
+    </message>
+    <message>
+        <source>How thick a branch of one strand is. One of S strands has the diameter d = this times the root of S, so that the wood above a split has the area of that below.</source>
+        <translation>Какой толщины ветвь из одной пряди. У ветви из S прядей диаметр d = это значение, умноженное на корень из S, так что сечение древесины выше разделения такое же, как ниже.</translation>
+    </message>
+    <message>
+        <source>Strands of the leader</source>
+        <translation>Пряди ведущей ветви</translation>
+    </message>
+    <message>
+        <source>Shares</source>
+        <translation>Доли</translation>
+    </message>
+    <message>
+        <source>The part of the strands that goes on in the leader at a split, k_s: it gets S1 = 1 + (k_s (S - 2) rounded up), the side branch the rest. 0.5 splits evenly, 1 makes a single axis with twigs.</source>
+        <translation>Часть прядей, которая при разделении идёт дальше в ведущую ветвь, k_s: она получает S1 = 1 + (k_s (S - 2), округлённое вверх), боковая ветвь остальные. 0,5 делит поровну, 1 даёт единственную ось с веточками.</translation>
+    </message>
+    <message>
+        <source>Turn of the leader</source>
+        <translation>Поворот ведущей ветви</translation>
+    </message>
+    <message>
+        <source>Gravicentralism, k_c: the leader turns aside by this times the split angle times the root of S2 / S, the side branch by the rest. 0 goes straight on, as many trunks do.</source>
+        <translation>Гравицентрализм, k_c: ведущая ветвь отклоняется на это значение, умноженное на угол разделения и на корень из S2 / S, боковая ветвь на остаток. 0 идёт прямо, как многие стволы.</translation>
+    </message>
+    <message>
+        <source>Angles</source>
+        <translation>Углы</translation>
+    </message>
+    <message>
+        <source>The angle between leader and side branch at a split, α.</source>
+        <translation>Угол между ведущей и боковой ветвями при разделении, α.</translation>
+    </message>
+    <message>
+        <source>Turn of the plane</source>
+        <translation>Поворот плоскости</translation>
+    </message>
+    <message>
+        <source>How far the plane of a split is turned about the branch against the one before: 90 and 137.5 wind about it, 0 and 180 lie flat.</source>
+        <translation>Насколько плоскость разделения повёрнута вокруг ветви относительно предыдущей: 90 и 137,5 обвивают её, 0 и 180 лежат в одной плоскости.</translation>
+    </message>
+    <message>
+        <source>Hanging</source>
+        <translation>Свисание</translation>
+    </message>
+    <message>
+        <source>Gravimorphism: how far every branch turns towards the ground after a split, until it hangs.</source>
+        <translation>Гравиморфизм: насколько каждая ветвь после разделения поворачивает к земле, пока не повиснет.</translation>
+    </message>
+    <message>
+        <source>Min length ratio</source>
+        <translation>Наименьшее отношение длин</translation>
+    </message>
+    <message>
+        <source>Lengths</source>
+        <translation>Длины</translation>
+    </message>
+    <message>
+        <source>A branch inherits the length of the one below times the root of its part of the strands, but at least this part, k_m.</source>
+        <translation>Ветвь наследует длину той, что ниже, умноженную на корень из своей доли прядей, но не меньше этой части, k_m.</translation>
+    </message>
+    <message>
+        <source>Max length ratio</source>
+        <translation>Наибольшее отношение длин</translation>
+    </message>
+    <message>
+        <source>A branch inherits the length of the one below times the root of its part of the strands, but at most this part, k_M.</source>
+        <translation>Ветвь наследует длину той, что ниже, умноженную на корень из своей доли прядей, но не больше этой части, k_M.</translation>
+    </message>
+    <message>
+        <source>Drawn length</source>
+        <translation>Рисуемая длина</translation>
+    </message>
+    <message>
+        <source>How much of the inherited length the branches above a split are drawn with, k_l; what they hand on stays the same.</source>
+        <translation>Какая часть наследуемой длины рисуется у ветвей выше разделения, k_l; передаваемое дальше не меняется.</translation>
+    </message>
+    <message>
+        <source>Variation</source>
+        <translation>Разброс</translation>
+    </message>
+    <message>
+        <source>How far angles stray from the curves, by the seed: 0 gives every tree the same form.</source>
+        <translation>Насколько углы в зависимости от зерна отходят от кривых: 0 даёт всем деревьям одну форму.</translation>
+    </message>
+    <message>
+        <source>Factors by depth</source>
+        <translation>Множители по глубине</translation>
+    </message>
+    <message>
+        <source>A factor of this value over the depth: how many splits lie below.</source>
+        <translation>Множитель этого значения по глубине: сколько разделений лежит ниже.</translation>
+    </message>
+    <message>
+        <source>What curves run over</source>
+        <translation>По чему идут кривые</translation>
+    </message>
+    <message>
+        <source>How many leaves a twig of one strand bears.</source>
+        <translation>Сколько листьев несёт веточка из одной пряди.</translation>
+    </message>
+    <message>
+        <source>The angle between the leaves and their twig.</source>
+        <translation>Угол между листьями и их веточкой.</translation>
+    </message>
+    <message>
+        <source>The turn about the twig from one leaf to the next.</source>
+        <translation>Поворот вокруг веточки от одного листа к следующему.</translation>
+    </message>
+    <message>
+        <source>Strand model</source>
+        <translation>Модель прядей</translation>
+    </message>
+    <message>
+        <source>A trunk of strands that split again and again until each is a twig: drawn curves say how. Holton 1994.</source>
+        <translation>Ствол из прядей, которые разделяются снова и снова, пока каждая не станет веточкой: как, говорят нарисованные кривые. Holton 1994.</translation>
+    </message>
 </context>
 <context>
     <name>stromar::CCurveEditor</name>
@@ -2929,6 +3125,14 @@ On %5, stem %6</source>
             <numerusform>Строка %1 написала %n сегмент</numerusform>
             <numerusform>Строка %1 написала %n сегмента</numerusform>
             <numerusform>Строка %1 написала %n сегментов</numerusform>
+        </translation>
+    </message>
+    <message numerus="yes">
+        <source>This point touches %n branch(es)</source>
+        <translation>
+            <numerusform>Эта точка влияет на %n ветвь</numerusform>
+            <numerusform>Эта точка влияет на %n ветви</numerusform>
+            <numerusform>Эта точка влияет на %n ветвей</numerusform>
         </translation>
     </message>
 </context>

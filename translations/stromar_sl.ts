@@ -2062,6 +2062,202 @@
         <source>L-systems (*.l *.lsys)</source>
         <translation>L-sistemi (*.l *.lsys)</translation>
     </message>
+    <message>
+        <source>Strands</source>
+        <translation>Prameni</translation>
+    </message>
+    <message>
+        <source>Turns aside (Gravelius order)</source>
+        <translation>Odcepi (red po Graveliusu)</translation>
+    </message>
+    <message>
+        <source>Splits below (Weibull order)</source>
+        <translation>Cepitve pod njo (red po Weibullu)</translation>
+    </message>
+    <message>
+        <source>height, m</source>
+        <translation>višina, m</translation>
+    </message>
+    <message>
+        <source>from the root, m</source>
+        <translation>od korenine, m</translation>
+    </message>
+    <message>
+        <source>thickness, cm</source>
+        <translation>debelina, cm</translation>
+    </message>
+    <message>
+        <source>turns aside</source>
+        <translation>odcepi</translation>
+    </message>
+    <message>
+        <source>splits below</source>
+        <translation>cepitve pod njo</translation>
+    </message>
+    <message>
+        <source>order</source>
+        <translation>red</translation>
+    </message>
+    <message>
+        <source>height</source>
+        <translation>višina</translation>
+    </message>
+    <message>
+        <source>rootLength</source>
+        <translation>dolžina od korenine</translation>
+    </message>
+    <message>
+        <source>thickness</source>
+        <translation>debelina</translation>
+    </message>
+    <message>
+        <source>What the curve runs over: the number of turns aside from the trunk (order), or the height in metres, the length from the root in metres, the thickness in centimetres of the branch that splits, at its base.</source>
+        <translation>Po čem teče krivulja: število odcepov od debla (red) ali višina v metrih, dolžina od korenine v metrih ali debelina v centimetrih na začetku veje, ki se cepi.</translation>
+    </message>
+    <message>
+        <source>It places the leaves of twigs: their Number is 0.</source>
+        <translation>Razporeja liste vejic: njihovo število je 0.</translation>
+    </message>
+    <message>
+        <source>How many strands the trunk has, S: each of them ends in a twig of its own, so a tree has as many twigs and 2S - 1 branches.</source>
+        <translation>Koliko pramenov ima deblo, S: vsak se konča v svoji vejici, zato ima drevo prav toliko vejic in 2S - 1 vej.</translation>
+    </message>
+    <message>
+        <source>Height of the trunk</source>
+        <translation>Višina debla</translation>
+    </message>
+    <message>
+        <source>How long the trunk is below its first split.</source>
+        <translation>Kako dolgo je deblo pod prvo cepitvijo.</translation>
+    </message>
+    <message>
+        <source>Inherited length</source>
+        <translation>Podedovana dolžina</translation>
+    </message>
+    <message>
+        <source>The length that the first branches inherit, L: every split hands a part of it on.</source>
+        <translation>Dolžina, ki jo podedujejo prve veje, L: vsaka cepitev preda del naprej.</translation>
+    </message>
+    <message>
+        <source>Thickness of a strand</source>
+        <translation>Debelina pramena</translation>
+    </message>
+    <message>
+        <source>How thick a branch of one strand is. One of S strands has the diameter d = this times the root of S, so that the wood above a split has the area of that below.</source>
+        <translation>Kako debela je veja z enim pramenom. Veja s S prameni ima premer d = ta vrednost krat koren iz S, zato ima les nad cepitvijo enak presek kot pod njo.</translation>
+    </message>
+    <message>
+        <source>Strands of the leader</source>
+        <translation>Prameni vodilne veje</translation>
+    </message>
+    <message>
+        <source>Shares</source>
+        <translation>Deleži</translation>
+    </message>
+    <message>
+        <source>The part of the strands that goes on in the leader at a split, k_s: it gets S1 = 1 + (k_s (S - 2) rounded up), the side branch the rest. 0.5 splits evenly, 1 makes a single axis with twigs.</source>
+        <translation>Del pramenov, ki gre ob cepitvi naprej v vodilno vejo, k_s: dobi S1 = 1 + (k_s (S - 2) zaokroženo navzgor), stranska veja ostanek. 0,5 cepi enakomerno, 1 da eno samo os z vejicami.</translation>
+    </message>
+    <message>
+        <source>Turn of the leader</source>
+        <translation>Zasuk vodilne veje</translation>
+    </message>
+    <message>
+        <source>Gravicentralism, k_c: the leader turns aside by this times the split angle times the root of S2 / S, the side branch by the rest. 0 goes straight on, as many trunks do.</source>
+        <translation>Gravicentralizem, k_c: vodilna veja se odkloni za to vrednost krat kot cepitve krat koren iz S2 / S, stranska veja za ostanek. 0 gre naravnost naprej kot mnoga debla.</translation>
+    </message>
+    <message>
+        <source>Angles</source>
+        <translation>Koti</translation>
+    </message>
+    <message>
+        <source>The angle between leader and side branch at a split, α.</source>
+        <translation>Kot med vodilno in stransko vejo ob cepitvi, α.</translation>
+    </message>
+    <message>
+        <source>Turn of the plane</source>
+        <translation>Zasuk ravnine</translation>
+    </message>
+    <message>
+        <source>How far the plane of a split is turned about the branch against the one before: 90 and 137.5 wind about it, 0 and 180 lie flat.</source>
+        <translation>Za koliko je ravnina cepitve zasukana okoli veje glede na prejšnjo: 90 in 137,5 se vijeta okoli nje, 0 in 180 ležita v ravnini.</translation>
+    </message>
+    <message>
+        <source>Hanging</source>
+        <translation>Povešanje</translation>
+    </message>
+    <message>
+        <source>Gravimorphism: how far every branch turns towards the ground after a split, until it hangs.</source>
+        <translation>Gravimorfizem: za koliko se vsaka veja po cepitvi obrne proti tlom, dokler ne visi.</translation>
+    </message>
+    <message>
+        <source>Min length ratio</source>
+        <translation>Najmanjše razmerje dolžin</translation>
+    </message>
+    <message>
+        <source>Lengths</source>
+        <translation>Dolžine</translation>
+    </message>
+    <message>
+        <source>A branch inherits the length of the one below times the root of its part of the strands, but at least this part, k_m.</source>
+        <translation>Veja podeduje dolžino tiste pod njo krat koren iz svojega deleža pramenov, a najmanj ta del, k_m.</translation>
+    </message>
+    <message>
+        <source>Max length ratio</source>
+        <translation>Največje razmerje dolžin</translation>
+    </message>
+    <message>
+        <source>A branch inherits the length of the one below times the root of its part of the strands, but at most this part, k_M.</source>
+        <translation>Veja podeduje dolžino tiste pod njo krat koren iz svojega deleža pramenov, a največ ta del, k_M.</translation>
+    </message>
+    <message>
+        <source>Drawn length</source>
+        <translation>Narisana dolžina</translation>
+    </message>
+    <message>
+        <source>How much of the inherited length the branches above a split are drawn with, k_l; what they hand on stays the same.</source>
+        <translation>Kolikšen del podedovane dolžine se pri vejah nad cepitvijo nariše, k_l; kar predajo naprej, ostane isto.</translation>
+    </message>
+    <message>
+        <source>Variation</source>
+        <translation>Odstopanje</translation>
+    </message>
+    <message>
+        <source>How far angles stray from the curves, by the seed: 0 gives every tree the same form.</source>
+        <translation>Kako daleč koti glede na seme odstopajo od krivulj: 0 da vsakemu drevesu isto obliko.</translation>
+    </message>
+    <message>
+        <source>Factors by depth</source>
+        <translation>Faktorji po globini</translation>
+    </message>
+    <message>
+        <source>A factor of this value over the depth: how many splits lie below.</source>
+        <translation>Faktor te vrednosti po globini: koliko cepitev leži pod vejo.</translation>
+    </message>
+    <message>
+        <source>What curves run over</source>
+        <translation>Po čem tečejo krivulje</translation>
+    </message>
+    <message>
+        <source>How many leaves a twig of one strand bears.</source>
+        <translation>Koliko listov nosi vejica z enim pramenom.</translation>
+    </message>
+    <message>
+        <source>The angle between the leaves and their twig.</source>
+        <translation>Kot med listi in njihovo vejico.</translation>
+    </message>
+    <message>
+        <source>The turn about the twig from one leaf to the next.</source>
+        <translation>Zasuk okoli vejice od enega lista do naslednjega.</translation>
+    </message>
+    <message>
+        <source>Strand model</source>
+        <translation>Model pramenov</translation>
+    </message>
+    <message>
+        <source>A trunk of strands that split again and again until each is a twig: drawn curves say how. Holton 1994.</source>
+        <translation>Deblo iz pramenov, ki se vedno znova cepijo, dokler ni vsak vejica: kako, povedo narisane krivulje. Holton 1994.</translation>
+    </message>
 </context>
 <context>
     <name>stromar::CCurveEditor</name>
@@ -2932,6 +3128,15 @@ Na: %5, št. %6</translation>
             <numerusform>Vrstica %1 je napisala %n odseka</numerusform>
             <numerusform>Vrstica %1 je napisala %n odseke</numerusform>
             <numerusform>Vrstica %1 je napisala %n odsekov</numerusform>
+        </translation>
+    </message>
+    <message numerus="yes">
+        <source>This point touches %n branch(es)</source>
+        <translation>
+            <numerusform>Ta točka vpliva na %n vejo</numerusform>
+            <numerusform>Ta točka vpliva na %n veji</numerusform>
+            <numerusform>Ta točka vpliva na %n veje</numerusform>
+            <numerusform>Ta točka vpliva na %n vej</numerusform>
         </translation>
     </message>
 </context>

@@ -12,7 +12,7 @@ const StrandBranch& branchAt(const CTree& tree, const SegmentPlace& place) {
 constexpr SegmentQuantity kQuantities[] = {
     {"strands", [](const CTree& t, const SegmentPlace& at) { return branchAt(t, at).strands; }, N_("Strands"), true, true},
     {"gravelius", [](const CTree& t, const SegmentPlace& at) { return double(branchAt(t, at).order); }, N_("Turns aside (Gravelius order)"), true, true},
-    {"weibull", [](const CTree& t, const SegmentPlace& at) { return double(branchAt(t, at).depth); }, N_("Partings below (Weibull order)"), true, true},
+    {"weibull", [](const CTree& t, const SegmentPlace& at) { return double(branchAt(t, at).depth); }, N_("Splits below (Weibull order)"), true, true},
     {"inherited", [](const CTree& t, const SegmentPlace& at) { return branchAt(t, at).inherited; }},
     {"length", [](const CTree& t, const SegmentPlace& at) { return t.generation(at.generation).segments[at.segment].length; }},
     {"diameter", [](const CTree& t, const SegmentPlace& at) { return branchAt(t, at).diameter; }},

@@ -5,7 +5,7 @@
 
 namespace stromar {
 
-/// A branch of the strand model, from one parting to the next: one segment of a stem.
+/// A branch of the strand model, from one split to the next: one segment of a stem.
 struct StrandBranch {
     double strands;     ///< S
     double inherited;   ///< L, metres
@@ -13,7 +13,7 @@ struct StrandBranch {
     double rootLength;  ///< from the root to its base along the wood, metres
     double diameter;    ///< d at its base, metres
     std::uint32_t order; ///< turns aside below it (Gravelius)
-    std::uint32_t depth; ///< partings below it (Weibull)
+    std::uint32_t depth; ///< splits below it (Weibull)
 
     /// What a curve runs over: a number, metres, or centimetres of thickness.
     double quantity(CurveOver over) const;

@@ -5,11 +5,11 @@
 namespace stromar {
 
 /// What a curve of the strand model runs over: the number of turns aside (Gravelius order), or a quantity of the branch
-/// that parts, at its base.
+/// that splits, at its base.
 enum class CurveOver { Order, Height, RootLength, Thickness };
 
 /// The block of the strand model (Holton 1994, as Zamuda & Strnad used it). A value of a branch is the curve …G times the
-/// curve …W over the number of partings below it (Weibull order).
+/// curve …W over the number of splits below it (Weibull order).
 struct StrandsParams {
     CCurve strandShareG, strandShareW;
     CCurve splitAngleG, splitAngleW, planeTurnG, planeTurnW, gravimorphismG, gravimorphismW; ///< degrees
@@ -29,7 +29,7 @@ const ParamBlock& strandsBlock();
 inline const StrandsParams& strands(const CParams& params) { return params.as<StrandsParams>(); }
 inline StrandsParams& strands(CParams& params) { return params.as<StrandsParams>(); }
 
-/// The values of a parting, in the order of strandValues().
+/// The values of a split, in the order of strandValues().
 enum class StrandValueId { Share, SplitAngle, PlaneTurn, Hanging, LengthLeast, LengthMost, LengthFactor, LeaderTurn };
 
 /// A value of the model: its rows.
