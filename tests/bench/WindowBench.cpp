@@ -51,6 +51,45 @@ void BM_SliderStep(benchmark::State& state, const char* name) {
         waitForPicture(window);
     }
 }
+/// One step of a point of a curve that is held: likewise, with the branches it touches lit up.
+void BM_CurveStep(benchmark::State& state) {
+    CMainWindow window;
+    window.show();
+    window.files().open(preset("strand_winter"));
+    window.growth().showOnly(Model::Simple);
+    window.document().setValue(*findParam("Strands", window.document().params().block()), 2000.0, 0);
+    waitForPicture(window);
+    const ParamRef angle = *findParam("SplitAngleG", window.document().params().block());
+    while (window.busy()) QCoreApplication::processEvents();
+    double degrees = 60;
+    for (auto _ : state) {
+        degrees = degrees < 90 ? degrees + 1 : 60;
+        emit window.panel().rangeHeld(angle, 0, 5);
+        window.document().setValue(angle, CCurve({{0, 64}, {2, degrees}, {5, 80}}), 1);
+        waitForPicture(window);
+    }
+}
+BENCHMARK(BM_CurveStep)->Name("Window/CurveStep/2000 strands")->Unit(benchmark::kMillisecond)->UseRealTime();
+
+/// The same picture again: what drawing alone takes of it.
+void BM_CurveFrame(benchmark::State& state) {
+    CMainWindow window;
+    window.show();
+    window.files().open(preset("strand_winter"));
+    window.growth().showOnly(Model::Simple);
+    window.document().setValue(*findParam("Strands", window.document().params().block()), 2000.0, 0);
+    waitForPicture(window);
+    while (window.busy()) QCoreApplication::processEvents();
+    emit window.panel().rangeHeld(*findParam("SplitAngleG", window.document().params().block()), 0, 5);
+    for (auto _ : state) {
+        QEventLoop loop;
+        QObject::connect(&window.viewport(), &CViewport::drawn, &loop, &QEventLoop::quit);
+        window.viewport().update();
+        loop.exec();
+    }
+}
+BENCHMARK(BM_CurveFrame)->Name("Window/CurveFrame/2000 strands")->Unit(benchmark::kMillisecond)->UseRealTime();
+
 BENCHMARK_CAPTURE(BM_SliderStep, quaking_aspen, "quaking_aspen")
     ->Name("Window/SliderStep/quaking_aspen")
     ->Unit(benchmark::kMillisecond)

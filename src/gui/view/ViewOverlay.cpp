@@ -8,6 +8,7 @@
 namespace stromar {
 
 namespace {
+constexpr std::size_t kManyLines = 500; // that are selected
 constexpr double kHandleRadius = 6, kGrip = 11; // pixels
 constexpr double kAxisReach = 34, kAxisBall = 8, kAxisMargin = 52;
 constexpr int kRingPoints = 48;
@@ -161,7 +162,15 @@ void CViewOverlay::paintHandles(QPainter& painter) const {
     }
 }
 
+/// Thousands of lines are thin and without a rim: a hand waits for them.
 void CViewOverlay::paintSelection(QPainter& painter) const {
+    if (m_model.selection.size() > kManyLines) {
+        painter.setRenderHint(QPainter::Antialiasing, false);
+        painter.setPen(QPen(kAccent, 1));
+        for (const auto& line : m_model.selection) drawLine(painter, line);
+        painter.setRenderHint(QPainter::Antialiasing);
+        return;
+    }
     for (const auto& [colour, wide] : {std::pair(QColor(0, 0, 0, 120), 5.0), {kAccent, 2.6}}) {
         painter.setPen(QPen(colour, wide, Qt::SolidLine, Qt::RoundCap, Qt::RoundJoin));
         for (const auto& line : m_model.selection) drawLine(painter, line);
