@@ -2,6 +2,7 @@
 #include "stromar/params/ParamText.h"
 #include "stromar/params/TreeFile.h"
 #include "stromar/params/methods/lsystem/LSystemParams.h"
+#include "stromar/params/methods/strands/StrandsParams.h"
 #include <cmath>
 #include <filesystem>
 #include <vector>
@@ -9,7 +10,7 @@
 namespace stromar::test {
 
 inline std::vector<std::filesystem::path> presetFiles() {
-    registerBlock(lsystemBlock()); // no table of methods is there
+    for (const ParamBlock* block : {&lsystemBlock(), &strandsBlock()}) registerBlock(*block); // no table of methods is there
     std::vector<std::filesystem::path> files;
     for (const auto& entry : std::filesystem::directory_iterator(STROMAR_SOURCE "/presets"))
         if (entry.path().extension() == ".tree") files.push_back(entry.path());
