@@ -436,10 +436,9 @@ std::string CTreeFile::changedLine(const Line& line, const CParams& params) cons
     const auto ref = line.key.empty() ? std::nullopt : findParam(line.key, params.block());
     if (!ref || !isChanged(params, m_params, *ref)) return line.raw;
     std::string value = writtenValue(params, *ref, lineEnd());
-    if (line.valueBegin == line.valueEnd) { // keep a blank to '=' and to a comment
-        if (line.raw[line.valueBegin - 1] == '=') value.insert(0, " ");
-        if (line.valueEnd < line.raw.size() && line.raw[line.valueEnd] == '#') value += " ";
-    }
+    // A blank to '=' where the value was empty, and to a comment that stood right behind a quoted one.
+    if (line.valueBegin == line.valueEnd && line.raw[line.valueBegin - 1] == '=') value.insert(0, " ");
+    if (line.valueEnd < line.raw.size() && line.raw[line.valueEnd] == '#') value += " ";
     return std::string(line.raw).replace(line.valueBegin, line.valueEnd - line.valueBegin, value);
 }
 
