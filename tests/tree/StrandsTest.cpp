@@ -1,5 +1,6 @@
 // The strand model against its formulas: what holds for any values, and figures worked out by hand.
 #include "stromar/tree/strands/StrandsBuilder.h"
+#include "stromar/util/Random.h"
 #include "tree/RandomStrands.h"
 #include <glm/geometric.hpp>
 #include <gtest/gtest.h>
@@ -219,6 +220,86 @@ TEST(Strands, LeavesStandOnTheEndsOfOneStrand) {
     }
     const double turn = std::acos(glm::clamp(double(glm::dot(tree->leaves()[0].axis, tree->leaves()[1].axis)), -1.0, 1.0)) / kRadian;
     EXPECT_NEAR(turn, 137.5, 1e-3);
+}
+
+namespace {
+/// Every branch of a tree by its path from the root.
+std::map<std::uint64_t, const CSegment*> branchesOf(const CTree& tree) {
+    std::map<std::uint64_t, const CSegment*> found;
+    for (std::size_t g = 0; g < tree.generationCount(); ++g)
+        for (const CStem& stem : tree.generation(g).stems)
+            for (std::uint32_t s = 0; s < stem.segmentCount; ++s)
+                found[hashCombine(stem.id, s)] = &tree.generation(g).segments[stem.firstSegment + s];
+    return found;
+}
+
+CParams agingStrands(unsigned number) {
+    CParams params = randomStrands(number, 60);
+    strands(params).strandThickness = 0.02;
+    return params;
+}
+} // namespace
+
+TEST(Strands, GrowWithoutAJump) {
+    for (unsigned number = 1; number <= 25; ++number) {
+        SCOPED_TRACE(number);
+        const CParams params = agingStrands(number);
+        const CStrandsBuilder builder;
+        const auto grown = builder.build(params, nullptr, 0, CProgress());
+        const double reach = strands(params).trunkHeight + 20 * strands(params).inheritedLength;
+        const double step = std::min(1e-3, 1.0 / (50 * strands(params).strands));
+        double tallest = 0;
+        for (const auto& [path, segment] : branchesOf(*grown)) tallest = std::max(tallest, glm::length(segment->axisPoint(1)));
+        ASSERT_LT(tallest, reach);
+        for (double age = 0.01; age + step <= 1; age += 0.0173) {
+            const auto before = builder.atAge(params, age, CProgress()), after = builder.atAge(params, age + step, CProgress());
+            const auto then = branchesOf(*after);
+            for (const auto& [path, segment] : branchesOf(*before)) {
+                const auto now = then.find(path);
+                ASSERT_NE(now, then.end()) << "no branch goes, at " << age;
+                EXPECT_LT(glm::distance(segment->position, now->second->position), 0.01 * tallest) << age;
+                EXPECT_LT(glm::distance(segment->axisPoint(1), now->second->axisPoint(1)), 0.01 * tallest) << age;
+                const double radius = grown->generation(0).stems[0].radius;
+                EXPECT_LT(std::abs(segment->radiusBase - now->second->radiusBase), 0.01 * radius) << age;
+            }
+            EXPECT_GE(after->stemCount(), before->stemCount());
+        }
+    }
+}
+
+TEST(Strands, AYoungTreeIsPartOfTheGrownOne) {
+    CParams params = agingStrands(3);
+    strands(params).strands = 100;
+    const CStrandsBuilder builder;
+    const auto tree = builder.build(params, nullptr, 0, CProgress());
+    const auto grown = branchesOf(*tree);
+    const auto atOne = builder.atAge(params, 1, CProgress());
+    EXPECT_EQ(branchesOf(*atOne).size(), grown.size());
+    EXPECT_EQ(builder.atAge(params, 0, CProgress())->generationCount(), 0u);
+    for (const double age : {0.05, 0.3, 0.5, 0.75, 0.99}) {
+        const auto young = builder.atAge(params, age, CProgress());
+        for (const auto& [path, segment] : branchesOf(*young)) EXPECT_TRUE(grown.contains(path)) << age;
+        EXPECT_EQ(young->stemCount(), static_cast<std::size_t>(std::max(1.0, std::ceil(100 * age * age - 1e-9))));
+        EXPECT_NEAR(young->generation(0).stems[0].radius, tree->generation(0).stems[0].radius * age, 1e-12)
+            << "the trunk thickens evenly";
+    }
+}
+
+TEST(Strands, LeavesOfATipThatSplitsShrinkWhileItsChildrenGrow) {
+    CParams params = withStrands(10);
+    strands(params).stemLeaves = 4;
+    const CStrandsBuilder builder;
+    const auto tree = builder.atAge(params, std::sqrt(0.475), CProgress()); // 4.75 strands
+    const auto leaves = builder.growOrgans(params, *tree, Organ::Leaf, {}, CProgress());
+    ASSERT_EQ(leaves->grown.size(), 24u) << "five tips, and the one that splits";
+    double large = 0, fading = 0, coming = 0;
+    for (const CLeaf& leaf : leaves->grown) {
+        const double size = leaf.length / params.common.leafScale;
+        (size > 0.99 ? large : size > 0.5 ? coming : fading) += 1;
+    }
+    EXPECT_EQ(large, 12);
+    EXPECT_EQ(coming, 8) << "at three quarters";
+    EXPECT_EQ(fading, 4) << "at one quarter";
 }
 
 TEST(Strands, ACancelledWalkEnds) {
