@@ -10,15 +10,14 @@ constexpr double kTurn = 2 * std::numbers::pi;
 
 glm::dvec3 CSegment::centre(double t) const {
     if (helixRadius == 0) return axisPoint(t);
-    return axisPoint(t) + helixRadius * (std::cos(kTurn * t) - 1) * frame[0] +
-           helixRadius * std::sin(kTurn * t) * frame[1];
+    const double angle = kTurn * turns * t;
+    return axisPoint(t) + helixRadius * (std::cos(angle) - 1) * frame[0] + helixRadius * std::sin(angle) * frame[1];
 }
 
 glm::dvec3 CSegment::tangent(double t) const {
     if (helixRadius == 0) return frame[2];
-    const double around = kTurn * helixRadius;
-    return glm::normalize(length * frame[2] - around * std::sin(kTurn * t) * frame[0] +
-                          around * std::cos(kTurn * t) * frame[1]);
+    const double angle = kTurn * turns * t, around = kTurn * turns * helixRadius;
+    return glm::normalize(length * frame[2] - around * std::sin(angle) * frame[0] + around * std::cos(angle) * frame[1]);
 }
 
 const CSegment* CGeneration::segmentBelow(const CStem& stem, const CPath& path) const {

@@ -18,6 +18,7 @@ struct CSegment {
     double radiusBase, radiusEnd; ///< without base form and the least radius
     double helixRadius;           ///< of the drawn centre line about the axis; 0 = straight
     bool forks;                   ///< clones start at its end
+    float turns = 1;              ///< of a helix: less where its tip has only come so far
 
     double end() const { return start + length; }
     /// A point of the axis, t in 0..1 from base to end.

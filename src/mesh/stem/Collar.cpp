@@ -22,7 +22,7 @@ double placeOf(const CGeneration& generation, const Ring& ring) {
 }
 
 /// Length of the drawn centre line.
-double arcOf(const CSegment& segment) { return std::hypot(segment.length, 2 * std::numbers::pi * segment.helixRadius); }
+double arcOf(const CSegment& segment) { return std::hypot(segment.length, 2 * std::numbers::pi * segment.turns * segment.helixRadius); }
 } // namespace
 
 double Collar::minGap() const {

@@ -2,8 +2,10 @@
 #include "CommonValues.h"
 #include "Grown.h"
 #include "LeafGrower.h"
+#include "Maturity.h"
 #include "Placement.h"
 #include "StemAxis.h"
+#include "Young.h"
 #include "stromar/params/methods/weberpenn/TreeParams.h"
 #include "stromar/tree/weberpenn/WeberPennBuilder.h"
 #include "stromar/util/Parallel.h"
@@ -155,8 +157,7 @@ private:
         site.measures.parentLength = stem.length;
         site.parentMeasures = measures;
         site.woodThere = woodRadius(measures, offset);
-        // The parent's tip passes here, if it grows evenly until now.
-        site.birth = stem.birth + (1 - stem.birth) * offset / stem.length;
+        site.birth = passedAt(stem.birth, offset / stem.length);
         site.parent = parent;
         site.path = share.path;
         site.position = share.position;
@@ -354,6 +355,14 @@ std::shared_ptr<const CTree> CWeberPennBuilder::build(const CParams& params, con
     }
     return std::make_shared<const CTree>(
         scale, std::vector<std::shared_ptr<const CGeneration>>(grown.begin(), grown.end()), base);
+}
+
+std::shared_ptr<const CTree> CWeberPennBuilder::atAge(const CParams& params, const std::shared_ptr<const CTree>& grown, double age,
+                                                      const CProgress& progress) const {
+    if (age >= 1) return grown;
+    const auto young = youngGenerations(params, *grown, age, progress);
+    return std::make_shared<const CTree>(maturity(age, 0) * grown->height(),
+                                         std::vector<std::shared_ptr<const CGeneration>>(young.begin(), young.end()), grown->base());
 }
 
 std::shared_ptr<const COrgans> CWeberPennBuilder::growOrgans(const CParams& params, const CTree& tree, Organ organ,
