@@ -1,8 +1,9 @@
-// Weber and Penn's trees at an age: continuous, nested in the grown tree, and still.
+// Trees at an age: continuous, part of the grown tree, and still. Strands have a file of their own.
 #include "stromar/params/TreeFile.h"
 #include "stromar/params/methods/lsystem/LSystemParams.h"
 #include "stromar/params/methods/strands/StrandsParams.h"
 #include "stromar/params/methods/weberpenn/WeberPennParams.h"
+#include "stromar/tree/lsystem/LSystemBuilder.h"
 #include "stromar/tree/weberpenn/WeberPennBuilder.h"
 #include "stromar/util/Random.h"
 #include <filesystem>
@@ -13,12 +14,12 @@
 namespace stromar::test {
 namespace {
 
-std::vector<std::pair<std::string, CParams>> species() {
+std::vector<std::pair<std::string, CParams>> presetsOf(const ParamBlock& wanted) {
     for (const ParamBlock* block : {&lsystemBlock(), &strandsBlock()}) registerBlock(*block); // no table of methods is there
     std::vector<std::pair<std::string, CParams>> found;
     for (const auto& entry : std::filesystem::directory_iterator(STROMAR_SOURCE "/presets")) {
         CParams params = CTreeFile::read(entry.path()).params();
-        if (&params.block() == &weberPennBlock()) found.emplace_back(entry.path().stem(), params);
+        if (&params.block() == &wanted) found.emplace_back(entry.path().stem(), params);
     }
     return found;
 }
@@ -44,12 +45,55 @@ std::unordered_map<std::uint64_t, Piece> piecesOf(const CTree& tree) {
     return pieces;
 }
 
+/// Points of the axes of a tree, found by their place.
+class CAxisPoints {
+public:
+    explicit CAxisPoints(const CTree& tree, double reach) : m_reach(reach) {
+        for (const auto& generation : tree.generations())
+            for (const CSegment& segment : generation->segments) {
+                add({segment.position, segment.radiusBase});
+                add({segment.axisPoint(1), segment.radiusEnd});
+            }
+    }
+    struct Point {
+        glm::dvec3 at;
+        double radius;
+    };
+    const std::vector<Point>& points() const { return m_points; }
+    bool hasNear(const Point& p, double radiusApart) const {
+        for (int x = -1; x <= 1; ++x)
+            for (int y = -1; y <= 1; ++y)
+                for (int z = -1; z <= 1; ++z) {
+                    const auto [begin, end] = m_cells.equal_range(cellOf(p.at + m_reach * glm::dvec3(x, y, z)));
+                    for (auto i = begin; i != end; ++i) {
+                        const Point& other = m_points[i->second];
+                        if (glm::distance(other.at, p.at) < m_reach && std::abs(other.radius - p.radius) < radiusApart) return true;
+                    }
+                }
+        return false;
+    }
+
+private:
+    void add(const Point& point) {
+        m_cells.emplace(cellOf(point.at), m_points.size());
+        m_points.push_back(point);
+    }
+    std::uint64_t cellOf(const glm::dvec3& at) const {
+        std::uint64_t hash = 0;
+        for (int i = 0; i < 3; ++i) hash = hashCombine(hash, static_cast<std::uint64_t>(static_cast<std::int64_t>(std::floor(at[i] / m_reach))));
+        return hash;
+    }
+    double m_reach;
+    std::vector<Point> m_points;
+    std::unordered_multimap<std::uint64_t, std::size_t> m_cells;
+};
+
 bool isPalm(const CParams& params) { return weberPenn(params).baseSize > 0.8; }
 } // namespace
 
 TEST(Age, SpeciesGrowWithoutAJump) {
     constexpr double kStep = 1e-3;
-    for (const auto& [name, params] : species()) {
+    for (const auto& [name, params] : presetsOf(weberPennBlock())) {
         SCOPED_TRACE(name);
         const CWeberPennBuilder builder;
         const auto grown = builder.build(params, nullptr, 0, CProgress(2));
@@ -72,7 +116,7 @@ TEST(Age, SpeciesGrowWithoutAJump) {
 }
 
 TEST(Age, AYoungTreeIsTheGrownOneCut) {
-    for (const auto& [name, params] : species()) {
+    for (const auto& [name, params] : presetsOf(weberPennBlock())) {
         SCOPED_TRACE(name);
         const CWeberPennBuilder builder;
         const auto grown = builder.build(params, nullptr, 0, CProgress(2));
@@ -106,7 +150,7 @@ TEST(Age, AYoungTreeIsTheGrownOneCut) {
 }
 
 TEST(Age, ChildrenAreNeverThickerThanTheirParents) {
-    for (const auto& [name, params] : species()) {
+    for (const auto& [name, params] : presetsOf(weberPennBlock())) {
         SCOPED_TRACE(name);
         const CWeberPennBuilder builder;
         const auto grown = builder.build(params, nullptr, 0, CProgress(2));
@@ -119,6 +163,55 @@ TEST(Age, ChildrenAreNeverThickerThanTheirParents) {
                     }
         }
     }
+}
+
+/// A module is as wide as the trunk within one derivation, hence smaller steps than for other trees.
+TEST(Age, GrammarsGrowWithoutAJump) {
+    for (const auto& [name, params] : presetsOf(lsystemBlock())) {
+        SCOPED_TRACE(name);
+        const CLSystemBuilder builder;
+        const auto grown = builder.build(params, nullptr, 0, CProgress(2));
+        const int steps = lsystem(params).derivations + 1;
+        const double step = std::min(1e-3, 0.005 / steps);
+        double trunk = 0;
+        for (const CSegment& segment : grown->generation(0).segments) trunk = std::max(trunk, segment.radiusBase);
+        std::vector<double> ages{0.37, 0.913, 1 - step};
+        for (int i = 1; i < steps; ++i) ages.push_back(double(i) / steps - step / 2); // across every derivation
+        for (const double age : ages) {
+            const auto before = builder.atAge(params, age, CProgress(2)), after = builder.atAge(params, age + step, CProgress(2));
+            if (before->generationCount() == 0) continue; // the axiom draws nothing
+            const CAxisPoints now(*before, 0.01 * grown->height()), then(*after, 0.01 * grown->height());
+            const double anyRadius = 100 * trunk;
+            std::size_t gone = 0, sprung = 0;
+            for (const auto& point : now.points()) gone += !then.hasNear(point, 0.01 * trunk);
+            for (const auto& generation : after->generations())
+                for (const CSegment& segment : generation->segments)
+                    sprung += segment.length > 0.01 * grown->height() && !now.hasNear({segment.axisPoint(1), 0}, anyRadius);
+            EXPECT_EQ(gone, 0u) << age << " of " << now.points().size();
+            EXPECT_EQ(sprung, 0u) << age << ": what is new starts with nothing";
+            EXPECT_LE(before->stemCount(), after->stemCount()) << age;
+        }
+    }
+}
+
+TEST(Age, AGrammarGrowsFromNothingToItsLastWord) {
+    CParams params(lsystemBlock());
+    lsystem(params).grammar = "axiom: F(2)A\nA -> F(1)A\nF(l) -> F(l*2)";
+    lsystem(params).derivations = 3;
+    const CLSystemBuilder builder;
+    const auto lengthAt = [&](double age) {
+        const auto tree = builder.atAge(params, age, CProgress());
+        return tree->generationCount() == 0 ? 0 : tree->generation(0).stems[0].length;
+    };
+    EXPECT_EQ(lengthAt(0), 0);
+    EXPECT_NEAR(lengthAt(0.125), 1, 1e-6) << "half of the axiom";
+    EXPECT_NEAR(lengthAt(0.25), 2, 1e-9);
+    EXPECT_NEAR(lengthAt(0.375), 3.5, 1e-6) << "2 on its way to 4, and half of a new F";
+    EXPECT_NEAR(lengthAt(0.5), 5, 1e-9);
+    EXPECT_NEAR(lengthAt(1), 16 + 4 + 2 + 1, 1e-9);
+    lsystem(params).grammar = "axiom: F(2)\nF(l) -> G";
+    lsystem(params).derivations = 1;
+    EXPECT_NEAR(lengthAt(0.75), 1, 1e-6) << "what has no heir shrinks";
 }
 
 } // namespace stromar::test

@@ -61,6 +61,19 @@ std::shared_ptr<const CTree> CLSystemBuilder::build(const CParams& params, const
                                          std::vector<std::shared_ptr<const CGeneration>>(stems.begin(), stems.end()), base);
 }
 
+std::shared_ptr<const CTree> CLSystemBuilder::atAge(const CParams& params, double age, const CProgress& progress) const {
+    if (age >= 1) return build(params, nullptr, 0, progress);
+    const BaseForm base = baseFormOf(params.common);
+    const Grammar grammar = grammarOf(params);
+    const auto seed = static_cast<std::uint64_t>(static_cast<std::int64_t>(params.common.seed));
+    const double derivations = std::max(0.0, age) * (lsystem(params).derivations + 1) - 1;
+    const GrowingWord word = withGrammarNamed([&] { return CRewriter(grammar, seed, m_varied).grow(derivations, progress); });
+    const TurtlePath path = interpret(word, turtleParamsOf(params), progress);
+    const auto stems = stemsOf(word, path, progress);
+    return std::make_shared<const CTree>(heightOf(path.segments),
+                                         std::vector<std::shared_ptr<const CGeneration>>(stems.begin(), stems.end()), base);
+}
+
 std::shared_ptr<const COrgans> CLSystemBuilder::growOrgans(const CParams& params, const CTree& tree, Organ organ,
                                                            const OrganDemand& demand, const CProgress& progress) const {
     return COrganPlacer(params, tree, organ).grow(demand, progress);

@@ -70,6 +70,8 @@ CLeaf COrganPlacer::placeWritten(const CTurtleGeneration::Written& written, cons
         organ.width *= written.size / organ.length;
         organ.length = written.size;
     }
+    organ.length *= written.share;
+    organ.width *= written.share;
     if (m_organ == Organ::Leaf && m_pose.bend != 0) {
         const glm::dvec3 axis = written.axis, normal = written.normal;
         const Frame bent = m_pose.applied({glm::cross(normal, axis), normal, axis}, written.position);
@@ -94,8 +96,9 @@ CLeaf COrganPlacer::placeOnBearer(std::uint32_t i, const OrganSite& site) const 
     const double turn = lsystem(m_params).leafRotate.radians() * node + 2 * std::numbers::pi * (start + inWhorl);
     const Frame off = rotatedX(rotatedZ(segment.frame, turn), lsystem(m_params).leafDownAngle.radians());
     const Frame frame = m_pose.applied(off, position);
-    return {glm::vec3(position), glm::vec3(frame[2]), glm::vec3(frame[1]), static_cast<float>(m_pose.length),
-            static_cast<float>(m_pose.width), site.stem, site.generation, site.number};
+    const double share = generation(site.generation).shares[site.stem];
+    return {glm::vec3(position), glm::vec3(frame[2]), glm::vec3(frame[1]), static_cast<float>(share * m_pose.length),
+            static_cast<float>(share * m_pose.width), site.stem, site.generation, site.number};
 }
 
 } // namespace stromar

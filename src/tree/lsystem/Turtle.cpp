@@ -51,7 +51,9 @@ struct Turtle {
 
 class CTurtleWalk {
 public:
-    CTurtleWalk(const CWord& word, const TurtleParams& params) : m_word(word), m_params(params) {}
+    /// `shares` by module; empty: all of every one.
+    CTurtleWalk(const CWord& word, const std::vector<float>& shares, const TurtleParams& params)
+        : m_word(word), m_shares(shares), m_params(params) {}
 
     TurtlePath walk(const CProgress& progress) {
         for (std::size_t i = 0; i < m_word.size(); ++i) {
@@ -68,7 +70,7 @@ private:
         const double angle = first ? *first * kRadians : m_params.turn;
         switch (const Symbol symbol = m_word.symbol(i)) {
         case 'F':
-        case 'f': return go(i, symbol == 'F', first.value_or(1) * m_params.lengthUnit);
+        case 'f': return go(i, symbol == 'F', share(i) * first.value_or(1) * m_params.lengthUnit);
         case '+': return m_turtle.yaw(angle);
         case '-': return m_turtle.yaw(-angle);
         case '&': return m_turtle.pitchDown(angle);
@@ -77,7 +79,7 @@ private:
         case '\\': return m_turtle.rollRight(-angle);
         case '|': return m_turtle.yaw(std::numbers::pi);
         case '$': return m_turtle.level();
-        case '!': m_turtle.width = first.value_or(m_turtle.width); return;
+        case '!': m_turtle.width = first ? share(i) * *first : m_turtle.width; return;
         case '[': m_stack.push_back(m_turtle); return;
         case ']':
             m_turtle = m_stack.back();
@@ -85,10 +87,12 @@ private:
             return;
         case kLeafSymbol:
         case kBlossomSymbol:
-        case kFruitSymbol: return grow(kOrgans[symbol - kLeafSymbol], numbers.empty() ? -1 : std::max(0.0, numbers[0]) * m_params.lengthUnit);
+        case kFruitSymbol: return grow(i, kOrgans[symbol - kLeafSymbol], numbers.empty() ? -1 : std::max(0.0, numbers[0]) * m_params.lengthUnit);
         default: return;
         }
     }
+
+    double share(std::size_t i) const { return m_shares.empty() ? 1 : double(m_shares[i]); }
 
     void go(std::size_t i, bool draws, double length) {
         if (draws) {
@@ -99,14 +103,15 @@ private:
         } else
             m_turtle.below = -1;
         m_turtle.position += length * m_turtle.heading;
-        if (m_params.tropismBend != 0) m_turtle.bend(m_params.tropism, m_params.tropismBend);
+        if (m_params.tropismBend != 0) m_turtle.bend(m_params.tropism, share(i) * m_params.tropismBend);
     }
 
-    void grow(Organ organ, double size) {
-        m_path.organs.push_back({organ, m_turtle.position, m_turtle.frame(), size, m_turtle.below});
+    void grow(std::size_t i, Organ organ, double size) {
+        m_path.organs.push_back({organ, m_turtle.position, m_turtle.frame(), size, share(i), m_turtle.below});
     }
 
     const CWord& m_word;
+    const std::vector<float>& m_shares;
     const TurtleParams& m_params;
     Turtle m_turtle;
     std::vector<Turtle> m_stack;
@@ -115,7 +120,11 @@ private:
 } // namespace
 
 TurtlePath interpret(const CWord& word, const TurtleParams& params, const CProgress& progress) {
-    return CTurtleWalk(word, params).walk(progress);
+    return CTurtleWalk(word, {}, params).walk(progress);
+}
+
+TurtlePath interpret(const GrowingWord& word, const TurtleParams& params, const CProgress& progress) {
+    return CTurtleWalk(word.word, word.shares, params).walk(progress);
 }
 
 } // namespace stromar

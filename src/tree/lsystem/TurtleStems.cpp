@@ -44,8 +44,9 @@ struct Branch {
 
 class CStemCollector {
 public:
-    CStemCollector(const CWord& word, const TurtlePath& path)
-        : m_word(word), m_segments(path.segments), m_children(path.segments), m_organs(path.organs), m_bearers(path.segments.size(), Bearer{0, 0}) {}
+    /// `shares` by module; empty: all of every one.
+    CStemCollector(const CWord& word, const std::vector<float>& shares, const TurtlePath& path)
+        : m_word(word), m_shares(shares), m_segments(path.segments), m_children(path.segments), m_organs(path.organs), m_bearers(path.segments.size(), Bearer{0, 0}) {}
 
     std::vector<std::shared_ptr<const CTurtleGeneration>> collect(const CProgress& progress) {
         std::vector<Branch> branches;
@@ -92,6 +93,7 @@ private:
         if (branch.parent >= 0) sitOn(stem);
         generation.paths.push_back({stem.id, stem.firstSegment, stem.segmentCount, 0, -1});
         generation.stems.push_back(stem);
+        generation.shares.push_back(m_shares.empty() ? 1 : m_shares[m_segments[branch.segment].module]);
     }
 
     /// Appends a segment; gives the one that goes on, or none.
@@ -137,7 +139,8 @@ private:
             if (bearer.stem >= generation.stems.size()) continue; // it has no length
             const Frame& frame = organ.frame;
             generation.organs[static_cast<std::size_t>(organ.organ)].push_back(
-                {glm::vec3(organ.position), glm::vec3(frame[2]), glm::vec3(frame[0]), static_cast<float>(organ.size), bearer.stem});
+                {glm::vec3(organ.position), glm::vec3(frame[2]), glm::vec3(frame[0]), static_cast<float>(organ.size),
+                 static_cast<float>(organ.share), bearer.stem});
         }
         for (const auto& generation : m_generations)
             for (auto& written : generation->organs)
@@ -154,6 +157,7 @@ private:
     }
 
     const CWord& m_word;
+    const std::vector<float>& m_shares;
     const std::vector<TurtleSegment>& m_segments;
     CChildLists m_children;
     const std::vector<TurtleOrgan>& m_organs;
@@ -164,7 +168,12 @@ private:
 
 std::vector<std::shared_ptr<const CTurtleGeneration>> stemsOf(const CWord& word, const TurtlePath& path,
                                                               const CProgress& progress) {
-    return CStemCollector(word, path).collect(progress);
+    return CStemCollector(word, {}, path).collect(progress);
+}
+
+std::vector<std::shared_ptr<const CTurtleGeneration>> stemsOf(const GrowingWord& word, const TurtlePath& path,
+                                                              const CProgress& progress) {
+    return CStemCollector(word.word, word.shares, path).collect(progress);
 }
 
 } // namespace stromar

@@ -12,6 +12,10 @@ namespace {
 constexpr std::size_t kGrain = 16384;
 constexpr std::uint64_t kAxiomId = 0x61786d, kChoice = 0x6368;
 
+bool isDrawn(Symbol symbol) {
+    return symbol == 'F' || symbol == 'f' || symbol == kLeafSymbol || symbol == kBlossomSymbol || symbol == kFruitSymbol;
+}
+
 [[noreturn]] void failTooLong(std::size_t max, const char* what) {
     throw CError("the word of this grammar would have more than " + std::to_string(max) + " " + what);
 }
@@ -31,6 +35,20 @@ void CWord::resize(std::size_t modules, std::size_t numbers) {
     m_firstNumber.resize(modules + 1);
     m_numbers.resize(numbers);
     m_firstNumber[modules] = static_cast<std::uint32_t>(numbers);
+}
+
+void CWord::add(Symbol symbol, std::uint64_t id, std::uint16_t writer) {
+    if (m_firstNumber.empty()) m_firstNumber.push_back(0);
+    m_symbols.push_back(symbol);
+    m_ids.push_back(id);
+    m_writers.push_back(writer);
+    m_firstNumber.push_back(static_cast<std::uint32_t>(m_numbers.size()));
+}
+
+/// Of the module that was added last.
+void CWord::addNumber(double number) {
+    m_numbers.push_back(number);
+    m_firstNumber.back() = static_cast<std::uint32_t>(m_numbers.size());
 }
 
 std::string CWord::text(std::size_t first, std::size_t count, int digits) const {
@@ -115,6 +133,67 @@ CWord CRewriter::derive(const CWord& word, const CProgress& progress) const {
     };
     parallelFor(word.size(), kGrain, rewrite, progress);
     return m_cuts ? cut(next) : std::move(next);
+}
+
+GrowingWord CRewriter::grow(double derivations, const CProgress& progress) const {
+    const double whole = std::floor(derivations);
+    const auto share = static_cast<float>(derivations - whole);
+    if (whole < 0) {
+        GrowingWord all{axiom(), {}};
+        all.shares.assign(all.word.size(), share);
+        return all;
+    }
+    CWord word = derive(static_cast<int>(whole), progress);
+    if (share == 0) return {std::move(word), {}};
+    GrowingWord next;
+    Match match;
+    for (std::size_t i = 0; i < word.size(); ++i) {
+        if (i % kGrain == 0) progress.poll();
+        if (next.word.size() > m_maxModules) failTooLong(m_maxModules, "modules");
+        if (const Production* production = productionOf(word, i, match)) {
+            growModule(word, i, *production, match, share, next);
+            continue;
+        }
+        next.word.add(word.symbol(i), word.id(i), word.writer(i));
+        for (const double number : word.numbers(i)) next.word.addNumber(number);
+        next.shares.push_back(1);
+    }
+    if (!m_cuts) return next;
+    GrowingWord left{cut(next.word), {}};
+    for (const std::uint32_t i : keptByCuts(next.word)) left.shares.push_back(next.shares[i]);
+    return left;
+}
+
+void CRewriter::growModule(const CWord& word, std::size_t i, const Production& production, const Match& match, float share,
+                           GrowingWord& next) const {
+    const auto writer = static_cast<std::uint16_t>(&production - m_grammar.productions.data());
+    const bool hasHeir = production.heir < production.successor.size();
+    if (!hasHeir && isDrawn(word.symbol(i))) {
+        next.word.add(word.symbol(i), word.id(i), word.writer(i));
+        for (const double number : word.numbers(i)) next.word.addNumber(number);
+        next.shares.push_back(1 - share);
+    }
+    const ExpressionInput input = inputOf(word, i, production, match);
+    for (std::size_t k = 0; k < production.successor.size(); ++k) {
+        const SuccessorModule& made = production.successor[k];
+        const bool isHeir = k == production.heir;
+        next.word.add(made.symbol, hashCombine(word.id(i), k), isHeir ? word.writer(i) : writer);
+        for (std::size_t n = 0; n < made.numbers.size(); ++n) {
+            const double grown = valueOf(made.numbers[n], input, made, word, i);
+            const bool wasThere = isHeir && n < word.numbers(i).size();
+            next.word.addNumber(wasThere ? (1 - double(share)) * word.numbers(i)[n] + double(share) * grown : grown);
+        }
+        next.shares.push_back(isHeir ? 1 : share);
+    }
+}
+
+double CRewriter::valueOf(const CExpression& value, const ExpressionInput& input, const SuccessorModule& made, const CWord& word,
+                          std::size_t i) const {
+    const double number = value.evaluate(input);
+    if (!std::isfinite(number))
+        throw CInputError({{Severity::Error, {}, made.place.line, made.place.column,
+                            "a number of " + symbolName(made.symbol) + " is not finite when " + word.text(i, 1) + " is rewritten"}});
+    return number;
 }
 
 std::vector<std::size_t> CRewriter::applied(const CWord& word, const CProgress& progress) const {
@@ -237,18 +316,12 @@ void CRewriter::write(const CWord& word, std::size_t i, const Production* produc
         next.m_ids[module] = hashCombine(word.id(i), k);
         next.m_writers[module] = k == production->heir ? word.writer(i) : static_cast<std::uint16_t>(production - m_grammar.productions.data());
         next.m_firstNumber[module] = static_cast<std::uint32_t>(number);
-        for (const CExpression& value : made.numbers) {
-            next.m_numbers[number] = value.evaluate(input);
-            if (!std::isfinite(next.m_numbers[number++]))
-                throw CInputError({{Severity::Error, {}, made.place.line, made.place.column,
-                                    "a number of " + symbolName(made.symbol) + " is not finite when " + word.text(i, 1) +
-                                        " is rewritten"}});
-        }
+        for (const CExpression& value : made.numbers) next.m_numbers[number++] = valueOf(value, input, made, word, i);
     }
 }
 
-/// Without what follows a % in its branch.
-CWord CRewriter::cut(const CWord& word) const {
+/// The modules that do not follow a % in their branch.
+std::vector<std::uint32_t> CRewriter::keptByCuts(const CWord& word) {
     std::vector<std::uint32_t> kept;
     int depth = 0, cutDepth = -1; // of brackets; of the branch that is being cut
     for (std::size_t i = 0; i < word.size(); ++i) {
@@ -258,6 +331,11 @@ CWord CRewriter::cut(const CWord& word) const {
         if (cutDepth < 0) kept.push_back(static_cast<std::uint32_t>(i));
         if (symbol == '[') ++depth;
     }
+    return kept;
+}
+
+CWord CRewriter::cut(const CWord& word) {
+    const std::vector<std::uint32_t> kept = keptByCuts(word);
     std::size_t numbers = 0;
     for (const std::uint32_t i : kept) numbers += word.numbers(i).size();
     CWord left;

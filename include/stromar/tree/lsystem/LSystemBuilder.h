@@ -18,6 +18,9 @@ public:
     /// Throws CInputError for a grammar that is wrong, CError for one that draws nothing.
     std::shared_ptr<const CTree> build(const CParams& params, const CTree* previous, int firstInvalid,
                                        const CProgress& progress) const override;
+    /// The tree at an age of 0..1 of its life: its word grows evenly from nothing through all derivations. At 1 it is
+    /// build()'s tree, at 0 it has no stems. Throws as build().
+    std::shared_ptr<const CTree> atAge(const CParams& params, double age, const CProgress& progress) const;
     /// What the word writes, then what StemLeaves, Blossoms and Fruits put on stems without branches.
     std::shared_ptr<const COrgans> growOrgans(const CParams& params, const CTree& tree, Organ organ,
                                               const OrganDemand& demand, const CProgress& progress) const override;

@@ -30,6 +30,7 @@ struct TurtleOrgan {
     glm::dvec3 position;
     Frame frame;
     double size;        ///< metres; negative: the word says none
+    double share;       ///< of its size, that has grown
     std::int32_t below; ///< the segment at whose end it sits; −1: none
 };
 
@@ -38,6 +39,8 @@ struct TurtlePath {
     std::vector<TurtleOrgan> organs;
 };
 
+/// What the turtle draws of a word that grows: lengths, widths, sizes and the tropism of an F are there by its share.
+TurtlePath interpret(const GrowingWord& word, const TurtleParams& params, const CProgress& progress);
 /// What the turtle draws (The Algorithmic Beauty of Plants §1.5, §2.2). One thread; linear in the modules.
 TurtlePath interpret(const CWord& word, const TurtleParams& params, const CProgress& progress);
 

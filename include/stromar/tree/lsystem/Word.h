@@ -32,12 +32,22 @@ public:
 private:
     friend class CRewriter;
     void resize(std::size_t modules, std::size_t numbers);
+    void add(Symbol symbol, std::uint64_t id, std::uint16_t writer);
+    void addNumber(double number);
 
     RawVector<Symbol> m_symbols;
     RawVector<std::uint64_t> m_ids;
     RawVector<std::uint16_t> m_writers;
     RawVector<std::uint32_t> m_firstNumber; ///< one more than there are modules
     RawVector<double> m_numbers;
+};
+
+/// A word between two derivations.
+struct GrowingWord {
+    CWord word;
+    std::vector<float> shares; ///< by module: how much of it is there, 0..1; empty: all of every one
+
+    float share(std::size_t i) const { return shares.empty() ? 1 : shares[i]; }
 };
 
 /// Rewrites words. All modules of a word are rewritten at once; those without a matching production are copied. Which of
@@ -56,6 +66,10 @@ public:
     /// modules or numbers than allowed, before they are held, CCancelled.
     CWord derive(const CWord& word, const CProgress& progress) const;
     CWord derive(int times, const CProgress& progress) const;
+    /// After so many derivations and a part of the next one; below 0 the axiom grows from nothing, at -1 it has nothing. The
+    /// heir of a module is on its way to its new numbers, what else was written grows, what was drawn and has no heir shrinks.
+    /// One thread for the last step; throws as derive().
+    GrowingWord grow(double derivations, const CProgress& progress) const;
     /// How often each production would be applied to derive the next word.
     std::vector<std::size_t> applied(const CWord& word, const CProgress& progress) const;
 
@@ -73,7 +87,10 @@ private:
     ExpressionInput inputOf(const CWord& word, std::size_t i, const Production& production, const Match& match) const;
     void write(const CWord& word, std::size_t i, const Production* production, CWord& next, std::size_t module,
                std::size_t number) const;
-    CWord cut(const CWord& word) const;
+    void growModule(const CWord& word, std::size_t i, const Production& production, const Match& match, float share, GrowingWord& next) const;
+    double valueOf(const CExpression& value, const ExpressionInput& input, const SuccessorModule& made, const CWord& word, std::size_t i) const;
+    static std::vector<std::uint32_t> keptByCuts(const CWord& word);
+    static CWord cut(const CWord& word);
 
     const Grammar& m_grammar;
     std::uint64_t m_seed;
