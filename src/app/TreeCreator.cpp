@@ -50,6 +50,7 @@ public:
           m_mesh(meshParamsOf(params)), m_detail(detail), m_progress(progress),
           m_model(std::make_shared<TreeModel>()) {
         m_model->params = params;
+        m_model->age = creator.m_treeAge;
         m_model->detail = &detail;
     }
 
@@ -180,6 +181,7 @@ CTreeCreator::CTreeCreator(bool varied, const SizeLimits& limits)
     : m_varied(varied), m_limits(limits), m_made(detailTable().size()) {}
 
 void CTreeCreator::forget() {
+    m_grown.reset();
     m_tree.reset();
     m_made.assign(detailTable().size(), {});
 }
@@ -202,15 +204,18 @@ std::shared_ptr<const TreeModel> CTreeCreator::create(const CParams& params, con
 }
 
 void CTreeCreator::updateTree(const CParams& params, const CProgress& progress) {
-    const Invalidation invalid = m_tree ? invalidationOf(m_treeParams, params) : Invalidation{Stage::Structure, 0};
-    if (invalid.stage > Stage::Mesh) return;
+    const Invalidation invalid = m_grown ? invalidationOf(m_treeParams, params) : Invalidation{Stage::Structure, 0};
+    if (invalid.stage > Stage::Mesh && m_age == m_treeAge) return;
     chooseBuilder(params);
     // The form of the trunks' bases is part of the tree, though no generation has to grow for it.
     const int first = invalid.stage == Stage::Structure ? invalid.generation : Invalidation::kNone;
-    const auto tree = m_builder->build(params, m_tree.get(), first, progress);
-    const bool same = m_tree && invalid.stage > Stage::Structure && tree->base() == m_tree->base();
-    if (!same) m_tree = tree;
-    if (invalid.stage == Stage::Structure) ++m_growth;
+    const auto grown = m_builder->build(params, m_grown.get(), first, progress);
+    const bool same = m_grown && invalid.stage > Stage::Structure && grown->base() == m_grown->base();
+    const auto tree = same && m_age == m_treeAge ? m_tree : m_builder->atAge(params, same ? m_grown : grown, m_age, progress);
+    if (invalid.stage == Stage::Structure || m_age != m_treeAge) ++m_growth;
+    if (!same) m_grown = grown;
+    m_tree = tree;
+    m_treeAge = m_age;
     m_treeParams = params;
     dropStaleMeshes();
 }
@@ -219,6 +224,7 @@ void CTreeCreator::updateTree(const CParams& params, const CProgress& progress) 
 void CTreeCreator::chooseBuilder(const CParams& params) {
     if (m_builder && &m_treeParams.block() == &params.block()) return;
     m_builder = methodOf(params).makeBuilder(m_varied);
+    m_grown.reset();
     m_tree.reset();
 }
 

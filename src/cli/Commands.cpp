@@ -89,10 +89,16 @@ CParams readParams(const CommonOptions& common) {
     return params;
 }
 
+CTreeCreator creatorFor(const CommonOptions& common) {
+    CTreeCreator creator(common.varied, common.limits);
+    creator.setAge(common.age);
+    return creator;
+}
+
 std::shared_ptr<const TreeModel> createModel(const CommonOptions& common, const Detail& detail,
                                              const CProgress& progress) {
     const CParams params = readParams(common);
-    return CTreeCreator(common.varied, common.limits).create(params, detail, progress);
+    return creatorFor(common).create(params, detail, progress);
 }
 
 template <typename Vector>
@@ -218,6 +224,7 @@ void printInfo(const CommonOptions& common, const ModelOptions& options, std::os
         {"species", model->params.text.species},
         {"seed", model->params.common.seed},
         {"method", model->params.block().method},
+        {"age", model->age},
         {"scale_tree", model->tree->height()},
         {"generations", generations},
         {"predicted", predictedInfo(predictSize(model->params, options.detail()))},
@@ -273,7 +280,7 @@ void exportTree(const CommonOptions& common, const ExportOptions& options, const
     if (!format) throw CUsageError(unknownFormat(path));
     if (const std::string conflict = conflictText(options, *format); !conflict.empty()) throw CUsageError(conflict);
     const CParams params = readParams(common);
-    CTreeCreator creator(common.varied, common.limits);
+    CTreeCreator creator = creatorFor(common);
     const auto lods = stromar::exportTree(creator, params, options, std::filesystem::path(common.file).parent_path(), path,
                                           progress);
     for (const auto& lod : lods)

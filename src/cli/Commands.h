@@ -22,6 +22,7 @@ struct CommonOptions {
     bool varied = true;
     bool quiet = false;
     int threads = 0;
+    double age = 1; ///< 0..1 of the tree's life
     SizeLimits limits;
 };
 

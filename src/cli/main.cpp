@@ -31,7 +31,7 @@ struct Options {
     std::vector<std::string> recipe;
     int size = 1024;
     RenderOptions rendered;
-    std::string pictureSize, season, memory, method = "weber-penn";
+    std::string age, pictureSize, season, memory, method = "weber-penn";
     bool segments = false;
     bool markdown = false, json = false;
     bool lodGiven = false;
@@ -46,9 +46,16 @@ struct Options {
         }
         if (!pictureSize.empty()) readPictureSize();
         if (!memory.empty()) readMemory();
+        if (!age.empty()) readAge();
         if (seedGiven) common.settings.push_back("Seed=" + seed);
         if (model.simple && lodGiven)
             throw CUsageError("--lod belongs to the full model; the simple model has no levels of detail");
+    }
+    void readAge() {
+        const auto number = parseNumber(age);
+        if (!number) throw CUsageError("--age wants a number from 0 to 1, not '" + age + "'");
+        common.age = std::clamp(*number, 0.0, 1.0);
+        if (common.age != *number && !common.quiet) std::cerr << "--age: warning: it must be from 0 to 1, taken as " << numberText(common.age) << "\n";
     }
     /// A number of megabytes, or with a letter: 500M, 2.5G.
     void readMemory() {
@@ -93,6 +100,7 @@ void addCommon(CLI::App& command, Options& options) {
         ->allow_extra_args(false);
     command.add_option("--variation", options.variation, "off: every random number is its middle value")
         ->check(CLI::IsMember({"on", "off"}));
+    command.add_option("--age", options.age, "How old the tree is, 0 to 1 of its life; default: 1, grown")->type_name("A");
     command.add_option("--threads", options.common.threads, "How many threads; default: one per processor")
         ->check(CLI::Range(1, 1024));
     command.add_option("--max-vertices", options.common.limits.vertices, "Refuse trees that may be larger")

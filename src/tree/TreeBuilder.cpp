@@ -2,8 +2,8 @@
 
 namespace stromar {
 
-std::shared_ptr<const CTree> growTree(const ITreeBuilder& builder, const CParams& params, const CProgress& progress) {
-    const auto stems = builder.build(params, nullptr, 0, progress);
+std::shared_ptr<const CTree> growTree(const ITreeBuilder& builder, const CParams& params, const CProgress& progress, double age) {
+    const auto stems = builder.atAge(params, builder.build(params, nullptr, 0, progress), age, progress);
     OrganArrays organs;
     for (const Organ organ : kOrgans)
         organs[static_cast<std::size_t>(organ)] = builder.growOrgans(params, *stems, organ, {}, progress);

@@ -5,6 +5,7 @@
 #include "WindowFixture.h"
 #include "stromar/params/ParamText.h"
 #include "stromar/tree/strands/StrandsBuilder.h"
+#include <QDoubleSpinBox>
 
 namespace stromar {
 namespace {
@@ -69,6 +70,35 @@ TEST_F(StrandCurves, APointThatIsHeldLightsUpWhatItTouches) {
     EXPECT_TRUE(overlay().selection.empty());
     window.document().history().undo();
     EXPECT_EQ(strands(window.document().params()).splitAngleG.at(2), 72) << "one step";
+}
+
+TEST_F(StrandCurves, PointsStayWhereTheyAre) {
+    window.document().setValue(row("Strands"), 50.0, 0);
+    ASSERT_TRUE(showsNow(Model::Full));
+    CCurveEditor& angle = curve("SplitAngleG"); // points at 0, 2 and 5
+    const auto xs = [&] {
+        std::vector<double> all;
+        for (const CCurve::Point& point : strands(window.document().params()).splitAngleG.points()) all.push_back(point.x);
+        return all;
+    };
+    const std::vector<double> before = xs();
+    for (const std::size_t point : {std::size_t{0}, std::size_t{1}, std::size_t{2}}) {
+        const QPoint at = angle.placeOf(angle.curve().points()[point]).toPoint();
+        QTest::mousePress(&angle, Qt::LeftButton, {}, at);
+        QTest::mouseMove(&angle, at - QPoint(0, 15));
+        QTest::mouseRelease(&angle, Qt::LeftButton, {}, at - QPoint(0, 15));
+        EXPECT_EQ(xs(), before) << point << ": it was drawn straight up";
+    }
+    const QPoint middle = angle.placeOf(angle.curve().points()[1]).toPoint();
+    QTest::mousePress(&angle, Qt::LeftButton, {}, middle);
+    QTest::mouseMove(&angle, middle + QPoint(400, 0));
+    QTest::mouseRelease(&angle, Qt::LeftButton, {}, middle + QPoint(400, 0));
+    ASSERT_EQ(xs().size(), 3u);
+    EXPECT_GT(xs()[1], 4.9);
+    EXPECT_LT(xs()[1], 5) << "not past its neighbour";
+    angle.findChild<QDoubleSpinBox*>(QStringLiteral("curveY"))->setValue(31);
+    EXPECT_GT(xs()[1], 4.9);
+    EXPECT_EQ(strands(window.document().params()).splitAngleG.points()[1].y, 31);
 }
 
 TEST_F(StrandCurves, ABranchThatIsPickedIsMarkedOnEveryCurve) {

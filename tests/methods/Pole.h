@@ -19,6 +19,10 @@ class CPoleBuilder : public ITreeBuilder {
 public:
     std::shared_ptr<const CTree> build(const CParams& params, const CTree* previous, int firstInvalid,
                                        const CProgress& progress) const override;
+    /// A pole does not grow.
+    std::shared_ptr<const CTree> atAge(const CParams&, const std::shared_ptr<const CTree>& grown, double, const CProgress&) const override {
+        return grown;
+    }
     std::shared_ptr<const COrgans> growOrgans(const CParams& params, const CTree& tree, Organ organ,
                                               const OrganDemand& demand, const CProgress& progress) const override;
 };

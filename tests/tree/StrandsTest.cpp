@@ -252,7 +252,7 @@ TEST(Strands, GrowWithoutAJump) {
         for (const auto& [path, segment] : branchesOf(*grown)) tallest = std::max(tallest, glm::length(segment->axisPoint(1)));
         ASSERT_LT(tallest, reach);
         for (double age = 0.01; age + step <= 1; age += 0.0173) {
-            const auto before = builder.atAge(params, age, CProgress()), after = builder.atAge(params, age + step, CProgress());
+            const auto before = builder.atAge(params, grown, age, CProgress()), after = builder.atAge(params, grown, age + step, CProgress());
             const auto then = branchesOf(*after);
             for (const auto& [path, segment] : branchesOf(*before)) {
                 const auto now = then.find(path);
@@ -273,11 +273,11 @@ TEST(Strands, AYoungTreeIsPartOfTheGrownOne) {
     const CStrandsBuilder builder;
     const auto tree = builder.build(params, nullptr, 0, CProgress());
     const auto grown = branchesOf(*tree);
-    const auto atOne = builder.atAge(params, 1, CProgress());
+    const auto atOne = builder.atAge(params, tree, 1, CProgress());
     EXPECT_EQ(branchesOf(*atOne).size(), grown.size());
-    EXPECT_EQ(builder.atAge(params, 0, CProgress())->generationCount(), 0u);
+    EXPECT_EQ(builder.atAge(params, tree, 0, CProgress())->generationCount(), 0u);
     for (const double age : {0.05, 0.3, 0.5, 0.75, 0.99}) {
-        const auto young = builder.atAge(params, age, CProgress());
+        const auto young = builder.atAge(params, tree, age, CProgress());
         for (const auto& [path, segment] : branchesOf(*young)) EXPECT_TRUE(grown.contains(path)) << age;
         EXPECT_EQ(young->stemCount(), static_cast<std::size_t>(std::max(1.0, std::ceil(100 * age * age - 1e-9))));
         EXPECT_NEAR(young->generation(0).stems[0].radius, tree->generation(0).stems[0].radius * age, 1e-12)
@@ -289,7 +289,7 @@ TEST(Strands, LeavesOfATipThatSplitsShrinkWhileItsChildrenGrow) {
     CParams params = withStrands(10);
     strands(params).stemLeaves = 4;
     const CStrandsBuilder builder;
-    const auto tree = builder.atAge(params, std::sqrt(0.475), CProgress()); // 4.75 strands
+    const auto tree = builder.atAge(params, builder.build(params, nullptr, 0, CProgress()), std::sqrt(0.475), CProgress()); // 4.75 strands
     const auto leaves = builder.growOrgans(params, *tree, Organ::Leaf, {}, CProgress());
     ASSERT_EQ(leaves->grown.size(), 24u) << "five tips, and the one that splits";
     double large = 0, fading = 0, coming = 0;

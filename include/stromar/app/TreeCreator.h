@@ -18,6 +18,8 @@ public:
     /// Throws CCancelled, and CError when the tree would be too large. What was made before stays valid.
     std::shared_ptr<const TreeModel> create(const CParams& params, const Detail& detail, const CProgress& progress);
     void setLimits(const SizeLimits& limits) { m_limits = limits; }
+    /// How old the trees of the next create() are, 0..1 of their life.
+    void setAge(double age) { m_age = age; }
     /// The next create() starts from nothing.
     void forget();
     /// Frees what other levels of detail show; a create() of theirs makes it anew from the same tree.
@@ -57,7 +59,10 @@ private:
     bool m_varied;
     SizeLimits m_limits;
     std::unique_ptr<ITreeBuilder> m_builder;
-    std::shared_ptr<const CTree> m_tree; ///< without organs
+    double m_age = 1;
+    std::shared_ptr<const CTree> m_grown; ///< without organs
+    std::shared_ptr<const CTree> m_tree;  ///< the same at the age that was made last
+    double m_treeAge = 1;
     std::uint64_t m_growth = 0;          ///< rises when stems or organs have to be grown anew
     CParams m_treeParams;
     std::vector<MadeModel> m_made; ///< by row of the table of details

@@ -15,6 +15,7 @@ namespace stromar {
 struct TreeModel {
     CParams params;
     const Detail* detail;
+    double age = 1;                    ///< 0..1 of its life
     std::shared_ptr<const CTree> tree; ///< of its organs those are grown that are shown
     Meshes stems;                      ///< by generation
     std::array<std::shared_ptr<const COrganMesh>, kOrgans.size()> organs; ///< by Organ

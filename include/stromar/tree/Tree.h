@@ -56,6 +56,8 @@ struct CStem {
 
 /// All stems that are equally many turns away from the root. Immutable once built; links are indices.
 struct CGeneration {
+    virtual ~CGeneration() = default;
+
     std::vector<CStem> stems;
     std::vector<CPath> paths;
     std::vector<CSegment> segments;

@@ -22,7 +22,7 @@ constexpr double kGrip = 9; // pixels around a point
 constexpr int kHeight = 130, kStripHeight = 26;
 constexpr double kUseHeight = 0.7; // of the picture, for most branches
 constexpr int kBins = 40;          // where x is no number of something
-constexpr double kApart = 1e-3; // of what x covers, that points keep between them
+constexpr double kApart = 1e-3; // that points keep between their x: the last digit that is shown
 
 double rounded(double value, double step) { return std::round(value / step) * step; }
 
@@ -112,7 +112,9 @@ void CCurveEditor::cover() {
     };
     hold(m_curve);
     for (const Beside& other : m_beside) hold(other.curve);
-    if (!m_use.branches.empty()) m_over.max = std::max(m_over.max, *std::ranges::max_element(m_use.branches));
+    if (m_use.branches.empty()) return;
+    const auto [least, most] = std::ranges::minmax(m_use.branches);
+    m_over = {std::min(m_over.min, least), std::max(m_over.max, most)};
 }
 
 QRectF CCurveEditor::plot() const {
@@ -180,10 +182,9 @@ void CCurveEditor::change(std::vector<CCurve::Point> points, int gesture) {
 /// A point stays between its neighbours.
 void CCurveEditor::move(std::size_t point, const CCurve::Point& to, int gesture) {
     std::vector<CCurve::Point> points = m_curve.points();
-    const double apart = kApart * (m_info.over.max - m_info.over.min);
-    const double low = point > 0 ? points[point - 1].x + apart : m_info.over.min;
-    const double high = point + 1 < points.size() ? points[point + 1].x - apart : m_info.over.max;
-    points[point] = {std::clamp(to.x, std::min(low, high), std::max(low, high)), to.y};
+    const double low = point > 0 ? points[point - 1].x + kApart : m_info.over.min;
+    const double high = point + 1 < points.size() ? points[point + 1].x - kApart : m_info.over.max;
+    points[point] = {low <= high ? std::clamp(to.x, low, high) : points[point].x, to.y};
     change(std::move(points), gesture);
 }
 
@@ -273,8 +274,12 @@ void CCurveEditor::contextMenuEvent(QContextMenuEvent* event) {
 }
 
 double CCurveEditor::shownStep() const {
-    const double span = m_over.max - m_over.min;
-    return m_axis.step * std::max(1.0, std::ceil(span / m_axis.step / 12));
+    const double room = plot().width() / (1.5 * fontMetrics().horizontalAdvance(QStringLiteral("000.0")));
+    const double wanted = std::max(m_axis.step, (m_over.max - m_over.min) / std::max(1.0, room));
+    const double power = std::pow(10, std::floor(std::log10(wanted) + 1e-9));
+    for (const double nice : {1.0, 2.0, 5.0})
+        if (nice * power >= wanted * (1 - 1e-9)) return nice * power;
+    return 10 * power;
 }
 
 void CCurveEditor::paintGrid(QPainter& painter) const {
@@ -350,7 +355,7 @@ void CCurveEditor::paintStrip(QPainter& painter) const {
     const QRectF area = QRectF(rect()).adjusted(4, 4, -4, -4);
     painter.setPen(palette().color(QPalette::Text));
     const QString first = shortNumber(points.front().y), last = shortNumber(points.back().y);
-    const double room = fontMetrics().horizontalAdvance(QStringLiteral("000.0"));
+    const double room = fontMetrics().horizontalAdvance(QStringLiteral("0.000 "));
     painter.drawText(area, Qt::AlignVCenter | Qt::AlignLeft, first);
     if (points.size() > 1) painter.drawText(area, Qt::AlignVCenter | Qt::AlignRight, last);
     const QRectF drawn = area.adjusted(room, 2, -room, -2);
@@ -372,7 +377,9 @@ void CCurveEditor::paintEvent(QPaintEvent*) {
     painter.setRenderHint(QPainter::Antialiasing);
     if (m_folded) return paintStrip(painter);
     painter.fillRect(plot(), palette().brush(QPalette::Base));
+    painter.setClipRect(plot());
     if (!m_use.branches.empty()) paintUse(painter);
+    painter.setClipping(false);
     paintGrid(painter);
     painter.setClipRect(plot().adjusted(-7, -7, 7, 7));
     paintCurve(painter);

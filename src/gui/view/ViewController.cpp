@@ -22,7 +22,7 @@ namespace stromar {
 
 namespace {
 constexpr int kTurnPoints = 12; // of a drawn turn of a helix
-constexpr std::size_t kMaxLines = 12000; // that are drawn of what a line of a text wrote
+constexpr std::size_t kMaxLines = 40000; // that are drawn of what a line of a text wrote
 
 osg::Vec3d toOsg(const glm::dvec3& v) { return {v.x, v.y, v.z}; }
 

@@ -258,7 +258,7 @@ private:
         return false;
     }
 
-    /// The first ring of a tube of the trial that has a vertex whose normal no triangle around it would have.
+    /// The first ring of a tube of the trial that has a vertex whose normal looks into a triangle around it.
     std::uint32_t foldedRing(const Tube& trial, const MeshPlan& plan) const {
         const auto& indices = m_trial.indices;
         for (std::size_t t = 0; t < trial.indexCount(); t += 3) {

@@ -61,8 +61,9 @@ std::shared_ptr<const CTree> CLSystemBuilder::build(const CParams& params, const
                                          std::vector<std::shared_ptr<const CGeneration>>(stems.begin(), stems.end()), base);
 }
 
-std::shared_ptr<const CTree> CLSystemBuilder::atAge(const CParams& params, double age, const CProgress& progress) const {
-    if (age >= 1) return build(params, nullptr, 0, progress);
+std::shared_ptr<const CTree> CLSystemBuilder::atAge(const CParams& params, const std::shared_ptr<const CTree>& grown, double age,
+                                                    const CProgress& progress) const {
+    if (age >= 1) return grown;
     const BaseForm base = baseFormOf(params.common);
     const Grammar grammar = grammarOf(params);
     const auto seed = static_cast<std::uint64_t>(static_cast<std::int64_t>(params.common.seed));

@@ -330,16 +330,13 @@ std::shared_ptr<const CTree> CStrandsBuilder::build(const CParams& params, const
     return std::make_shared<const CTree>(walk.height(), std::move(generations), base);
 }
 
-std::shared_ptr<const CTree> CStrandsBuilder::atAge(const CParams& params, double age, const CProgress& progress) const {
-    if (age >= 1) return build(params, nullptr, 0, progress);
+std::shared_ptr<const CTree> CStrandsBuilder::atAge(const CParams& params, const std::shared_ptr<const CTree>& grown, double age,
+                                                    const CProgress& progress) const {
+    if (age >= 1) return grown;
     const BaseForm base = baseFormOf(params.common);
     if (!(age > 0)) return std::make_shared<const CTree>(0, std::vector<std::shared_ptr<const CGeneration>>(), base);
     CStrandWalk walk(params, m_varied, age);
-    std::shared_ptr<const CTree> grown;
-    if (runsOverTheTree(params)) {
-        grown = build(params, nullptr, 0, progress);
-        walk.readCurvesOn(*grown);
-    }
+    if (runsOverTheTree(params)) walk.readCurvesOn(*grown);
     auto generations = walk.grow(progress);
     return std::make_shared<const CTree>(walk.height(), std::move(generations), base);
 }

@@ -6,6 +6,7 @@
 #include "Placement.h"
 #include "StemAxis.h"
 #include "Young.h"
+#include "YoungOrgans.h"
 #include "stromar/params/methods/weberpenn/TreeParams.h"
 #include "stromar/tree/weberpenn/WeberPennBuilder.h"
 #include "stromar/util/Parallel.h"
@@ -368,6 +369,9 @@ std::shared_ptr<const CTree> CWeberPennBuilder::atAge(const CParams& params, con
 std::shared_ptr<const COrgans> CWeberPennBuilder::growOrgans(const CParams& params, const CTree& tree, Organ organ,
                                                              const OrganDemand& demand,
                                                              const CProgress& progress) const {
+    if (tree.generationCount() == 0) return std::make_shared<const COrgans>();
+    if (dynamic_cast<const CYoungGeneration*>(&tree.generation(0)))
+        return growYoungOrgans(params, tree, organ, randomOf(params, m_varied), demand, progress);
     const OrganRule rule = organRule(params, organ);
     const int levels = weberPenn(params).levels;
     if (levels < 2 || rule.number == 0) return std::make_shared<const COrgans>();

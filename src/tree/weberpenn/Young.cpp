@@ -20,10 +20,12 @@ class CStemCutter {
 public:
     /// `parents` null for trunks; `travels`: the stems keep their place between their parents' bases and tips.
     CStemCutter(std::shared_ptr<const CGrownGeneration> grown, const CYoungGeneration* parents, double taper,
-                double parentTaper, const BaseForm& parentBase, bool travels, double age)
+                double parentTaper, const BaseForm& parentBase, bool travels, double age, double grownHeight)
         : m_grown(*grown), m_parents(parents), m_taper(taperProfile(taper)), m_parentTaper(taperProfile(parentTaper)),
           m_parentBase(parentBase), m_travels(travels), m_age(age), m_young(std::make_shared<CYoungGeneration>()) {
         m_young->grown = std::move(grown);
+        m_young->age = age;
+        m_young->grownHeight = grownHeight;
         if (!parents) return;
         m_youngParent.assign(parents->grown->stems.size(), kUnborn);
         for (std::uint32_t s = 0; s < parents->origin.size(); ++s) m_youngParent[parents->origin[s]] = s;
@@ -187,7 +189,7 @@ std::vector<std::shared_ptr<const CYoungGeneration>> youngGenerations(const CPar
     for (std::size_t g = 0; g < grown.generationCount(); ++g) {
         const CTreeParams level(params, static_cast<int>(g), grown.height()), below(params, static_cast<int>(g) - (g > 0 ? 1 : 0), grown.height());
         CStemCutter cutter(std::static_pointer_cast<const CGrownGeneration>(grown.generations()[g]), g > 0 ? young.back().get() : nullptr,
-                           level.level().taper, below.level().taper, g == 1 ? grown.base() : BaseForm(), palm && g == 1, age);
+                           level.level().taper, below.level().taper, g == 1 ? grown.base() : BaseForm(), palm && g == 1, age, grown.height());
         young.push_back(cutter.cut(progress));
         if (young.back()->stems.empty()) {
             young.pop_back();

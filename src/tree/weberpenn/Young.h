@@ -18,6 +18,7 @@ struct CYoungGeneration : CGeneration {
     std::shared_ptr<const CGrownGeneration> grown;
     std::vector<std::uint32_t> origin; ///< by stem: in the grown generation
     std::vector<Carriage> carriage;    ///< by stem
+    double age = 1, grownHeight = 0;   ///< of the tree
 };
 
 /// The grown tree at an age between 0 and 1. Wood never moves along its parent: a younger stem is the grown one, cut.

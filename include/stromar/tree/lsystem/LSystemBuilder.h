@@ -20,7 +20,8 @@ public:
                                        const CProgress& progress) const override;
     /// The tree at an age of 0..1 of its life: its word grows evenly from nothing through all derivations. At 1 it is
     /// build()'s tree, at 0 it has no stems. Throws as build().
-    std::shared_ptr<const CTree> atAge(const CParams& params, double age, const CProgress& progress) const;
+    std::shared_ptr<const CTree> atAge(const CParams& params, const std::shared_ptr<const CTree>& grown, double age,
+                                       const CProgress& progress) const override;
     /// What the word writes, then what StemLeaves, Blossoms and Fruits put on stems without branches.
     std::shared_ptr<const COrgans> growOrgans(const CParams& params, const CTree& tree, Organ organ,
                                               const OrganDemand& demand, const CProgress& progress) const override;

@@ -38,7 +38,8 @@ public:
     /// The tree at an age of 0..1 of its life (strands.md, growth): its strands go by the square of the age, so that it thickens
     /// evenly; trunk and lengths go by the age. Its branches are some of the grown tree's. At 1 it is build()'s tree, at 0
     /// it has no stems. Continuous in the age. Throws CCancelled.
-    std::shared_ptr<const CTree> atAge(const CParams& params, double age, const CProgress& progress) const;
+    std::shared_ptr<const CTree> atAge(const CParams& params, const std::shared_ptr<const CTree>& grown, double age,
+                                       const CProgress& progress) const override;
     /// On the ends of one strand, of every stem; those of a branch that splits shrink while its children grow.
     std::shared_ptr<const COrgans> growOrgans(const CParams& params, const CTree& tree, Organ organ,
                                               const OrganDemand& demand, const CProgress& progress) const override;

@@ -15,7 +15,7 @@ public:
     /// The stems of a tree that build() made of the same parameters at an age of 0..1 of its life: those that are born, cut
     /// where their tips have come. At 1 it is that tree, at 0 it has no stems. Throws CCancelled.
     std::shared_ptr<const CTree> atAge(const CParams& params, const std::shared_ptr<const CTree>& grown, double age,
-                                       const CProgress& progress) const;
+                                       const CProgress& progress) const override;
     std::shared_ptr<const COrgans> growOrgans(const CParams& params, const CTree& tree, Organ organ,
                                               const OrganDemand& demand, const CProgress& progress) const override;
 
