@@ -1,13 +1,16 @@
 #include "stromar/mesh/check/MeshCheck.h"
+#include "stem/TubeWalls.h"
 #include <algorithm>
 #include <cmath>
 #include <glm/geometric.hpp>
 #include <numeric>
+#include <optional>
 #include <tuple>
 
 namespace stromar {
 
 namespace {
+constexpr double kReach = 20; // radii of branch and parent along the parent, within which a collar lies
 constexpr MeshCheck kChecks[] = {
     {"bad numbers", &MeshFaults::badNumbers},    {"bad normals", &MeshFaults::badNormals},
     {"bad indices", &MeshFaults::badIndices},    {"unused vertices", &MeshFaults::unused},
@@ -119,9 +122,9 @@ glm::dvec3 nearestOf(const glm::dvec3& p, const glm::dvec3& a, const glm::dvec3&
 }
 
 /// How far a point lies outside a surface, metres; negative inside.
-double heightAbove(const CMesh& mesh, const Tube& tube, const glm::dvec3& p) {
+double heightAbove(const CMesh& mesh, std::pair<std::size_t, std::size_t> indices, const glm::dvec3& p) {
     double best = std::numeric_limits<double>::infinity(), height = 0;
-    for (std::size_t i = tube.firstIndex; i < tube.firstIndex + tube.indexCount(); i += 3) {
+    for (std::size_t i = indices.first; i < indices.second; i += 3) {
         const auto corner = [&](std::size_t c) { return glm::dvec3(mesh.positions[mesh.indices[i + c]]); };
         const glm::dvec3 a = corner(0), b = corner(1), c = corner(2), away = p - nearestOf(p, a, b, c);
         const double squared = glm::dot(away, away);
@@ -132,17 +135,37 @@ double heightAbove(const CMesh& mesh, const Tube& tube, const glm::dvec3& p) {
     return height;
 }
 
+/// The walls of the parents' tube that was asked for last: siblings follow each other.
+class CParentWalls {
+public:
+    CParentWalls(const CGeneration& generation, const StemMesh& parents) : m_generation(generation), m_plan(parents.plan) {}
+
+    const CTubeWalls& of(std::int32_t tube) {
+        if (m_tube != tube) m_walls.emplace(m_generation, m_plan, m_plan.tubes[static_cast<std::size_t>(tube)]);
+        m_tube = tube;
+        return *m_walls;
+    }
+
+private:
+    const CGeneration& m_generation;
+    const MeshPlan& m_plan;
+    std::optional<CTubeWalls> m_walls;
+    std::int32_t m_tube = -1;
+};
+
 void checkCollar(const CTree& tree, int generation, const StemMesh& stems, const Tube& tube, const StemMesh& parents,
-                 MeshFaults& faults) {
+                 CParentWalls& walls, MeshFaults& faults) {
     const CStem& stem = tree.generation(static_cast<std::size_t>(generation)).stems[tube.stem];
     const CStem& parent =
         tree.generation(static_cast<std::size_t>(generation - 1)).stems[static_cast<std::size_t>(stem.parent)];
     const std::int32_t wood = parents.plan.tubeOfPath[parent.firstPath + stem.path];
     if (tube.collarRings == 0 || wood < 0) return;
     ++faults.collars;
+    const double reach = kReach * (stem.radius + stem.parentRadius);
+    const auto near = walls.of(wood).between(stem.offset - reach, stem.offset + reach);
     double highest = 0, deepest = 0;
     for (std::uint32_t i = 0; i < tube.points; ++i) {
-        const double height = heightAbove(*parents.mesh, parents.plan.tubes[static_cast<std::size_t>(wood)],
+        const double height = heightAbove(*parents.mesh, near,
                                           glm::dvec3(stems.mesh->positions[tube.firstVertex + i]));
         highest = std::max(highest, height);
         deepest = std::min(deepest, height);
@@ -163,10 +186,12 @@ std::span<const MeshCheck> meshChecks() { return kChecks; }
 MeshFaults checkStems(const CTree& tree, int generation, const StemMesh& stems, const StemMesh* parents) {
     MeshFaults faults{stems.plan.tubes.size(), stems.mesh->vertexCount(), stems.mesh->triangleCount()};
     checkVertices(*stems.mesh, faults);
+    std::optional<CParentWalls> walls;
+    if (parents) walls.emplace(tree.generation(static_cast<std::size_t>(generation - 1)), *parents);
     for (const Tube& tube : stems.plan.tubes) {
         const Part part{tube.firstVertex, tube.vertexCount(), tube.firstIndex, tube.indexCount()};
         if (checkTriangles(*stems.mesh, part, faults)) checkEdges(*stems.mesh, part, faults);
-        if (parents) checkCollar(tree, generation, stems, tube, *parents, faults);
+        if (parents) checkCollar(tree, generation, stems, tube, *parents, *walls, faults);
     }
     return faults;
 }

@@ -15,12 +15,6 @@ constexpr double kSteepest = 0.2;     // sine of the angle to the parent below w
 constexpr double kAboveSurface = 0.3; // radii between the collar's highest point and the first own ring
 constexpr int kHalvings = 8;          // to find the edge of the parent when a point misses it
 
-/// Where a ring stands along its stem, metres from the stem's base.
-double placeOf(const CGeneration& generation, const Ring& ring) {
-    const CSegment& segment = generation.segments[ring.segment];
-    return segment.start + ring.t * segment.length;
-}
-
 /// Length of the drawn centre line.
 double arcOf(const CSegment& segment) { return std::hypot(segment.length, 2 * std::numbers::pi * segment.turns * segment.helixRadius); }
 } // namespace
@@ -95,17 +89,12 @@ bool CCollarMaker::collectTriangles(const CStem& stem) {
     const std::uint32_t pathIndex = parent.firstPath + stem.path;
     const std::int32_t tubeIndex = m_mesh.plan.tubeOfPath[pathIndex];
     if (tubeIndex < 0) return false;
-    const Tube& tube = m_mesh.plan.tubes[static_cast<std::size_t>(tubeIndex)];
-    const double low = stem.offset - m_reach, high = stem.offset + m_reach;
-    const auto place = [&](std::uint32_t ring) { return placeOf(m_parents, m_mesh.plan.rings[tube.firstRing + ring]); };
-    // Walls lie one after the other: the collar's first, then one above each ring.
-    std::uint32_t firstWall = 0, lastWall = tube.collarRings + tube.ringCount - 1;
-    while (lastWall > tube.collarRings + 1 && place(lastWall - tube.collarRings - 1) > high) --lastWall;
-    while (firstWall + 1 < lastWall &&
-           (firstWall < tube.collarRings ? place(0) : place(firstWall - tube.collarRings + 1)) < low)
-        ++firstWall;
+    if (m_wallsOf != tubeIndex) { // siblings follow each other
+        m_walls.emplace(m_parents, m_mesh.plan, m_mesh.plan.tubes[static_cast<std::size_t>(tubeIndex)]);
+        m_wallsOf = tubeIndex;
+    }
     const CMesh& mesh = *m_mesh.mesh;
-    const std::size_t begin = firstIndexOf(tube, firstWall), end = firstIndexOf(tube, lastWall);
+    const auto [begin, end] = m_walls->between(stem.offset - m_reach, stem.offset + m_reach);
     for (std::size_t i = begin; i < end; i += 3) {
         const std::uint32_t* v = &mesh.indices[i];
         const glm::dvec3 corner(mesh.positions[v[0]]);
@@ -115,18 +104,6 @@ bool CCollarMaker::collectTriangles(const CStem& stem) {
                                {v[0], v[1], v[2]}});
     }
     return !m_triangles.empty();
-}
-
-/// Where a wall's triangles start; the last wall of a pointed tube is a cone.
-std::size_t CCollarMaker::firstIndexOf(const Tube& tube, std::uint32_t wall) const {
-    const Ring* rings = m_mesh.plan.ringsOf(tube);
-    const std::uint32_t collar = std::min(wall, tube.collarRings);
-    std::size_t index = tube.firstIndex + collar * wallIndices(tube.points, tube.points);
-    for (std::uint32_t r = 0; r < wall - collar; ++r) {
-        const bool cone = tube.pointed && r + 2 == tube.ringCount;
-        index += wallIndices(rings[r].points, cone ? 0 : rings[r + 1].points);
-    }
-    return index;
 }
 
 /// Where a line leaves the wood for the last time (Möller & Trumbore 1997).

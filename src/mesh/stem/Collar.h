@@ -1,4 +1,5 @@
 #pragma once
+#include "stem/TubeWalls.h"
 #include "stromar/mesh/MeshBuilder.h"
 #include <optional>
 #include <span>
@@ -47,7 +48,6 @@ private:
     };
 
     bool collectTriangles(const CStem& stem);
-    std::size_t firstIndexOf(const Tube& tube, std::uint32_t wall) const;
     double reachOf(const CStem& stem, const glm::dvec3& parentAxis, const glm::dvec3& axis, double radius) const;
     std::optional<Exit> findExit(std::span<const CSegment> branch) const;
     std::optional<Hit> lastExit(const glm::dvec3& origin, const glm::dvec3& direction) const;
@@ -56,6 +56,8 @@ private:
 
     const CGeneration& m_parents;
     const StemMesh& m_mesh;
+    std::optional<CTubeWalls> m_walls; ///< of the parents' tube that was looked at last
+    std::int32_t m_wallsOf = -1;
     std::vector<Triangle> m_triangles;
     double m_reach = 0; ///< metres along the parent and the branch within which they can meet
     Collar m_collar;

@@ -1,0 +1,45 @@
+#pragma once
+#include "stromar/mesh/MeshBuilder.h"
+#include <algorithm>
+#include <utility>
+#include <vector>
+
+namespace stromar {
+
+/// Finds the triangles of a tube by their place along its stem. Its walls lie one after the other: the collar's first, then one
+/// above each ring; the last of a pointed tube is a cone. Made in time linear in the rings, asked in that of a search.
+class CTubeWalls {
+public:
+    CTubeWalls(const CGeneration& generation, const MeshPlan& plan, const Tube& tube) : m_collar(tube.collarRings) {
+        const Ring* rings = plan.ringsOf(tube);
+        std::size_t index = tube.firstIndex;
+        m_starts.push_back(index);
+        for (std::uint32_t c = 0; c < m_collar; ++c) m_starts.push_back(index += wallIndices(tube.points, tube.points));
+        for (std::uint32_t r = 0; r + 1 < tube.ringCount; ++r) {
+            const bool cone = tube.pointed && r + 2 == tube.ringCount;
+            m_starts.push_back(index += wallIndices(rings[r].points, cone ? 0 : rings[r + 1].points));
+        }
+        for (std::uint32_t r = 0; r < tube.ringCount; ++r) {
+            const CSegment& segment = generation.segments[rings[r].segment];
+            m_places.push_back(segment.start + rings[r].t * segment.length);
+        }
+    }
+
+    /// The indices of the walls that reach between two places, metres from the stem's base; at least of one wall.
+    std::pair<std::size_t, std::size_t> between(double low, double high) const {
+        const auto walls = static_cast<std::ptrdiff_t>(m_starts.size()) - 1, collar = static_cast<std::ptrdiff_t>(m_collar);
+        const auto above = std::upper_bound(m_places.begin(), m_places.end() - 1, high) - m_places.begin();
+        const std::ptrdiff_t last = std::min(walls, std::max(collar + 1, collar + above));
+        const auto below = std::lower_bound(m_places.begin() + 1, m_places.end(), low) - m_places.begin();
+        const std::ptrdiff_t first = m_places.front() < low ? collar + below - 1 : 0;
+        return {m_starts[static_cast<std::size_t>(std::clamp<std::ptrdiff_t>(first, 0, std::max<std::ptrdiff_t>(0, last - 1)))],
+                m_starts[static_cast<std::size_t>(last)]};
+    }
+
+private:
+    std::uint32_t m_collar;
+    std::vector<double> m_places;      ///< of the rings
+    std::vector<std::size_t> m_starts; ///< of the walls' indices, and the end
+};
+
+} // namespace stromar
