@@ -34,7 +34,7 @@ Pixels renderPicture(const TreeModel& model, const std::filesystem::path& treeFo
     makePictures(model, treeFolder, progress);
     CViewScene scene;
     const std::vector<ViewPart> parts = viewPartsOf(model, {}, progress);
-    if (parts.empty()) throw CError("the tree is empty, there is nothing to show");
+    if (parts.empty() && model.age > 0) throw CError("the tree is empty, there is nothing to show");
     scene.show(parts);
     for (const ViewPart& part : parts) {
         const std::string file = textureOf(model, part.surface, treeFolder).string();
@@ -48,7 +48,8 @@ Pixels renderPicture(const TreeModel& model, const std::filesystem::path& treeFo
     scene.setLook(look);
     CHeadlessPainter painter(scene, options.samples);
     const double aspect = double(options.width) / options.height;
-    return painter.paint(cameraOf(kViews[options.view], scene.bounds(), aspect), options.width, options.height);
+    const osg::BoundingBox all = parts.empty() ? osg::BoundingBox(-1, -1, 0, 1, 1, 2) : scene.bounds(); // before its life there is air
+    return painter.paint(cameraOf(kViews[options.view], all, aspect), options.width, options.height);
 }
 #else
 Pixels renderPicture(const TreeModel&, const std::filesystem::path&, const RenderOptions&, const CProgress&) {

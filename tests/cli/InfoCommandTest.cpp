@@ -22,7 +22,7 @@ bool isVector(const Json& value) {
            value[2].is_number();
 }
 
-const std::vector<std::string> kInfoKeys = {"species",        "seed",   "method",       "scale_tree", "generations", "predicted",
+const std::vector<std::string> kInfoKeys = {"species",        "seed",   "method", "age",       "scale_tree", "generations", "predicted",
                                             "leaves",         "model",  "lod",          "vertices",   "triangles",
                                             "leaf_area_kept", "bounds", "milliseconds", "mesh_bytes"};
 const std::vector<std::string> kGenerationKeys = {"generation", "stems",      "clones",
@@ -177,6 +177,29 @@ TEST(Structure, StaysOutOfTheLargestModelsWay) {
     EXPECT_EQ(run.status, 0);
     EXPECT_EQ(run.err, "");
     EXPECT_GT(std::ranges::count(run.out, '\n'), 50'000);
+}
+
+TEST(Info, TellsOfTreesAtAnAge) {
+    for (const char* name : {"quaking_aspen", "rowan", "strand_bonsai"}) {
+        SCOPED_TRACE(name);
+        const auto at = [&](const char* age) { return Json::parse(cli({"info", presetFile(name), "--age", age}).out); };
+        const Json young = at("0.4"), grown = at("1"), none = at("0");
+        EXPECT_EQ(young.at("age"), 0.4);
+        EXPECT_LT(young.at("scale_tree"), grown.at("scale_tree"));
+        EXPECT_LT(young.at("vertices"), grown.at("vertices"));
+        EXPECT_GT(young.at("vertices"), 0);
+        EXPECT_EQ(none.at("vertices"), 0);
+        EXPECT_TRUE(none.at("generations").empty());
+        EXPECT_TRUE(none.at("bounds").is_null());
+        Json today = Json::parse(cli({"info", presetFile(name)}).out), same = grown;
+        for (Json* info : {&today, &same}) info->erase("milliseconds");
+        EXPECT_EQ(today, same) << "1 is what there is without an age";
+        for (const char* age : {"0.05", "0.5", "0.93"}) EXPECT_EQ(cli({"check", presetFile(name), "--age", age}).status, 0) << age;
+    }
+    const ProcessResult clamped = cli({"info", presetFile("rowan"), "--age", "7"});
+    EXPECT_EQ(clamped.status, 0);
+    EXPECT_NE(clamped.err.find("from 0 to 1"), std::string::npos) << clamped.err;
+    for (const char* wrong : {"nan", "old", ""}) EXPECT_EQ(cli({"info", presetFile("rowan"), "--age", wrong}).status == 0, *wrong == 0) << wrong;
 }
 
 } // namespace stromar::test

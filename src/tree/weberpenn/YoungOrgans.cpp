@@ -58,9 +58,10 @@ private:
         const CTreeParams bearing(m_params, static_cast<int>(g), young.grownHeight), leafLevel(m_params, static_cast<int>(g) + 1, young.grownHeight);
         const CLeafGrower grower(bearing, leafLevel, m_random, m_rule);
         m_organs->counts[g].assign(young.stems.size(), 0);
-        for (CLeaf leaf : grower.grow(*young.grown, all, m_progress)->grown)
+        const auto counted = grower.grow(*young.grown, all, m_progress), shown = grower.grow(*young.grown, wanted, m_progress);
+        for (CLeaf leaf : counted->grown)
             if (ageLeaf(young, youngOf, leaf)) ++m_organs->counts[g][leaf.stem];
-        for (CLeaf leaf : grower.grow(*young.grown, wanted, m_progress)->grown)
+        for (CLeaf leaf : shown->grown)
             if (ageLeaf(young, youngOf, leaf)) m_organs->grown.push_back(leaf);
     }
 
