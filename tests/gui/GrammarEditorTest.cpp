@@ -172,11 +172,13 @@ TEST_F(GrammarEditor, CanBeDetached) {
 }
 
 TEST_F(GrammarEditor, ADoublingGrammarIsRefusedInTheWindow) {
-    const ViewModel* shown = window.shown();
-    window.document().setValue(grammarRef(), std::string("axiom: A\nA -> F A A"), 0);
-    window.document().setValue(*findParam("Derivations", lsystemBlock()), 60.0, 0);
+    const auto shown = window.shown()->model;
+    window.document().edit(QStringLiteral("doubling"), [](CParams& params) {
+        lsystem(params).grammar = "axiom: A\nA -> F A A";
+        lsystem(params).derivations = 60;
+    });
     ASSERT_TRUE(waitFor([&] { return notice().contains(QStringLiteral("modules in 60 derivations")); })) << notice().toStdString();
-    EXPECT_EQ(window.shown()->model->tree->generationCount(), shown->model->tree->generationCount());
+    EXPECT_EQ(window.shown()->model->tree->generations(), shown->tree->generations()) << "the tree that was there stays";
 }
 
 } // namespace

@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <cmath>
 #include <glm/geometric.hpp>
+#include <initializer_list>
 #include <numeric>
 #include <optional>
 #include <tuple>
@@ -10,7 +11,7 @@
 namespace stromar {
 
 namespace {
-constexpr double kReach = 20; // radii of branch and parent along the parent, within which a collar lies
+constexpr double kReach = 200;// radii of branch and parent along the parent, within which a collar lies
 constexpr MeshCheck kChecks[] = {
     {"bad numbers", &MeshFaults::badNumbers},    {"bad normals", &MeshFaults::badNormals},
     {"bad indices", &MeshFaults::badIndices},    {"unused vertices", &MeshFaults::unused},
@@ -122,16 +123,18 @@ glm::dvec3 nearestOf(const glm::dvec3& p, const glm::dvec3& a, const glm::dvec3&
 }
 
 /// How far a point lies outside a surface, metres; negative inside.
-double heightAbove(const CMesh& mesh, std::pair<std::size_t, std::size_t> indices, const glm::dvec3& p) {
+double heightAbove(const CMesh& mesh, std::initializer_list<std::pair<std::size_t, std::size_t>> ranges, const glm::dvec3& p) {
     double best = std::numeric_limits<double>::infinity(), height = 0;
-    for (std::size_t i = indices.first; i < indices.second; i += 3) {
-        const auto corner = [&](std::size_t c) { return glm::dvec3(mesh.positions[mesh.indices[i + c]]); };
+    const auto look = [&](std::size_t first) {
+        const auto corner = [&](std::size_t c) { return glm::dvec3(mesh.positions[mesh.indices[first + c]]); };
         const glm::dvec3 a = corner(0), b = corner(1), c = corner(2), away = p - nearestOf(p, a, b, c);
         const double squared = glm::dot(away, away);
-        if (squared >= best) continue;
+        if (squared >= best) return;
         best = squared;
         height = std::copysign(std::sqrt(squared), glm::dot(away, glm::cross(b - a, c - a)));
-    }
+    };
+    for (const auto& [begin, end] : ranges)
+        for (std::size_t i = begin; i < end; i += 3) look(i);
     return height;
 }
 
@@ -162,10 +165,12 @@ void checkCollar(const CTree& tree, int generation, const StemMesh& stems, const
     if (tube.collarRings == 0 || wood < 0) return;
     ++faults.collars;
     const double reach = kReach * (stem.radius + stem.parentRadius);
+    const Tube& trunk = parents.plan.tubes[static_cast<std::size_t>(wood)];
     const auto near = walls.of(wood).between(stem.offset - reach, stem.offset + reach);
+    const std::pair lids(walls.of(wood).end(), trunk.firstIndex + trunk.indexCount());
     double highest = 0, deepest = 0;
     for (std::uint32_t i = 0; i < tube.points; ++i) {
-        const double height = heightAbove(*parents.mesh, near,
+        const double height = heightAbove(*parents.mesh, {near, lids},
                                           glm::dvec3(stems.mesh->positions[tube.firstVertex + i]));
         highest = std::max(highest, height);
         deepest = std::min(deepest, height);

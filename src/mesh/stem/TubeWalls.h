@@ -36,6 +36,9 @@ public:
                 m_starts[static_cast<std::size_t>(last)]};
     }
 
+    /// Where the walls' indices end and those of the lids start.
+    std::size_t end() const { return m_starts.back(); }
+
 private:
     std::uint32_t m_collar;
     std::vector<double> m_places;      ///< of the rings
