@@ -11,7 +11,7 @@
 namespace stromar {
 
 namespace {
-constexpr double kReach = 200;// radii of branch and parent along the parent, within which a collar lies
+constexpr double kReach = 2; // of a collar's distance from its branch's base, along the parent, to what is nearest to it
 constexpr MeshCheck kChecks[] = {
     {"bad numbers", &MeshFaults::badNumbers},    {"bad normals", &MeshFaults::badNormals},
     {"bad indices", &MeshFaults::badIndices},    {"unused vertices", &MeshFaults::unused},
@@ -164,7 +164,10 @@ void checkCollar(const CTree& tree, int generation, const StemMesh& stems, const
     const std::int32_t wood = parents.plan.tubeOfPath[parent.firstPath + stem.path];
     if (tube.collarRings == 0 || wood < 0) return;
     ++faults.collars;
-    const double reach = kReach * (stem.radius + stem.parentRadius);
+    const glm::dvec3 base = tree.generation(static_cast<std::size_t>(generation)).segments[stem.firstSegment].position;
+    double reach = 0;
+    for (std::uint32_t i = 0; i < tube.points; ++i)
+        reach = std::max(reach, kReach * glm::distance(base, glm::dvec3(stems.mesh->positions[tube.firstVertex + i])));
     const Tube& trunk = parents.plan.tubes[static_cast<std::size_t>(wood)];
     const auto near = walls.of(wood).between(stem.offset - reach, stem.offset + reach);
     const std::pair lids(walls.of(wood).end(), trunk.firstIndex + trunk.indexCount());
