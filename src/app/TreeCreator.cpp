@@ -51,6 +51,7 @@ public:
           m_model(std::make_shared<TreeModel>()) {
         m_model->params = params;
         m_model->age = creator.m_treeAge;
+        m_model->grown = creator.m_grown;
         m_model->detail = &detail;
     }
 

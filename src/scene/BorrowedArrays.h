@@ -37,18 +37,18 @@ private:
     unsigned m_count, m_elementSize;
 };
 
-/// An array of a mesh, not copied.
+/// An array that lies in something else, a mesh for instance; not copied.
 class CBorrowedArray : public CForeignArray {
 public:
     template <typename Values>
-    CBorrowedArray(std::shared_ptr<const CMesh> owner, const Values& values, Type type, int size, GLenum kind)
+    CBorrowedArray(std::shared_ptr<const void> owner, const Values& values, Type type, int size, GLenum kind)
         : CForeignArray(type, size, kind, values.size(), sizeof(values[0])), m_owner(std::move(owner)),
           m_data(reinterpret_cast<const char*>(values.data())) {}
 
 private:
     const char* data() const override { return m_data; }
 
-    std::shared_ptr<const CMesh> m_owner;
+    std::shared_ptr<const void> m_owner;
     const char* m_data;
 };
 

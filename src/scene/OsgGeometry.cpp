@@ -126,6 +126,23 @@ osg::ref_ptr<osg::Geometry> makeInstancedGeometry(const std::shared_ptr<const CO
     return geometry;
 }
 
+void setSwayPlaces(osg::Geometry& geometry, const std::shared_ptr<const SwayPlaces>& places) {
+    static_assert(sizeof(SwayPlace) == 2 * sizeof(float));
+    if (!places) return geometry.setVertexAttribArray(kSwayPlaceAttribute, nullptr);
+    geometry.setVertexAttribArray(kSwayPlaceAttribute, new CBorrowedArray(places, *places, osg::Array::Vec2ArrayType, 2, GL_FLOAT),
+                                  osg::Array::BIND_PER_VERTEX);
+}
+
+void setSwayPlaces(osg::Geometry& geometry, const SwayPlaces& places, const CTree& tree, const COrganMesh& organs) {
+    const osg::ref_ptr<osg::Vec4Array> all = new osg::Vec4Array(static_cast<unsigned>(places.size()));
+    for (std::size_t i = 0; i < places.size(); ++i) {
+        const Flutter own = flutterOf(tree, organs.leaf(i));
+        (*all)[static_cast<unsigned>(i)] = {places[i].node, places[i].part, own.phase, own.hertz};
+    }
+    geometry.setVertexAttribArray(kSwayPlaceAttribute, all, osg::Array::BIND_PER_VERTEX);
+    geometry.getOrCreateStateSet()->setAttribute(new osg::VertexAttribDivisor(kSwayPlaceAttribute, 1));
+}
+
 void releaseInstances(osg::Geometry& geometry) {
     if (const auto* owner = dynamic_cast<const CInstancesOwner*>(geometry.getUserData())) owner->instances->release();
 }

@@ -23,6 +23,7 @@ inline osg::ref_ptr<osg::Program> makeTreeProgram(const char* name, const std::s
     program->addBindAttribLocation("instancePlace", kInstancePlaceAttribute);
     program->addBindAttribLocation("instanceTurn", kInstanceTurnAttribute);
     program->addBindAttribLocation("instanceWidth", kInstanceWidthAttribute);
+    program->addBindAttribLocation("swayPlace", kSwayPlaceAttribute);
     return program;
 }
 

@@ -48,17 +48,60 @@ vec3 skyIn(vec3 ray) {
 }
 )";
 
-/// In front of the vertices' shaders: a vertex of wood, or of one of many blades that stand in their places.
+/// In front of the vertices' shaders: a vertex of wood, or of one of many blades that stand in their places, where the wind has it.
 inline constexpr const char* kPlaceFunctions = R"(#version 120
 uniform float instanced;
 uniform vec3 roundingCentre;
 uniform vec2 rounding; // how far normals look out of the crown; cosine to the blade's own, at least
 attribute vec4 instancePlace, instanceTurn; // foot and length; quaternion
 attribute float instanceWidth;
+uniform float swaying; // 0: the air is still
+uniform vec2 swayTime; // seconds; after how many all repeats, 0: never
+uniform vec3 swaySize; // of the table's pictures: nodes in a line, lines, 1 where leaves flutter
+uniform sampler2D swayRows, swayStill; // two texels a node: point and strength, quaternion; one: its point in still air
+attribute vec4 swayPlace; // node, part of the way to the next; of an instance also phase and frequency
 vec3 turned(vec4 q, vec3 v) { return v + 2.0 * cross(q.xyz, cross(q.xyz, v) + q.w * v); }
-vec3 placeOfVertex() {
+
+vec4 swayTurn;
+vec3 swayFrom, swayTo;
+float swayAngle; // of the blade about its stalk
+vec2 texelOf(float node) { // the middle of a texel of swayStill
+    float line = floor((node + 0.5) / swaySize.x);
+    return (vec2(node - line * swaySize.x, line) + 0.5) / swaySize.xy;
+}
+float rhythm(float hertz) {
+    return swayTime.y > 0.0 ? max(1.0, floor(hertz * swayTime.y + 0.5)) / swayTime.y : hertz;
+}
+void findSway() {
+    swayTurn = vec4(0.0, 0.0, 0.0, 1.0);
+    swayFrom = swayTo = vec3(0.0);
+    swayAngle = 0.0;
+    if (swaying < 0.5) return;
+    vec2 low = texelOf(swayPlace.x), high = texelOf(swayPlace.x + 1.0), half_ = vec2(0.25 / swaySize.x, 0.0);
+    vec4 point = mix(texture2DLod(swayRows, low - half_, 0.0), texture2DLod(swayRows, high - half_, 0.0), swayPlace.y);
+    vec4 a = texture2DLod(swayRows, low + half_, 0.0), b = texture2DLod(swayRows, high + half_, 0.0);
+    swayTurn = normalize(mix(a, dot(a, b) < 0.0 ? -b : b, swayPlace.y));
+    swayFrom = mix(texture2DLod(swayStill, low, 0.0).xyz, texture2DLod(swayStill, high, 0.0).xyz, swayPlace.y);
+    swayTo = point.xyz;
+    if (instanced < 0.5 || swaySize.z < 0.5) return;
+    float slow = rhythm(swayPlace.w), fast = rhythm(1.618 * swayPlace.w);
+    float wave = 0.6 * sin(6.2831853 * fract(slow * swayTime.x) + swayPlace.z) +
+                 0.4 * sin(6.2831853 * fract(fast * swayTime.x) + 2.4 * swayPlace.z);
+    float blade = clamp(4.0 * instanceWidth / max(instancePlace.w, 1e-9), 0.1, 1.0);
+    swayAngle = min(1.04719755, 0.43633231 * point.w) * blade * wave;
+}
+vec3 flutter(vec3 v) {
+    float c = cos(swayAngle), s = sin(swayAngle);
+    return vec3(c * v.x + s * v.z, v.y, c * v.z - s * v.x);
+}
+vec3 stillPlace() {
     if (instanced < 0.5) return gl_Vertex.xyz;
-    return instancePlace.xyz + turned(instanceTurn, gl_Vertex.xyz * vec3(instanceWidth, instancePlace.w, instanceWidth));
+    return instancePlace.xyz + turned(instanceTurn, flutter(gl_Vertex.xyz * vec3(instanceWidth, instancePlace.w, instanceWidth)));
+}
+vec3 swayedPlace(vec3 place) { return swaying < 0.5 ? place : swayTo + turned(swayTurn, place - swayFrom); }
+vec3 placeOfVertex() {
+    findSway();
+    return swayedPlace(stillPlace());
 }
 vec3 rounded(vec3 n, vec3 place) {
     vec3 away = place - roundingCentre;
@@ -71,10 +114,10 @@ vec3 rounded(vec3 n, vec3 place) {
     float side = length(across);
     return side < 1e-9 ? n : rounding.y * n + sqrt(1.0 - rounding.y * rounding.y) / side * across;
 }
-vec3 normalOfVertex(vec3 place) {
+vec3 stillNormal(vec3 place) {
     if (instanced < 0.5) return gl_Normal;
     vec3 size = vec3(instanceWidth, instancePlace.w, instanceWidth);
-    return rounded(turned(instanceTurn, normalize(gl_Normal / size)), place);
+    return rounded(turned(instanceTurn, flutter(normalize(gl_Normal / size))), place);
 }
 )";
 
@@ -86,16 +129,19 @@ attribute float openAt;
 varying vec3 place, normal, inShadow;
 varying float skyVisibility, shade;
 void main() {
-    place = placeOfVertex();
-    normal = normalOfVertex(place);
+    findSway();
+    vec3 own = stillPlace(), front = stillNormal(own);
+    place = swayedPlace(own);
+    normal = swaying < 0.5 ? front : turned(swayTurn, front);
     gl_Position = gl_ModelViewProjectionMatrix * vec4(place, 1.0);
     gl_TexCoord[0] = gl_MultiTexCoord0;
     inShadow = (shadowMatrix * vec4(place + shadowOffset * (sun + normal * sign(dot(normal, sun))), 1.0)).xyz;
     // Inside the crown less of the sky is seen.
-    vec3 out_ = (place - crownMiddle) / crownSize;
+    vec3 out_ = (own - crownMiddle) / crownSize;
     skyVisibility = (0.35 + 0.65 * smoothstep(0.05, 1.0, length(out_) * 0.8 + 0.25 * out_.z)) * openAt;
-    // All corners of a leaf share its normal: a number of its own.
-    shade = fract(sin(dot(normal, vec3(127.1, 311.7, 74.7))) * 437.5);
+    // A number of each leaf's own: of its turn, or of the normal that all corners of a card share.
+    vec3 name = instanced < 0.5 ? gl_Normal : instanceTurn.xyz;
+    shade = fract(sin(dot(name, vec3(127.1, 311.7, 74.7))) * 437.5);
 }
 )";
 

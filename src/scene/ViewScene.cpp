@@ -3,6 +3,7 @@
 #include "Programs.h"
 #include "Shaders.h"
 #include "ShadowMap.h"
+#include "SwayTables.h"
 #include "stromar/scene/SurfaceMaps.h"
 #include "stromar/model/Material.h"
 #include "stromar/scene/Daylight.h"
@@ -54,6 +55,14 @@ void styleWireframe(osg::StateSet* wireframe) {
 }
 
 void show(osg::Node& node, bool on) { node.setNodeMask(on ? ~0u : 0u); }
+
+/// Every instance's place for each of its vertices.
+SwayPlaces ofVertices(const SwayPlaces& instances, std::size_t vertices) {
+    SwayPlaces all;
+    all.reserve(instances.size() * vertices);
+    for (const SwayPlace& place : instances) all.insert(all.end(), vertices, place);
+    return all;
+}
 } // namespace
 
 CViewScene::CViewScene()
@@ -68,6 +77,8 @@ CViewScene::CViewScene()
     }
     m_shadows = std::make_unique<CShadowMap>(m_surfaceGroup);
     m_shadows->addTo(m_state, kShadowUnit);
+    m_swayTables = std::make_unique<CSwayTables>();
+    m_swayTables->addTo(m_state, kSwayRowsUnit, kSwayStillUnit);
     m_person = makePerson(m_state->getOrCreateUniform("place", osg::Uniform::FLOAT_VEC3));
     m_tree->addChild(m_surfaceGroup);
     m_wireframe->addChild(m_surfaceGroup);
@@ -96,12 +107,15 @@ CViewScene::~CViewScene() = default;
 void CViewScene::show(const std::vector<ViewPart>& parts, Shadows shadows) {
     m_shadowsBehind = shadows == Shadows::Kept;
     m_parts = parts;
+    m_sway.reset();
+    m_swayTables->setOff();
     addParts();
     updateCrown();
 }
 
 void CViewScene::addParts() {
     for (auto& surface : m_surfaces) surface->removeChildren(0, surface->getNumChildren());
+    m_drawn.clear();
     for (const ViewPart& part : m_parts) {
         osg::ref_ptr<osg::Geometry> geometry = part.geometry;
         if (part.organs && !m_instancing) geometry = makeViewGeometry(part.organs->expanded(CProgress()));
@@ -109,8 +123,47 @@ void CViewScene::addParts() {
         osg::StateSet* state = geometry->getOrCreateStateSet();
         if (!state->getUniform("generation")) setFloat(state, "generation", part.generation);
         m_surfaces[static_cast<std::size_t>(part.surface)]->addChild(geometry);
+        m_drawn.push_back(geometry);
     }
     m_instancesAreNew = true;
+    hangParts();
+}
+
+/// Gives all that is drawn its places on the axes of the swaying tree.
+void CViewScene::hangParts() {
+    for (std::size_t i = 0; i < m_parts.size(); ++i) {
+        const ViewPart& part = m_parts[i];
+        osg::Geometry& drawn = *m_drawn[i];
+        if (!m_sway)
+            setSwayPlaces(drawn, nullptr);
+        else if (!part.organs)
+            setSwayPlaces(drawn, m_sway->placesOf(*part.mesh));
+        else if (m_instancing)
+            setSwayPlaces(drawn, *m_sway->placesOf(*part.organs), m_sway->table->tree(), *part.organs);
+        else
+            setSwayPlaces(drawn, std::make_shared<SwayPlaces>(ofVertices(*m_sway->placesOf(*part.organs), part.organs->blade().points.size())));
+    }
+}
+
+void CViewScene::setPose(const std::shared_ptr<const ModelSway>& sway, const std::shared_ptr<const WindPose>& pose, double seconds,
+                         double loop, Shadows shadows) {
+    if (sway != m_sway) {
+        m_sway = sway;
+        hangParts();
+        m_swayTables->setStill(sway->table->still());
+    }
+    m_pose = {pose, seconds, loop};
+    m_swayTables->setPose(*pose, seconds, loop);
+    if (shadows == Shadows::New) m_shadows->setStale();
+}
+
+void CViewScene::endSway() {
+    if (!m_sway) return;
+    m_sway.reset();
+    m_pose = {};
+    hangParts();
+    m_swayTables->setOff();
+    m_shadows->setStale();
 }
 
 std::vector<ViewPart> viewPartsOf(const TreeModel& model, const std::vector<ViewPart>& known,
@@ -156,7 +209,29 @@ void CViewScene::tint(int generation) {
     setFloat(m_state, "tinted", generation);
 }
 
+std::optional<ViewHit> CViewScene::pickSwayed(const osg::Vec3d& from, const osg::Vec3d& direction) const {
+    const glm::dvec3 start(from.x(), from.y(), from.z()), ray(direction.x(), direction.y(), direction.z());
+    std::optional<ViewHit> nearest;
+    double distance = 0;
+    for (const ViewPart& part : m_parts) {
+        if (part.surface != Surface::Bark && !m_look.leaves) continue;
+        const auto mesh = swayedMesh(part);
+        const auto met = meetMesh(*mesh, start, ray);
+        if (!met || (nearest && *met >= distance)) continue;
+        nearest = ViewHit{part.generation, from + direction * *met};
+        distance = *met;
+    }
+    return nearest;
+}
+
+std::shared_ptr<const CMesh> CViewScene::swayedMesh(const ViewPart& part) const {
+    const CProgress progress;
+    if (part.mesh) return swayed(*part.mesh, *m_sway->placesOf(*part.mesh), *m_sway->table, *m_pose.rows, progress);
+    return swayed(*part.organs, *m_sway->placesOf(*part.organs), *m_sway->table, *m_pose.rows, m_pose.seconds, m_pose.loop, progress);
+}
+
 std::optional<ViewHit> CViewScene::pick(const osg::Vec3d& from, const osg::Vec3d& direction) const {
+    if (m_sway) return pickSwayed(from, direction);
     const double reach = (osg::Vec3d(bounds().center()) - from).length() + bounds().radius() + 1;
     osg::ref_ptr<osgUtil::LineSegmentIntersector> ray =
         new osgUtil::LineSegmentIntersector(from, from + direction * reach);

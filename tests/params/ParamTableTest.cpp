@@ -27,6 +27,7 @@ const std::map<std::string, double>& specified() {
                                           {"LeafForm", 0},        {"LeafStalk", 0},
                                           {"LeafWhorl", 1},       {"LeafPlanes", 1},
                                           {"Season", 7},          {"Evergreen", 0},
+                                          {"Flexibility", 1},
                                           {"Trunks", 1},          {"TrunksSpread", 0.2},
                                           {"TrunksLean", 10},     {"Blossoms", 0},
                                           {"BlossomScale", 0.05}, {"BlossomMonth", 4.5},
@@ -177,7 +178,7 @@ Invalidation afterChangeOf(const ParamRef& ref, const CParams& before) {
 TEST(InvalidationOf, NothingForTheSameTree) { EXPECT_EQ(invalidationOf(CParams(), CParams()).stage, Stage::None); }
 
 TEST(InvalidationOf, EveryRowNamesItsStage) {
-    const std::vector<std::string> nothing{"ZScale", "ZScaleV"};
+    const std::vector<std::string> nothing{"ZScale", "ZScaleV"}, material{"Flexibility"};
     const std::vector<std::string> mesh{
         "MinRadius",  "Lobes",    "LobeDepth", "LobeFade",     "Roots",         "RootReach",    "RootHeight",
         "LeafShape",  "LeafForm", "LeafStalk", "LeafFold",     "LeafRounding",  "TextureWrapX", "TextureWrapY",
@@ -187,7 +188,7 @@ TEST(InvalidationOf, EveryRowNamesItsStage) {
     };
     for (const ParamRef& ref : numberParams()) {
         const std::string key = ref.key();
-        const Stage expected = in(nothing, key) ? Stage::None : in(mesh, key) ? Stage::Mesh : Stage::Structure;
+        const Stage expected = in(nothing, key) ? Stage::None : in(mesh, key) ? Stage::Mesh : in(material, key) ? Stage::Material : Stage::Structure;
         EXPECT_EQ(afterChangeOf(ref, withLevels(4)).stage, expected) << key;
         EXPECT_EQ(ref.info->unused(), expected == Stage::None) << key;
     }

@@ -17,6 +17,7 @@ struct TreeModel {
     const Detail* detail;
     double age = 1;                    ///< 0..1 of its life
     std::shared_ptr<const CTree> tree; ///< of its organs those are grown that are shown
+    std::shared_ptr<const CTree> grown; ///< the same at the end of its life, bare
     Meshes stems;                      ///< by generation
     std::array<std::shared_ptr<const COrganMesh>, kOrgans.size()> organs; ///< by Organ
     std::shared_ptr<const Twig> twig;   ///< what cards show in place of last stems with leaves; null: there are none

@@ -13,7 +13,7 @@ struct ParamBlock;
 struct CommonParams {
     double minRadius, textureWrapX, textureWrapY;
     double flare, lobeDepth, lobeFade, rootReach, rootHeight;
-    double season;
+    double season, flexibility;
     double leafScale, leafScaleX, leafBend, leafQuality, leafStalk, leafRounding;
     Degrees leafFold;
     double blossomScale, blossomUp, blossomMonth, fruitScale, fruitScaleX, fruitStalk, fruitMonth;

@@ -1,6 +1,7 @@
 #pragma once
 #include "stromar/mesh/Mesh.h"
 #include "stromar/mesh/OrganMesh.h"
+#include "stromar/mesh/Sway.h"
 #include <osg/Geometry>
 #include <osg/ref_ptr>
 
@@ -22,5 +23,10 @@ osg::ref_ptr<osg::Geometry> makeInstancedGeometry(const std::shared_ptr<const CO
 void releaseInstances(osg::Geometry& geometry);
 /// Attributes of an instance: position and length; quaternion; width.
 constexpr unsigned kInstancePlaceAttribute = 7, kInstanceTurnAttribute = 9, kInstanceWidthAttribute = 10;
+
+/// Tells the shader where each vertex, or each instance, hangs on the axes of the tree; it borrows the places of the mesh. Null: nowhere.
+void setSwayPlaces(osg::Geometry& geometry, const std::shared_ptr<const SwayPlaces>& places);
+void setSwayPlaces(osg::Geometry& geometry, const SwayPlaces& places, const CTree& tree, const COrganMesh& organs);
+constexpr unsigned kSwayPlaceAttribute = 11;
 
 } // namespace stromar

@@ -1,5 +1,5 @@
 #pragma once
-#include "stromar/model/TreeModel.h"
+#include "stromar/model/ModelSway.h"
 #include "stromar/scene/SurfaceMaps.h"
 #include <array>
 #include <memory>
@@ -13,6 +13,7 @@
 namespace stromar {
 
 class CShadowMap;
+class CSwayTables;
 
 /// A mesh, or leaves as instances, ready to be drawn.
 struct ViewPart {
@@ -67,6 +68,11 @@ public:
     /// before until renewShadows(): a tree that changes many times a second saves half the drawing.
     void show(const std::vector<ViewPart>& parts, Shadows shadows = Shadows::New);
     void renewShadows();
+    /// The tree that is shown in a pose of the wind; `sway` is of its model. Shadows follow: at once, or with a later pose.
+    void setPose(const std::shared_ptr<const ModelSway>& sway, const std::shared_ptr<const WindPose>& pose, double seconds, double loop,
+                 Shadows shadows = Shadows::New);
+    /// Still air.
+    void endSway();
     void setSurface(Surface surface, const SurfaceMaps& maps);
     void setLook(const ViewLook& look);
     const ViewLook& look() const { return m_look; }
@@ -82,7 +88,7 @@ public:
     void finishFrame();
     /// Where the person of the ground stands; z is the top of the head.
     osg::Vec3d personAt() const;
-    /// The nearest visible triangle along a ray. Cost: every triangle near it.
+    /// The nearest visible triangle along a ray, where the wind has it. Cost: every triangle near it; in the wind, every one.
     std::optional<ViewHit> pick(const osg::Vec3d& from, const osg::Vec3d& direction) const;
 
 private:
@@ -90,6 +96,9 @@ private:
     void addParts();
     void updateCrown();
     void updateLight();
+    void hangParts();
+    std::shared_ptr<const CMesh> swayedMesh(const ViewPart& part) const;
+    std::optional<ViewHit> pickSwayed(const osg::Vec3d& from, const osg::Vec3d& direction) const;
 
     osg::ref_ptr<osg::Group> m_root, m_tree, m_wireframe, m_person, m_surfaceGroup;
     osg::ref_ptr<osg::Geometry> m_background;
@@ -97,6 +106,13 @@ private:
     std::unique_ptr<CShadowMap> m_shadows;
     osg::ref_ptr<osg::StateSet> m_state; ///< of everything
     std::vector<ViewPart> m_parts;
+    std::vector<osg::ref_ptr<osg::Geometry>> m_drawn; ///< of the parts: theirs, or one without instances
+    std::unique_ptr<CSwayTables> m_swayTables;
+    std::shared_ptr<const ModelSway> m_sway; ///< of the model that is shown; null in still air
+    struct {
+        std::shared_ptr<const WindPose> rows;
+        double seconds = 0, loop = 0;
+    } m_pose;
     bool m_instancing = true;
     bool m_instancesAreNew = false; ///< not yet drawn: the graphics card has no copy
     ViewLook m_look;

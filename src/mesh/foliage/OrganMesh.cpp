@@ -8,7 +8,6 @@
 #include <cmath>
 #include <glm/gtc/quaternion.hpp>
 #include <limits>
-#include <optional>
 
 namespace stromar {
 
@@ -23,18 +22,6 @@ constexpr OrganLook kLooks[] = {{"leaves", Surface::Leaf}, {"blossoms", Surface:
 static_assert(std::size(kLooks) == kOrgans.size());
 
 const OrganLook& lookOf(Organ organ) { return kLooks[static_cast<std::size_t>(organ)]; }
-
-/// How far along a ray it meets a triangle (Möller & Trumbore 1997), else nothing.
-std::optional<double> meetTriangle(const glm::dvec3& from, const glm::dvec3& direction, const glm::dvec3& a,
-                                   const glm::dvec3& b, const glm::dvec3& c) {
-    const glm::dvec3 ab = b - a, ac = c - a, p = glm::cross(direction, ac);
-    const double volume = glm::dot(ab, p);
-    if (std::abs(volume) < 1e-300) return {};
-    const glm::dvec3 toA = from - a, q = glm::cross(toA, ab);
-    const double u = glm::dot(toA, p) / volume, v = glm::dot(direction, q) / volume;
-    if (u < 0 || v < 0 || u + v > 1) return {};
-    return glm::dot(ac, q) / volume;
-}
 
 std::size_t countOn(const StemSet& stems, const COrgans& organs) {
     std::size_t count = 0;

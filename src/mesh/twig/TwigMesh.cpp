@@ -167,7 +167,19 @@ private:
     std::vector<Row> m_rows;              ///< of the plane that is being written
     std::vector<Point> m_points;          ///< two of each row
 };
+CardPlan planCards(const StemSet& twigs, const CTree& tree, const COrgans& leaves, const Twig& typical,
+                   const MeshParams& params, const Detail& detail) {
+    return planCards(leafyTwigs(twigs, tree, leaves, params.seasonOf(Organ::Leaf).share), typical, detail);
+}
 } // namespace
+
+std::vector<TwigPlace> twigsOfCards(const StemSet& twigs, const CTree& tree, const COrgans& leaves, const Twig& typical,
+                                    const MeshParams& params, const Detail& detail) {
+    std::vector<TwigPlace> places;
+    for (const LeafyTwig& twig : planCards(twigs, tree, leaves, typical, params, detail).twigs)
+        places.push_back({twig.generation, twig.stem});
+    return places;
+}
 
 std::size_t maxVerticesOfCard(const Detail& detail) {
     return 2 * static_cast<std::size_t>(detail.twigPlanes * (kMaxRows + 1));
@@ -176,7 +188,7 @@ std::size_t maxVerticesOfCard(const Detail& detail) {
 std::shared_ptr<const CMesh> meshOfTwigs(const StemSet& twigs, const CTree& tree, const COrgans& leaves, const Twig& typical,
                                          const MeshParams& params, const Detail& detail,
                                          const CProgress& progress) {
-    const CardPlan plan = planCards(leafyTwigs(twigs, tree, leaves, params.seasonOf(Organ::Leaf).share), typical, detail);
+    const CardPlan plan = planCards(twigs, tree, leaves, typical, params, detail);
     const Rounding rounding = roundingOf(tree, leaves, params.leaf);
     const std::size_t count = plan.twigs.size();
     const auto mesh = allocateMesh("twigs", Surface::Twig, plan.verticesOfCard() * count, plan.indicesOfCard() * count);

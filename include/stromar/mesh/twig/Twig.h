@@ -51,6 +51,9 @@ std::shared_ptr<const Twig> typicalTwig(const CTree& tree, const MeshParams& par
 /// Of the leaves only the counts are looked at.
 std::shared_ptr<const CMesh> meshOfTwigs(const StemSet& twigs, const CTree& tree, const COrgans& leaves, const Twig& typical,
                                          const MeshParams& params, const Detail& detail, const CProgress& progress);
+/// For which twigs those cards stand, in their order: equally many vertices each.
+std::vector<TwigPlace> twigsOfCards(const StemSet& twigs, const CTree& tree, const COrgans& leaves, const Twig& typical,
+                                    const MeshParams& params, const Detail& detail);
 std::size_t maxVerticesOfCard(const Detail& detail);
 
 } // namespace stromar

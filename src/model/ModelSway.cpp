@@ -1,0 +1,106 @@
+#include "stromar/model/ModelSway.h"
+#include "stromar/model/MeshValues.h"
+#include <algorithm>
+#include <cassert>
+
+namespace stromar {
+
+namespace {
+template <typename Places>
+std::shared_ptr<const SwayPlaces> shared(Places&& places) {
+    return std::make_shared<const SwayPlaces>(std::forward<Places>(places));
+}
+
+/// Makes the places of one model, or takes them from one before.
+class CSwayMaker {
+public:
+    CSwayMaker(const TreeModel& model, const ModelSway* known, ModelSway& sway, const CProgress& progress)
+        : m_model(model), m_known(known), m_sway(sway), m_progress(progress), m_mesh(meshParamsOf(model.params)) {
+        if (model.twig) m_cards = twigsOf(*model.tree, *model.tree->organs(Organ::Leaf));
+    }
+
+    void make() {
+        addStems();
+        for (std::size_t i = 0; i < kOrgans.size(); ++i) m_sway.organs[i] = ofOrgans(i);
+        if (m_model.cards)
+            m_sway.cards = shared(swayOfCards(
+                *m_sway.table, twigsOfCards(m_cards, *m_model.tree, *m_model.tree->organs(Organ::Leaf), *m_model.twig, m_mesh, *m_model.detail),
+                *m_model.cards, m_progress));
+    }
+
+private:
+    /// Whether the nodes of all generations up to one are those of the model before.
+    bool nodesAreKnown(std::size_t generation) const {
+        if (!m_known || m_known->model->tree->generationCount() <= generation) return false;
+        const auto &own = m_model.tree->generations(), &known = m_known->model->tree->generations();
+        return std::equal(own.begin(), own.begin() + static_cast<std::ptrdiff_t>(generation) + 1, known.begin());
+    }
+
+    bool isKnown(std::size_t g) const {
+        return nodesAreKnown(g) && g < m_known->stems.size() && m_known->model->stems[g] == m_model.stems[g];
+    }
+
+    void addStems() {
+        std::size_t planned = m_model.stems.size();
+        while (planned > 0 && isKnown(planned - 1)) --planned;
+        StemMesh below;
+        for (std::size_t g = 0; g < m_model.stems.size(); ++g) {
+            const auto& mesh = m_model.stems[g];
+            StemMesh own;
+            if (g < planned) own = {planRings(*m_model.tree, static_cast<int>(g), m_mesh, *m_model.detail, g > 0 ? &below : nullptr, m_progress, m_cards), mesh};
+            assert(g >= planned || own.plan.vertexCount == mesh->vertexCount());
+            m_sway.stems.push_back(isKnown(g) ? m_known->stems[g] : shared(swayOfStems(*m_sway.table, g, own.plan, *mesh, m_progress)));
+            below = std::move(own);
+        }
+    }
+
+    std::shared_ptr<const SwayPlaces> ofOrgans(std::size_t i) const {
+        const auto& organs = m_model.organs[i];
+        const bool allKnown = m_model.tree->generationCount() > 0 && nodesAreKnown(m_model.tree->generationCount() - 1);
+        if (allKnown && m_known->model->organs[i] == organs) return m_known->organs[i];
+        return shared(swayOfOrgans(*m_sway.table, *organs, m_progress));
+    }
+
+    const TreeModel& m_model;
+    const ModelSway* m_known;
+    ModelSway& m_sway;
+    const CProgress& m_progress;
+    MeshParams m_mesh;
+    StemSet m_cards; ///< twigs that cards show
+};
+} // namespace
+
+const std::shared_ptr<const SwayPlaces>& ModelSway::placesOf(const CMesh& mesh) const {
+    if (&mesh == model->cards.get()) return cards;
+    const auto own = std::ranges::find(model->stems, &mesh, [](const auto& m) { return m.get(); });
+    assert(own != model->stems.end());
+    return stems[static_cast<std::size_t>(own - model->stems.begin())];
+}
+
+const std::shared_ptr<const SwayPlaces>& ModelSway::placesOf(const COrganMesh& mesh) const {
+    const auto own = std::ranges::find(model->organs, &mesh, [](const auto& m) { return m.get(); });
+    assert(own != model->organs.end());
+    return organs[static_cast<std::size_t>(own - model->organs.begin())];
+}
+
+std::shared_ptr<const ModelSway> swayOf(const std::shared_ptr<const TreeModel>& model, const ModelSway* known,
+                                        const CProgress& progress) {
+    const CommonParams& common = model->params.common;
+    auto sway = std::make_shared<ModelSway>();
+    sway->model = model;
+    sway->table = std::make_shared<const CWindTable>(model->tree, *model->grown, common.flexibility, common.seed);
+    CSwayMaker(*model, known, *sway, progress).make();
+    return sway;
+}
+
+Meshes swayedMeshes(const ModelSway& sway, const WindPose& pose, double seconds, double loop, const CProgress& progress) {
+    Meshes all;
+    sway.model->visitMeshes(
+        [&](const auto& mesh, int) { all.push_back(swayed(*mesh, *sway.placesOf(*mesh), *sway.table, pose, progress)); },
+        [&](const auto& organs, int) {
+            all.push_back(swayed(*organs, *sway.placesOf(*organs), *sway.table, pose, seconds, loop, progress));
+        });
+    return all;
+}
+
+} // namespace stromar
