@@ -1,8 +1,13 @@
 #include "stromar/app/Export.h"
 #include "stromar/app/Formats.h"
 #include "stromar/params/ParamTable.h"
+#include "stromar/model/ModelSway.h"
 #include "stromar/texture/TextureMaps.h"
+#include "stromar/util/Parallel.h"
 #include <algorithm>
+#include <atomic>
+#include <cmath>
+#include <mutex>
 
 namespace stromar {
 
@@ -48,19 +53,26 @@ bool isUsed(const std::vector<Meshes>& lods, Surface surface) {
     });
 }
 
+/// Where a model goes.
+struct Output {
+    fs::path path;
+    fs::path named;             ///< that its pictures are named after: shared by the frames of a motion
+    bool copiesPictures = true; ///< else they are there
+};
+
 /// How a model's file refers to a picture, which is copied if that is wanted. Empty: it is embedded.
 std::string placed(const fs::path& picture, const fs::path& copy, ExportedTextures textures, const fs::path& model,
-                   CFileSet& files) {
+                   const Output& to, CFileSet& files) {
     if (textures == ExportedTextures::Refer)
         return fs::proximate(picture, fs::absolute(model).parent_path()).generic_string();
     if (textures != ExportedTextures::Copy) return {};
-    files.copy(picture, copy);
+    if (to.copiesPictures) files.copy(picture, copy);
     return copy.filename().string();
 }
 
 /// Which surface looks how; the pictures are put where the options want them.
 std::vector<Material> materialsOf(const TreeModel& model, const std::vector<Meshes>& lods, const ExportOptions& options,
-                                 const Format& format, const fs::path& treeFolder, const fs::path& path,
+                                 const Format& format, const fs::path& treeFolder, const Output& to,
                                  CFileSet& files) {
     std::vector<Material> materials;
     auto textures = static_cast<ExportedTextures>(options.textures);
@@ -72,13 +84,13 @@ std::vector<Material> materialsOf(const TreeModel& model, const std::vector<Mesh
         Material& material = materials.emplace_back(Material{surface, info.name, {}, {}, info.colour, info.cutOut});
         if (format.pictures == Pictures::None) continue;
         material.picture = textureOf(model, surface, treeFolder);
-        const fs::path copy = pictureBeside(path, surface, material.picture);
-        material.texture = placed(material.picture, copy, textures, path, files);
+        const fs::path copy = pictureBeside(to.named, surface, material.picture);
+        material.texture = placed(material.picture, copy, textures, to.path, to, files);
         if (!format.maps) continue;
         for (auto [map, suffix] : {std::pair{&material.normal, "_normal"}, std::pair{&material.roughness, "_roughness"}}) {
             const fs::path picture = mapBeside(material.picture, suffix);
             if (std::error_code problem; !fs::is_regular_file(picture, problem)) continue;
-            *map = {placed(picture, mapBeside(copy, suffix), textures, path, files), picture};
+            *map = {placed(picture, mapBeside(copy, suffix), textures, to.path, to, files), picture};
         }
     }
     return materials;
@@ -94,32 +106,145 @@ void refuseUnless(const ExportOptions& options, const Format* format, const fs::
 }
 } // namespace
 
-void exportModels(const std::vector<std::shared_ptr<const TreeModel>>& lods, const ExportOptions& options,
-                  const fs::path& treeFolder, const fs::path& path, const CProgress& progress) {
-    const Format* format = formatOf(path);
-    refuseUnless(options, format, path);
-    std::vector<Meshes> meshes;
-    std::size_t vertices = 0;
-    for (const auto& lod : lods) {
-        meshes.push_back(lod->meshes(progress));
-        if (meshes.back().empty()) throw CError("the tree is empty, there is nothing to export");
-        vertices += lod->vertexCount();
+namespace {
+/// Levels of detail of a tree at one moment.
+struct Pose {
+    std::vector<std::shared_ptr<const TreeModel>> lods;
+    std::vector<Meshes> meshes; ///< of each
+
+    std::size_t vertexCount() const {
+        std::size_t count = 0;
+        for (const auto& lod : lods) count += lod->vertexCount();
+        return count;
     }
-    const TreeModel& coarsest = *lods.back(); // only coarse ones have pictures of twigs, all the same
+};
+
+void writePose(const Pose& pose, const ExportOptions& options, const fs::path& treeFolder, const Output& to,
+               const CProgress& progress) {
+    const Format& format = *formatOf(to.path);
+    const TreeModel& coarsest = *pose.lods.back(); // only coarse ones have pictures of twigs, all the same
+    if (coarsest.age > 0 && std::ranges::any_of(pose.meshes, &Meshes::empty))
+        throw CError("the tree is empty, there is nothing to export");
     makePictures(coarsest, treeFolder, progress);
-    CFileSet files(progress, static_cast<std::uint64_t>(format->bytesPerVertex * double(vertices)));
-    const auto materials = materialsOf(coarsest, meshes, options, *format, treeFolder, path, files);
+    CFileSet files(progress, static_cast<std::uint64_t>(format.bytesPerVertex * double(pose.vertexCount())));
+    const auto materials = materialsOf(coarsest, pose.meshes, options, format, treeFolder, to, files);
     const auto write = [&](const std::string& suffix, std::size_t first, std::size_t count) {
-        ExportModel model{plainName(path) + suffix, arranged(meshes[first], options, *format), {}, materials};
+        ExportModel model{plainName(to.path) + suffix, arranged(pose.meshes[first], options, format), {}, materials};
         for (std::size_t i = first + 1; i < first + count; ++i)
-            model.coarser.push_back(arranged(meshes[i], options, *format));
-        format->write(model, withSuffix(path, suffix), files);
+            model.coarser.push_back(arranged(pose.meshes[i], options, format));
+        format.write(model, withSuffix(to.path, suffix), files);
     };
     if (options.lods == static_cast<int>(ExportedLods::FileEach))
-        for (std::size_t i = 0; i < lods.size(); ++i) write("_LOD" + std::to_string(i), i, 1);
+        for (std::size_t i = 0; i < pose.lods.size(); ++i) write("_LOD" + std::to_string(i), i, 1);
     else
-        write("", 0, lods.size());
+        write("", 0, pose.lods.size());
     files.commit();
+}
+
+std::vector<std::shared_ptr<const TreeModel>> makeLods(CTreeCreator& creator, const CParams& params, const ExportOptions& options,
+                                                       const CProgress& progress,
+                                                       const std::shared_ptr<const TreeModel>& ready = nullptr) {
+    std::vector<std::shared_ptr<const TreeModel>> lods;
+    for (const Detail* detail : detailsOf(options))
+        lods.push_back(ready && ready->detail == detail ? ready : creator.create(params, *detail, progress));
+    return lods;
+}
+
+/// Makes the poses of a motion, some at a time.
+class CPoseMaker {
+public:
+    CPoseMaker(const CParams& params, const ExportOptions& options, const Motion& motion, bool varied, const SizeLimits& limits)
+        : m_params(params), m_options(options), m_motion(motion), m_varied(varied), m_limits(limits) {}
+
+    /// For wind: what all moments share.
+    void prepare(double age, const CProgress& progress) {
+        if (!m_motion.blows()) return;
+        CTreeCreator creator(m_varied, m_limits);
+        creator.setAge(age);
+        m_lods = makeLods(creator, m_params, m_options, progress);
+        for (const auto& lod : m_lods) m_sways.push_back(swayOf(lod, nullptr, progress));
+    }
+
+    Pose poseAt(const Moment& moment, const CProgress& progress) {
+        Pose pose{m_lods, {}};
+        if (!m_motion.blows()) {
+            std::unique_ptr<CTreeCreator> creator = takeCreator();
+            creator->setAge(moment.age);
+            pose.lods = makeLods(*creator, m_params, m_options, progress);
+            giveBack(std::move(creator));
+            for (const auto& lod : pose.lods) pose.meshes.push_back(lod->meshes(progress));
+            return pose;
+        }
+        const Wind wind = m_motion.loopingWind();
+        for (const auto& sway : m_sways) {
+            WindPose rows;
+            sway->table->pose(wind, moment.seconds, rows, progress);
+            pose.meshes.push_back(swayedMeshes(*sway, rows, moment.seconds, wind.loop, progress));
+        }
+        return pose;
+    }
+
+private:
+    std::unique_ptr<CTreeCreator> takeCreator() {
+        const std::lock_guard lock(m_mutex);
+        if (m_creators.empty()) return std::make_unique<CTreeCreator>(m_varied, m_limits);
+        auto creator = std::move(m_creators.back());
+        m_creators.pop_back();
+        return creator;
+    }
+    void giveBack(std::unique_ptr<CTreeCreator> creator) {
+        const std::lock_guard lock(m_mutex);
+        m_creators.push_back(std::move(creator));
+    }
+
+    const CParams& m_params;
+    const ExportOptions& m_options;
+    const Motion& m_motion;
+    bool m_varied;
+    SizeLimits m_limits;
+    std::vector<std::shared_ptr<const TreeModel>> m_lods;
+    std::vector<std::shared_ptr<const ModelSway>> m_sways;
+    std::mutex m_mutex;
+    std::vector<std::unique_ptr<CTreeCreator>> m_creators; ///< that nobody uses now
+};
+
+/// How many trees fit into memory side by side.
+int workersFor(const CParams& params, const ExportOptions& options, const SizeLimits& limits, std::size_t moments, const CProgress& progress) {
+    double bytes = 1;
+    for (const Detail* detail : detailsOf(options)) bytes += predictSize(params, *detail, progress).bytes;
+    const double most = std::min(double(progress.threads()), double(moments));
+    return static_cast<int>(std::clamp(std::floor(limits.bytes / bytes), 1.0, most));
+}
+} // namespace
+
+void exportModels(const std::vector<std::shared_ptr<const TreeModel>>& lods, const ExportOptions& options,
+                  const fs::path& treeFolder, const fs::path& path, const CProgress& progress) {
+    refuseUnless(options, formatOf(path), path);
+    Pose pose{lods, {}};
+    for (const auto& lod : lods) pose.meshes.push_back(lod->meshes(progress));
+    writePose(pose, options, treeFolder, {path, path}, progress);
+}
+
+void exportFrames(const CParams& params, const ExportOptions& options, const Motion& motion, double age, bool varied,
+                  const SizeLimits& limits, const fs::path& treeFolder, const fs::path& path,
+                  const std::function<void(const fs::path&)>& written, const CProgress& progress) {
+    refuseUnless(options, formatOf(path), path);
+    for (const Detail* detail : detailsOf(options)) refuseTooLarge(params, *detail, limits, progress);
+    const std::vector<Moment> moments = motion.moments(age);
+    CPoseMaker maker(params, options, motion, varied, SizeLimits::none());
+    maker.prepare(age, progress);
+    std::atomic<std::size_t> done = 0;
+    const auto write = [&](std::size_t i, const CProgress& own) {
+        const Output to{motion.frames == 0 ? path : framePath(path, i, moments.size()), path, i == 0};
+        writePose(maker.poseAt(moments[i], own), options, treeFolder, to, own);
+        written(to.path);
+        progress.report(double(++done) / double(moments.size()));
+    };
+    write(0, progress.piece(progress.threads())); // with the pictures
+    const int workers = workersFor(params, options, limits, moments.size(), progress);
+    const CProgress own = progress.piece(std::max(1, progress.threads() / workers));
+    parallelFor(
+        moments.size() - 1, 1, [&](std::size_t first, std::size_t) { write(first + 1, own); }, progress.piece(workers));
 }
 
 std::vector<std::shared_ptr<const TreeModel>> exportTree(CTreeCreator& creator, const CParams& params,
@@ -127,9 +252,7 @@ std::vector<std::shared_ptr<const TreeModel>> exportTree(CTreeCreator& creator, 
                                                          const fs::path& path, const CProgress& progress,
                                                          const std::shared_ptr<const TreeModel>& ready) {
     refuseUnless(options, formatOf(path), path); // before anything grows
-    std::vector<std::shared_ptr<const TreeModel>> lods;
-    for (const Detail* detail : detailsOf(options))
-        lods.push_back(ready && ready->detail == detail ? ready : creator.create(params, *detail, progress));
+    const auto lods = makeLods(creator, params, options, progress, ready);
     exportModels(lods, options, treeFolder, path, progress);
     return lods;
 }

@@ -1,6 +1,7 @@
 #include "stromar/app/Render.h"
 #include "stromar/app/Pictures.h"
 #ifdef STROMAR_WITH_OSG
+#include "stromar/model/ModelSway.h"
 #include "stromar/scene/Headless.h"
 #endif
 
@@ -27,32 +28,91 @@ CCamera cameraOf(const RenderView& view, const osg::BoundingBox& all, double asp
     camera.frame(osg::BoundingBoxd(middle - half, middle + half), aspect);
     return camera;
 }
+
+/// Paints one model after the other, from one place.
+class CTreePainter {
+public:
+    CTreePainter(const std::filesystem::path& treeFolder, const RenderOptions& options)
+        : m_folder(treeFolder), m_options(options), m_painter(m_scene, options.samples) {
+        ViewLook look;
+        look.hour = options.hour;
+        if (options.transparent) look.backdrop = Backdrop::Nothing;
+        m_scene.setLook(look);
+    }
+
+    void show(const std::shared_ptr<const TreeModel>& model, const CProgress& progress) {
+        makePictures(*model, m_folder, progress);
+        m_parts = viewPartsOf(*model, m_parts, progress);
+        if (m_parts.empty() && model->age > 0) throw CError("the tree is empty, there is nothing to show");
+        m_scene.show(m_parts);
+        for (const ViewPart& part : m_parts) {
+            const std::string file = textureOf(*model, part.surface, m_folder).string();
+            std::string& shown = m_shown[static_cast<std::size_t>(part.surface)];
+            if (shown == file) continue;
+            const auto maps = readSurface(part.surface, file);
+            if (!maps->problem.empty()) throw CError(maps->problem);
+            m_scene.setSurface(part.surface, *maps);
+            shown = file;
+        }
+    }
+    void frame() {
+        const osg::BoundingBox all = m_parts.empty() ? osg::BoundingBox(-1, -1, 0, 1, 1, 2) : m_scene.bounds(); // before its life there is air
+        m_camera = cameraOf(kViews[m_options.view], all, double(m_options.width) / m_options.height);
+    }
+    void blow(const std::shared_ptr<const ModelSway>& sway, const Wind& wind, double seconds, const CProgress& progress) {
+        const auto pose = std::make_shared<WindPose>();
+        sway->table->pose(wind, seconds, *pose, progress);
+        m_scene.setPose(sway, pose, seconds, wind.loop);
+    }
+    Pixels paint() { return m_painter.paint(m_camera, m_options.width, m_options.height); }
+
+private:
+    const std::filesystem::path& m_folder;
+    const RenderOptions& m_options;
+    CViewScene m_scene;
+    CHeadlessPainter m_painter;
+    CCamera m_camera;
+    std::vector<ViewPart> m_parts;
+    std::array<std::string, kSurfaces.size()> m_shown; ///< the files of surfaces
+};
 } // namespace
 
-Pixels renderPicture(const TreeModel& model, const std::filesystem::path& treeFolder, const RenderOptions& options,
+Pixels renderPicture(const std::shared_ptr<const TreeModel>& model, const std::filesystem::path& treeFolder, const RenderOptions& options,
                      const CProgress& progress) {
-    makePictures(model, treeFolder, progress);
-    CViewScene scene;
-    const std::vector<ViewPart> parts = viewPartsOf(model, {}, progress);
-    if (parts.empty() && model.age > 0) throw CError("the tree is empty, there is nothing to show");
-    scene.show(parts);
-    for (const ViewPart& part : parts) {
-        const std::string file = textureOf(model, part.surface, treeFolder).string();
-        const auto maps = readSurface(part.surface, file);
-        if (!maps->problem.empty()) throw CError(maps->problem);
-        scene.setSurface(part.surface, *maps);
+    CTreePainter painter(treeFolder, options);
+    painter.show(model, progress);
+    painter.frame();
+    return painter.paint();
+}
+
+void renderMotion(CTreeCreator& creator, const CParams& params, const Detail& detail, const Motion& motion, double age,
+                  const std::filesystem::path& treeFolder, const RenderOptions& options,
+                  const std::function<void(std::size_t, const Pixels&)>& take, const CProgress& progress) {
+    CTreePainter painter(treeFolder, options);
+    creator.setAge(age);
+    const auto last = creator.create(params, detail, progress);
+    painter.show(last, progress);
+    painter.frame();
+    const auto sway = motion.blows() ? swayOf(last, nullptr, progress) : nullptr;
+    const std::vector<Moment> moments = motion.moments(age);
+    for (std::size_t i = 0; i < moments.size(); ++i) {
+        progress.poll();
+        if (sway)
+            painter.blow(sway, motion.loopingWind(), moments[i].seconds, progress);
+        else if (moments[i].age != age || i > 0) {
+            creator.setAge(moments[i].age);
+            painter.show(creator.create(params, detail, progress), progress);
+        }
+        take(i, painter.paint());
+        progress.report(double(i + 1) / double(moments.size()));
     }
-    ViewLook look;
-    look.hour = options.hour;
-    if (options.transparent) look.backdrop = Backdrop::Nothing;
-    scene.setLook(look);
-    CHeadlessPainter painter(scene, options.samples);
-    const double aspect = double(options.width) / options.height;
-    const osg::BoundingBox all = parts.empty() ? osg::BoundingBox(-1, -1, 0, 1, 1, 2) : scene.bounds(); // before its life there is air
-    return painter.paint(cameraOf(kViews[options.view], all, aspect), options.width, options.height);
 }
 #else
-Pixels renderPicture(const TreeModel&, const std::filesystem::path&, const RenderOptions&, const CProgress&) {
+Pixels renderPicture(const std::shared_ptr<const TreeModel>&, const std::filesystem::path&, const RenderOptions&, const CProgress&) {
+    throw CError("this program was built without OpenSceneGraph, which draws pictures");
+}
+void renderMotion(CTreeCreator&, const CParams&, const Detail&, const Motion&, double, const std::filesystem::path&, const RenderOptions&,
+                  const std::function<void(std::size_t, const Pixels&)>&, const CProgress&) {
     throw CError("this program was built without OpenSceneGraph, which draws pictures");
 }
 #endif

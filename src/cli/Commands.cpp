@@ -9,6 +9,7 @@
 #include "stromar/texture/Draw.h"
 #include "stromar/util/Text.h"
 #include <algorithm>
+#include <atomic>
 #include <cmath>
 #include <glm/common.hpp>
 #include <iomanip>
@@ -274,12 +275,40 @@ bool checkMeshes(const CommonOptions& common, const ModelOptions& options, std::
     return sound;
 }
 
-void exportTree(const CommonOptions& common, const ExportOptions& options, const std::string& path,
+namespace {
+/// Does the work of a motion; when someone stops it, says how much is there.
+template <typename Work>
+void tellWhatIsThere(const Motion& motion, const std::atomic<int>& there, const std::string& what, Work&& work) {
+    try {
+        work();
+    } catch (const CCancelled&) {
+        throw CError("cancelled: " + std::to_string(there) + " of " + std::to_string(motion.frames) + " " + what + " are written");
+    }
+}
+
+void exportFrames(const CommonOptions& common, const CParams& params, const ExportOptions& options, const Motion& motion,
+                  const std::string& path, const CProgress& progress) {
+    std::atomic<int> there = 0;
+    tellWhatIsThere(motion, there, "files", [&] {
+        stromar::exportFrames(params, options, motion, common.age, common.varied, common.limits,
+                              std::filesystem::path(common.file).parent_path(), path, [&](const auto&) { ++there; }, progress);
+    });
+    const auto count = static_cast<std::size_t>(motion.frames);
+    if (motion.frames > 0)
+        say(common, framePath(path, 0, count).string() + " to " + framePath(path, count - 1, count).filename().string() + ": " +
+                        std::to_string(there) + " files");
+    else
+        say(common, path + ": in the wind");
+}
+} // namespace
+
+void exportTree(const CommonOptions& common, const ExportOptions& options, const Motion& motion, const std::string& path,
                 const CProgress& progress) {
     const Format* format = formatOf(path);
     if (!format) throw CUsageError(unknownFormat(path));
     if (const std::string conflict = conflictText(options, *format); !conflict.empty()) throw CUsageError(conflict);
     const CParams params = readParams(common);
+    if (motion.frames > 0 || motion.blows()) return exportFrames(common, params, options, motion, path, progress);
     CTreeCreator creator = creatorFor(common);
     const auto lods = stromar::exportTree(creator, params, options, std::filesystem::path(common.file).parent_path(), path,
                                           progress);
@@ -288,15 +317,23 @@ void exportTree(const CommonOptions& common, const ExportOptions& options, const
                         " vertices, " + std::to_string(lod->triangleCount()) + " triangles");
 }
 
-void renderTree(const CommonOptions& common, const ModelOptions& modelOptions, const RenderOptions& options,
+void renderTree(const CommonOptions& common, const ModelOptions& modelOptions, const RenderOptions& options, const Motion& motion,
                 const std::string& path, const CProgress& progress) {
     refuseUnlessPng(path);
-    const auto model = createModel(common, modelOptions.detail(), progress);
-    const Pixels pixels =
-        renderPicture(*model, std::filesystem::path(common.file).parent_path(), options, progress);
-    CFileSet files(progress);
-    writePng(pixels, options.width, options.height, path, files);
-    files.commit();
+    const CParams params = readParams(common);
+    CTreeCreator creator = creatorFor(common);
+    std::atomic<int> there = 0;
+    const auto write = [&](std::size_t i, const Pixels& pixels) {
+        CFileSet files(progress);
+        const auto place = motion.frames == 0 ? std::filesystem::path(path) : framePath(path, i, static_cast<std::size_t>(motion.frames));
+        writePng(pixels, options.width, options.height, place, files);
+        files.commit();
+        ++there;
+    };
+    tellWhatIsThere(motion, there, "pictures", [&] {
+        renderMotion(creator, params, modelOptions.detail(), motion, common.age, std::filesystem::path(common.file).parent_path(),
+                     options, write, progress);
+    });
 }
 
 void writeTexture(const std::vector<std::string>& recipe, int size, const std::string& path,

@@ -1,5 +1,6 @@
 #pragma once
 #include "stromar/app/ExportOptions.h"
+#include "stromar/app/Motion.h"
 #include "stromar/app/Prediction.h"
 #include "stromar/app/Render.h"
 #include "stromar/mesh/Detail.h"
@@ -40,12 +41,12 @@ void printInfo(const CommonOptions& common, const ModelOptions& model, std::ostr
 void printStructure(const CommonOptions& common, bool segments, std::ostream& out, const CProgress& progress);
 /// Prints a table of the meshes' faults; false when there are any.
 bool checkMeshes(const CommonOptions& common, const ModelOptions& model, std::ostream& out, const CProgress& progress);
-void exportTree(const CommonOptions& common, const ExportOptions& options, const std::string& path,
+void exportTree(const CommonOptions& common, const ExportOptions& options, const Motion& motion, const std::string& path,
                 const CProgress& progress);
 /// Draws a recipe, "bark:birch" or "leaf:oak" and KEY=VALUE, and writes its pictures.
 void writeTexture(const std::vector<std::string>& recipe, int size, const std::string& path, const CProgress& progress);
-/// Draws the tree and writes the picture.
-void renderTree(const CommonOptions& common, const ModelOptions& model, const RenderOptions& options,
+/// Draws the tree and writes the picture, or those of its motion.
+void renderTree(const CommonOptions& common, const ModelOptions& model, const RenderOptions& options, const Motion& motion,
                 const std::string& path, const CProgress& progress);
 void printParams(const std::string& method, ListStyle style, std::ostream& out);
 void printMethods(ListStyle style, std::ostream& out);

@@ -5,6 +5,7 @@
 #include "stromar/util/Text.h"
 #include <CLI/CLI.hpp>
 #include <algorithm>
+#include <cmath>
 #include <csignal>
 #include <iostream>
 
@@ -31,7 +32,9 @@ struct Options {
     std::vector<std::string> recipe;
     int size = 1024;
     RenderOptions rendered;
-    std::string age, pictureSize, season, memory, method = "weber-penn";
+    Motion motion;
+    std::string age, windStrength, windDirection, gusts, seconds, fps;
+    std::string pictureSize, season, memory, method = "weber-penn";
     bool segments = false;
     bool markdown = false, json = false;
     bool lodGiven = false;
@@ -46,16 +49,32 @@ struct Options {
         }
         if (!pictureSize.empty()) readPictureSize();
         if (!memory.empty()) readMemory();
-        if (!age.empty()) readAge();
+        readClamped("--age", age, 0, 1, common.age);
+        readMotion();
         if (seedGiven) common.settings.push_back("Seed=" + seed);
         if (model.simple && lodGiven)
             throw CUsageError("--lod belongs to the full model; the simple model has no levels of detail");
     }
-    void readAge() {
-        const auto number = parseNumber(age);
-        if (!number) throw CUsageError("--age wants a number from 0 to 1, not '" + age + "'");
-        common.age = std::clamp(*number, 0.0, 1.0);
-        if (common.age != *number && !common.quiet) std::cerr << "--age: warning: it must be from 0 to 1, taken as " << numberText(common.age) << "\n";
+    /// A number that is taken into its range with a warning.
+    void readClamped(const char* flag, const std::string& text, double min, double max, double& value) const {
+        if (text.empty()) return;
+        const auto number = parseNumber(text);
+        const std::string range = "from " + numberText(min) + " to " + numberText(max);
+        if (!number) throw CUsageError(std::string(flag) + " wants a number " + range + ", not '" + text + "'");
+        value = std::clamp(*number, min, max);
+        if (value != *number && !common.quiet)
+            std::cerr << flag << ": warning: it must be " << range << ", taken as " << numberText(value) << "\n";
+    }
+    void readMotion() {
+        double degrees = 0;
+        readClamped("--wind-strength", windStrength, 0, kMaxWindStrength, motion.wind.strength);
+        readClamped("--wind-direction", windDirection, -360, 360, degrees);
+        readClamped("--gusts", gusts, 0, 1, motion.wind.gusts);
+        readClamped("--fps", fps, 0.1, 1000, motion.fps);
+        readClamped("--seconds", seconds, 0.01, 3600, motion.seconds);
+        motion.wind.direction = windDirection.empty() ? motion.wind.direction : stromar::windDirection(degrees);
+        if (motion.frames == 0 && motion.seconds > 0)
+            motion.frames = static_cast<int>(std::clamp(std::round(motion.seconds * motion.fps), 1.0, double(kMaxFrames)));
     }
     /// A number of megabytes, or with a letter: 500M, 2.5G.
     void readMemory() {
@@ -141,6 +160,19 @@ void addExport(CLI::App& command, ExportOptions& options) {
     }
 }
 
+/// Growth or wind in many pictures or files.
+void addMotion(CLI::App& command, Options& options, const std::string& what) {
+    command.add_option("--frames", options.motion.frames, "So many " + what + ", numbered: the tree grows up to its age, or sways in the wind")
+        ->check(CLI::Range(1, kMaxFrames))
+        ->type_name("N");
+    command.add_option("--wind-strength", options.windStrength, "The wind: 0.3 a breeze, 1 a strong gale")->type_name("S");
+    command.add_option("--wind-direction", options.windDirection, "Where it blows to: degrees, 0 to the right, 90 away from the viewer")
+        ->type_name("DEG");
+    command.add_option("--gusts", options.gusts, "How much of it comes and goes, 0 to 1; default: 0.3")->type_name("G");
+    command.add_option("--seconds", options.seconds, "How long the wind's loop is; default: as long as its frames")->type_name("T");
+    command.add_option("--fps", options.fps, "Frames of a second; default: 25")->type_name("F");
+}
+
 /// The names of a table's rows.
 template <typename Rows>
 std::vector<std::string_view> namesOf(const Rows& rows) {
@@ -179,8 +211,8 @@ int run(const CLI::App& app, Options& options) {
     if (name == "structure") printStructure(options.common, options.segments, std::cout, progress);
     bool sound = true;
     if (name == "check") sound = checkMeshes(options.common, options.model, std::cout, progress);
-    if (name == "export") exportTree(options.common, options.exported, options.output, progress);
-    if (name == "render") renderTree(options.common, options.model, options.rendered, options.output, progress);
+    if (name == "export") exportTree(options.common, options.exported, options.motion, options.output, progress);
+    if (name == "render") renderTree(options.common, options.model, options.rendered, options.motion, options.output, progress);
     if (name == "texture") writeTexture(options.recipe, options.size, options.output, progress);
     if (name == "params") printParams(options.method, options.style(), std::cout);
     if (name == "methods") printMethods(options.style(), std::cout);
@@ -210,7 +242,9 @@ void setUp(CLI::App& app, Options& options) {
     params->add_option("--method", options.method, "Of which way to grow")->type_name("NAME")->capture_default_str();
     methods->add_flag("--json", options.json, "As JSON");
     addRender(*renderer, options);
+    addMotion(*renderer, options, "pictures");
     addExport(*exporter, options.exported);
+    addMotion(*exporter, options, "files");
     exporter->add_option("-o,--output", options.output, "The model to write")->required()->type_name("OUT.ext");
     texture
         ->add_option("recipe", options.recipe,

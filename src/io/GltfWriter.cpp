@@ -46,6 +46,10 @@ public:
         if (!writer.WriteGltfSceneToStream(&m_gltf, text, false, false))
             throw CError("the glTF library cannot describe the model");
         auto document = nlohmann::ordered_json::parse(text.str());
+        if (m_bytes == 0) { // of an empty tree without pictures
+            document.erase("buffers");
+            return document.dump(uri.empty() ? -1 : 1);
+        }
         document["buffers"][0] = {{"byteLength", m_bytes}};
         if (!uri.empty()) document["buffers"][0]["uri"] = uri;
         return document.dump(uri.empty() ? -1 : 1);
@@ -261,12 +265,14 @@ void writeGlb(const ExportModel& model, const std::filesystem::path& path, CFile
     const CGltf gltf(model, model.materials[0].texture.empty());
     std::string json = gltf.json({});
     json.append((4 - json.size() % 4) % 4, ' ');
-    const std::uint64_t length = 12 + 8 + json.size() + 8 + gltf.bufferBytes();
+    const bool buffered = gltf.bufferBytes() > 0;
+    const std::uint64_t length = 12 + 8 + json.size() + (buffered ? 8 + gltf.bufferBytes() : 0);
     if (length > kLargestFile) throw CError(path.string() + ": the model is too large for a .glb, .gltf may take it");
     std::ostream& out = files.create(path);
     for (const std::uint32_t word : {0x46546C67u, 2u, static_cast<std::uint32_t>(length)}) writeWord(out, word);
     for (const std::uint32_t word : {static_cast<std::uint32_t>(json.size()), 0x4E4F534Au}) writeWord(out, word);
     out << json;
+    if (!buffered) return;
     for (const std::uint32_t word : {static_cast<std::uint32_t>(gltf.bufferBytes()), 0x004E4942u}) writeWord(out, word);
     gltf.writeBuffer(out);
 }
@@ -275,7 +281,7 @@ void writeGltf(const ExportModel& model, const std::filesystem::path& path, CFil
     const CGltf gltf(model, model.materials[0].texture.empty());
     const std::string buffer = model.name + ".bin";
     files.create(path) << gltf.json(buffer);
-    gltf.writeBuffer(files.create(path.parent_path() / buffer));
+    if (gltf.bufferBytes() > 0) gltf.writeBuffer(files.create(path.parent_path() / buffer));
 }
 
 } // namespace stromar

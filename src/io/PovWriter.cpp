@@ -62,6 +62,7 @@ void putMesh(CTextOut& out, const CMesh& mesh, const Material& look) {
 }
 
 Bounds boundsOf(const ExportModel& model) {
+    if (model.meshes.empty()) return {{-1, -1, 0}, {1, 1, 2}}; // a tree before its life
     Bounds all = model.meshes.front()->bounds();
     for (const auto& mesh : model.meshes) {
         const Bounds own = mesh->bounds();
@@ -96,6 +97,7 @@ void writePov(const ExportModel& model, const std::filesystem::path& path, CFile
     out << "// " << model.name << "\n// metres, y up\n#version 3.7;\n";
     for (const Material& look : model.materials) putTexture(out, look);
     out << "#declare Tree = union {\n";
+    if (model.meshes.empty()) out << "sphere { 0, 1e-6 }\n"; // a union has to have something
     for (const auto& mesh : model.meshes) putMesh(out, *mesh, model.materialOf(*mesh));
     out << "}\n";
     putStage(out, boundsOf(model));

@@ -129,8 +129,13 @@ attribute float openAt;
 varying vec3 place, normal, inShadow;
 varying float skyVisibility, shade;
 void main() {
+    swayAngle = 0.0;
+    vec3 own = stillPlace(), front = stillNormal(own), named = front;
     findSway();
-    vec3 own = stillPlace(), front = stillNormal(own);
+    if (swayAngle != 0.0) {
+        own = stillPlace();
+        front = stillNormal(own);
+    }
     place = swayedPlace(own);
     normal = swaying < 0.5 ? front : turned(swayTurn, front);
     gl_Position = gl_ModelViewProjectionMatrix * vec4(place, 1.0);
@@ -139,9 +144,8 @@ void main() {
     // Inside the crown less of the sky is seen.
     vec3 out_ = (own - crownMiddle) / crownSize;
     skyVisibility = (0.35 + 0.65 * smoothstep(0.05, 1.0, length(out_) * 0.8 + 0.25 * out_.z)) * openAt;
-    // A number of each leaf's own: of its turn, or of the normal that all corners of a card share.
-    vec3 name = instanced < 0.5 ? gl_Normal : instanceTurn.xyz;
-    shade = fract(sin(dot(name, vec3(127.1, 311.7, 74.7))) * 437.5);
+    // All corners of a leaf share its normal: a number of its own.
+    shade = fract(sin(dot(named, vec3(127.1, 311.7, 74.7))) * 437.5);
 }
 )";
 

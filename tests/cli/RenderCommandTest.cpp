@@ -73,6 +73,32 @@ TEST_F(Render, OpenGlBeforeInstancesDrawsTheSame) {
     EXPECT_LT(worst.mean, kMaxTileDifference) << worst;
 }
 
+TEST_F(Render, DrawsALoopOfTheWindAndGrowthFromOnePlace) {
+    const auto frames = [&](const Words& more) {
+        Words words{"render", kAspen, "-o", path(), "--size", "100x120", "--samples", "1", "--frames", "3"};
+        words.insert(words.end(), more.begin(), more.end());
+        const ProcessResult run = cli(words);
+        EXPECT_EQ(run.status, 0) << run.err;
+        std::vector<Picture> pictures;
+        for (const char* number : {"1", "2", "3"}) pictures.push_back(readPng(m_folder / ("tree_000" + std::string(number) + ".png")));
+        return pictures;
+    };
+    const auto apart = [](const Picture& a, const Picture& b) { return worstTile(a.bytes(), b.bytes()).mean; };
+    const std::vector<Picture> blown = frames({"--wind-strength", "1.5", "--gusts", "1", "--seconds", "5"});
+    EXPECT_GT(apart(blown[0], blown[1]), 1);
+    EXPECT_GT(apart(blown[1], blown[2]), 1);
+    const std::vector<Picture> grown = frames({});
+    cli({"render", kAspen, "-o", path(), "--size", "100x120", "--samples", "1"});
+    EXPECT_EQ(apart(grown[2], readPng(path())), 0) << "the last one is the grown tree";
+    const auto green = [](const Picture& picture) {
+        std::size_t count = 0;
+        for (std::size_t i = 0; i < picture.rgba.size(); i += 4) count += picture.rgba[i + 2] < 70;
+        return count;
+    };
+    EXPECT_LT(green(grown[0]), green(grown[1]));
+    EXPECT_LT(green(grown[1]), green(grown[2]));
+}
+
 TEST_F(Render, ShowsSkyTreeAndGround) {
     const Picture picture = render({});
     ASSERT_EQ(picture.width, 200u);

@@ -1,8 +1,10 @@
 #pragma once
 #include "stromar/app/ExportOptions.h"
+#include "stromar/app/Motion.h"
 #include "stromar/app/Pictures.h"
 #include "stromar/app/TreeCreator.h"
 #include <filesystem>
+#include <functional>
 
 namespace stromar {
 
@@ -19,6 +21,12 @@ std::vector<std::shared_ptr<const TreeModel>> exportTree(CTreeCreator& creator, 
                                                          const std::filesystem::path& treeFolder,
                                                          const std::filesystem::path& path, const CProgress& progress,
                                                          const std::shared_ptr<const TreeModel>& ready = nullptr);
+/// The same for every moment of a motion, a file or set of files each, numbered: oak_0001.glb … They are made side by side, as many as
+/// threads and memory allow, and appear one by one; `written` is told of each, on any thread. Pictures that lie beside the models are
+/// shared by all. `limits` are those of one tree. Throws as exportTree(); what has appeared stays.
+void exportFrames(const CParams& params, const ExportOptions& options, const Motion& motion, double age, bool varied,
+                  const SizeLimits& limits, const std::filesystem::path& treeFolder, const std::filesystem::path& path,
+                  const std::function<void(const std::filesystem::path&)>& written, const CProgress& progress);
 /// The same as exportModels() for one model with the usual options.
 void exportModel(const TreeModel& model, const std::filesystem::path& treeFolder, const std::filesystem::path& path,
                  const CProgress& progress);

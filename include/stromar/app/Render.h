@@ -1,7 +1,9 @@
 #pragma once
+#include "stromar/app/Motion.h"
 #include "stromar/app/TreeCreator.h"
 #include "stromar/texture/Opacity.h"
 #include <filesystem>
+#include <functional>
 #include <span>
 #include <string_view>
 
@@ -33,7 +35,11 @@ struct RenderOptions {
 
 /// The picture that the viewport would show, without a window. Draws the tree's recipes first, where they are new.
 /// Throws CError, which says what is missing, and CCancelled.
-Pixels renderPicture(const TreeModel& model, const std::filesystem::path& treeFolder, const RenderOptions& options,
+Pixels renderPicture(const std::shared_ptr<const TreeModel>& model, const std::filesystem::path& treeFolder, const RenderOptions& options,
                      const CProgress& progress);
+/// The pictures of a motion, one after the other, all seen from the same place; `take` is given each. Throws as renderPicture().
+void renderMotion(CTreeCreator& creator, const CParams& params, const Detail& detail, const Motion& motion, double age,
+                  const std::filesystem::path& treeFolder, const RenderOptions& options,
+                  const std::function<void(std::size_t, const Pixels&)>& take, const CProgress& progress);
 
 } // namespace stromar
