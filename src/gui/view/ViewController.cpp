@@ -342,6 +342,8 @@ void CViewController::updateOverlay() {
     model.guide = m_guide;
     model.statistics = statistics();
     if (m_view) model.scaleTree = m_view->model->tree->height();
+    if (const osg::BoundingBox box = m_viewport.scene().bounds(); box.valid())
+        model.reach = std::max({box.xMax(), -box.xMin(), box.yMax(), -box.yMin(), 0.1f});
     const ViewLook& look = m_viewport.look();
     model.person = look.ground ? std::optional(m_viewport.scene().personAt()) : std::nullopt;
     model.personText = lengthText(CViewScene::kPersonHeight);

@@ -15,6 +15,8 @@ constexpr int kRingPoints = 48;
 constexpr double kSteep = 0.94; // of a view that looks down or up: its sine
 const QColor kAccent(255, 150, 40);
 const QColor kGuide(255, 176, 64);
+const QColor kWind(120, 200, 255);
+constexpr double kArrowStart = 0.35, kArrowEnd = 1.15; // of the tree's reach
 
 /// Rows of text on a plate that is readable before a light and a dark ground.
 void drawPlate(QPainter& painter, const QPointF& corner, Qt::Corner which, const QStringList& rows,
@@ -86,6 +88,28 @@ std::optional<std::size_t> CViewOverlay::handleAt(const QPointF& at) const {
     for (std::size_t i = 0; m_model.guide && i < m_model.guide->handles.size(); ++i)
         if (QLineF(handlePlace(i), at).length() < kGrip) return i;
     return {};
+}
+
+/// From the foot of the tree to beyond its edge, on the ground.
+std::optional<std::pair<QPointF, QPointF>> CViewOverlay::windArrow() const {
+    if (!m_model.wind) return {};
+    const double angle = *m_model.wind * osg::PI / 180;
+    const osg::Vec3d along(std::cos(angle), std::sin(angle), 0);
+    const auto from = toWidget(along * (kArrowStart * m_model.reach)), to = toWidget(along * (kArrowEnd * m_model.reach));
+    if (!from || !to) return {};
+    return std::pair(*from, *to);
+}
+
+bool CViewOverlay::isOnWindArrow(const QPointF& at) const {
+    const auto arrow = windArrow();
+    return arrow && QLineF(arrow->second, at).length() < 1.5 * kGrip;
+}
+
+std::optional<double> CViewOverlay::windDirectionAt(const QPointF& at) const {
+    const auto [from, direction] = m_camera.rayAt(toView(at), aspect());
+    if (std::abs(direction.z()) < 1e-6 || from.z() / direction.z() > 0) return {};
+    const osg::Vec3d point = from - direction * (from.z() / direction.z());
+    return std::atan2(point.y(), point.x()) * 180 / osg::PI;
 }
 
 void CViewOverlay::setHotHandle(std::optional<std::size_t> handle) {
@@ -201,6 +225,25 @@ void CViewOverlay::paintAxes(QPainter& painter) const {
     painter.setFont(font());
 }
 
+void CViewOverlay::paintWind(QPainter& painter) const {
+    const auto arrow = windArrow();
+    if (!arrow) return;
+    const auto& [from, to] = *arrow;
+    const QLineF shaft(to, from);
+    QPolygonF head{to};
+    for (const double turn : {-24.0, 24.0}) {
+        QLineF side = QLineF::fromPolar(18, shaft.angle() + turn);
+        side.translate(to);
+        head << side.p2();
+    }
+    for (const auto& [colour, wide] : {std::pair(QColor(0, 0, 0, 110), 6.0), {kWind, 3.2}}) {
+        painter.setPen(QPen(colour, wide, Qt::SolidLine, Qt::RoundCap, Qt::RoundJoin));
+        painter.drawLine(from, to);
+        painter.setBrush(colour);
+        painter.drawPolygon(head);
+    }
+}
+
 void CViewOverlay::paintWords(QPainter& painter) const {
     if (!m_model.statistics.isEmpty()) drawPlate(painter, {8, 8}, Qt::TopLeftCorner, m_model.statistics);
     if (m_model.person)
@@ -219,6 +262,7 @@ void CViewOverlay::paintEvent(QPaintEvent*) {
     paintSelection(painter);
     paintGuide(painter);
     paintHandles(painter);
+    paintWind(painter);
     paintAxes(painter);
     paintWords(painter);
 }

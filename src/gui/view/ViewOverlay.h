@@ -22,6 +22,8 @@ public:
         QStringList statistics;
         std::optional<osg::Vec3d> person; ///< top of the head
         QString personText;
+        std::optional<double> wind; ///< degrees: where it blows to
+        double reach = 1;           ///< metres from the trunk to the tree's edge
     };
 
     explicit CViewOverlay(const CCamera& camera, QWidget* parent);
@@ -34,6 +36,9 @@ public:
     /// Where a handle is dragged to: distance from the trunk's axis and height, metres. From above or below the height
     /// stays.
     glm::dvec2 guidePoint(std::size_t handle, const QPointF& at) const;
+    /// Whether the tip of the wind's arrow lies under a place, and where it would point from there; nothing where the ground is not seen.
+    bool isOnWindArrow(const QPointF& at) const;
+    std::optional<double> windDirectionAt(const QPointF& at) const;
     void setHotHandle(std::optional<std::size_t> handle);
     /// Yaw and pitch of the axis under a place of the widget.
     std::optional<std::pair<double, double>> axisAt(const QPointF& at) const;
@@ -54,6 +59,8 @@ private:
     void paintHandles(QPainter& painter) const;
     void paintSelection(QPainter& painter) const;
     void paintAxes(QPainter& painter) const;
+    void paintWind(QPainter& painter) const;
+    std::optional<std::pair<QPointF, QPointF>> windArrow() const;
     void paintWords(QPainter& painter) const;
     void drawLine(QPainter& painter, const std::vector<osg::Vec3d>& points) const;
 

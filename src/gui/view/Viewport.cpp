@@ -12,6 +12,8 @@ namespace stromar {
 namespace {
 constexpr std::chrono::milliseconds kSettle{200};
 constexpr double kClickPixels = 4; // a drag is longer
+constexpr qint64 kQuickNs = 12'000'000; // a picture with its shadows
+constexpr int kShadowEvery = 6;         // pictures, where it is slower
 constexpr double kDegreesPerPixel = 0.35;
 constexpr double kZoomPerPixel = 0.006, kZoomPerNotch = 0.14;
 } // namespace
@@ -57,8 +59,11 @@ void CViewport::paintGL() {
         if (!std::exchange(m_lost, true)) emit contextLost();
         return;
     }
+    QElapsedTimer clock;
+    clock.start();
     const QSize pixels = (QSizeF(size()) * devicePixelRatioF()).toSize();
     m_renderer.draw(defaultFramebufferObject(), pixels.width(), pixels.height(), m_camera);
+    m_frameNs = clock.nsecsElapsed();
     ++m_frames;
     emit drawn();
 }
@@ -72,6 +77,24 @@ void CViewport::show(const std::vector<ViewPart>& parts) {
     m_scene.show(parts, m_settle.isActive() ? CViewScene::Shadows::Kept : CViewScene::Shadows::New);
     m_settle.start(kSettle);
     changed();
+}
+
+void CViewport::setPose(const std::shared_ptr<const ModelSway>& sway, const std::shared_ptr<const WindPose>& pose, double seconds,
+                        double loop) {
+    const bool behind = m_frameNs > kQuickNs && m_shadowAge.isValid() && m_shadowAge.nsecsElapsed() < kShadowEvery * m_frameNs;
+    if (!behind) m_shadowAge.start();
+    m_scene.setPose(sway, pose, seconds, loop, behind ? CViewScene::Shadows::Kept : CViewScene::Shadows::New);
+    update();
+}
+
+void CViewport::endSway() {
+    m_scene.endSway();
+    update();
+}
+
+void CViewport::showWindArrow(std::optional<double> degrees) {
+    m_overlay->model().wind = degrees;
+    m_overlay->update();
 }
 
 void CViewport::setSurface(Surface surface, const SurfaceMaps& maps) {
@@ -146,7 +169,8 @@ void CViewport::mousePressEvent(QMouseEvent* event) {
     const QPointF at = event->position();
     m_pressed = m_last = at;
     m_click = event->buttons() == Qt::LeftButton;
-    m_handle = m_click ? m_overlay->handleAt(at) : std::nullopt;
+    m_windHeld = m_click && m_overlay->isOnWindArrow(at);
+    m_handle = m_click && !m_windHeld ? m_overlay->handleAt(at) : std::nullopt;
     if (m_handle) m_gesture = nextGesture();
 }
 
@@ -154,6 +178,10 @@ void CViewport::mouseMoveEvent(QMouseEvent* event) {
     const QPointF at = event->position();
     if (event->buttons() == Qt::NoButton) {
         m_overlay->setHotHandle(m_overlay->handleAt(at));
+        return;
+    }
+    if (m_windHeld) {
+        if (const auto degrees = m_overlay->windDirectionAt(at)) emit windDragged(*degrees);
         return;
     }
     if (m_handle) {
@@ -168,7 +196,9 @@ void CViewport::mouseMoveEvent(QMouseEvent* event) {
 
 void CViewport::mouseReleaseEvent(QMouseEvent* event) {
     if (event->button() != Qt::LeftButton) return;
-    if (m_handle) {
+    if (m_windHeld) {
+        m_windHeld = false;
+    } else if (m_handle) {
         m_handle.reset();
         emit guideReleased();
     } else if (m_click)

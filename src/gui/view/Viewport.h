@@ -2,6 +2,7 @@
 #include "view/Navigation.h"
 #include "view/ViewOverlay.h"
 #include "stromar/scene/SceneRenderer.h"
+#include <QElapsedTimer>
 #include <QOpenGLWidget>
 #include <QTimer>
 
@@ -18,6 +19,11 @@ public:
     /// Replaces the tree; the view stays.
     void show(const std::vector<ViewPart>& parts);
     using QOpenGLWidget::show;
+    /// The tree in the wind, as CViewScene::setPose(). Shadows follow in each picture where drawing is quick, else now and then.
+    void setPose(const std::shared_ptr<const ModelSway>& sway, const std::shared_ptr<const WindPose>& pose, double seconds, double loop);
+    void endSway();
+    /// An arrow on the ground that can be dragged: degrees from x, counter-clockwise from above.
+    void showWindArrow(std::optional<double> degrees);
     void setSurface(Surface surface, const SurfaceMaps& maps);
     void setLook(const ViewLook& look);
     const ViewLook& look() const { return m_scene.look(); }
@@ -50,6 +56,7 @@ signals:
     /// A handle was dragged; all changes of one drag have the same gesture.
     void guideDragged(std::size_t handle, const glm::dvec2& to, int gesture);
     void guideReleased();
+    void windDragged(double degrees);
 
 protected:
     void initializeGL() override;
@@ -79,6 +86,9 @@ private:
     QPointF m_pressed, m_last;
     std::optional<std::size_t> m_handle; ///< that is being dragged
     int m_gesture = 0;
+    bool m_windHeld = false; ///< the arrow is being dragged
+    QElapsedTimer m_shadowAge;
+    qint64 m_frameNs = 0; ///< how long the last picture took
     bool m_click = false; ///< the mouse has not moved since a button went down
     bool m_trackball = false;
     bool m_lost = false;

@@ -1,6 +1,8 @@
 #include "window/Commands.h"
 #include "window/MainWindow.h"
 #include "document/FileController.h"
+#include "motion/Timeline.h"
+#include "motion/WindPanel.h"
 #include "work/ExportController.h"
 #include "work/GrowthController.h"
 
@@ -48,6 +50,8 @@ constexpr Command kCommands[] = {
      QT_TRANSLATE_NOOP("Commands", "Build the tree again from scratch"), [](W& w, bool) { w.growth().generate(); }, true},
     {"fullModel", Menu::Tree, QT_TRANSLATE_NOOP("Commands", "&Full Model"), "F6", "full",
      QT_TRANSLATE_NOOP("Commands", "Show the full model now"), [](W& w, bool) { w.growth().growFull(); }, true},
+    {"play", Menu::Tree, QT_TRANSLATE_NOOP("Commands", "&Play Growth"), "P", "",
+     QT_TRANSLATE_NOOP("Commands", "Let the tree grow from its first day"), [](W& w, bool on) { w.timeline().setPlaying(on); }, false, false, Kind::Switch},
     {"stop", Menu::Tree, QT_TRANSLATE_NOOP("Commands", "&Stop Growing"), "Esc", "",
      QT_TRANSLATE_NOOP("Commands", "Give up the tree that is growing, and let go of what is selected"), [](W& w, bool) { w.stop(); }},
 
@@ -73,6 +77,8 @@ constexpr Command kCommands[] = {
      QT_TRANSLATE_NOOP("Commands", "Hide the leaves"), [](W& w, bool on) { w.view().setLook([on](ViewLook& look) { look.leaves = !on; }); }, true, false, Kind::Switch},
     {"ground", Menu::View, QT_TRANSLATE_NOOP("Commands", "&Grid and Person"), "G", "ground",
      QT_TRANSLATE_NOOP("Commands", "Show a grid of metres and a person beside the tree"), [](W& w, bool on) { w.view().setLook([on](ViewLook& look) { look.ground = on; }); }, true, false, Kind::KeptSwitch},
+    {"wind", Menu::View, QT_TRANSLATE_NOOP("Commands", "W&ind"), "N", "",
+     QT_TRANSLATE_NOOP("Commands", "Let the tree sway in the wind"), [](W& w, bool on) { w.wind().setBlowing(on); }, false, false, Kind::Switch},
     {"statistics", Menu::View, QT_TRANSLATE_NOOP("Commands", "&Statistics"), "I", "",
      QT_TRANSLATE_NOOP("Commands", "Show sizes and counts in the picture"), [](W& w, bool on) { w.view().setStatistics(on); }, false, false, Kind::KeptSwitch},
     {"backdropSky", Menu::View, QT_TRANSLATE_NOOP("Commands", "Before the S&ky"), "Ctrl+1", "",

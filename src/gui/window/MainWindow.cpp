@@ -7,6 +7,9 @@
 #include "document/Gesture.h"
 #include "window/HelpWindow.h"
 #include "view/LightPanel.h"
+#include "motion/Timeline.h"
+#include "motion/WindController.h"
+#include "motion/WindPanel.h"
 #include "window/MessageBar.h"
 #include "params/ParamPanel.h"
 #include "window/PreferencesDialog.h"
@@ -60,10 +63,11 @@ CMainWindow::CMainWindow(const SizeLimits& limits, std::shared_ptr<CDocument> do
     : QMainWindow(parent), m_document(document ? std::move(document) : std::make_shared<CDocument>()),
       m_thumbnails(new CThumbnails(this)), m_viewport(new CViewport), m_panel(new CParamPanel),
       m_presets(new CPresetBrowser(*m_thumbnails)), m_variants(new CVariants(*m_thumbnails)), m_bar(new CMessageBar),
+      m_timeline(new CTimeline), m_wind(new CWindPanel),
       m_viewController(new CViewController(*m_viewport, *m_panel, *m_document, this)),
       m_files(new CFileController(*m_document, *m_bar, this)),
       m_exporter(new CExportController(
-          *m_document, [this] { return shownModel(); }, [this] { return m_growth->limits(); }, this)),
+          *m_document, [this] { return shownModel(); }, [this] { return m_growth->limits(); }, [this] { return m_growth->age(); }, this)),
       m_growth(std::make_unique<CGrowthController>(*m_document, *m_bar, limits)) {
     initResources();
     setAcceptDrops(true);
@@ -75,6 +79,7 @@ CMainWindow::CMainWindow(const SizeLimits& limits, std::shared_ptr<CDocument> do
     makeStatusBar();
     connectParts();
     connectControllers();
+    connectMotion();
     connectDocument();
     resize(QSize(1280, 800).boundedTo(screen()->availableSize()));
     restoreLayout();
@@ -107,6 +112,8 @@ void CMainWindow::makeCentre() {
         message->setMargin(40);
         column->addWidget(message, 1);
     }
+    m_timeline->setObjectName(QStringLiteral("timeline"));
+    column->addWidget(m_timeline);
     setCentralWidget(centre);
 }
 
@@ -135,6 +142,7 @@ void CMainWindow::makeDocks() {
     QDockWidget* history = addDock("history", tr("History"), steps, Qt::LeftDockWidgetArea);
     m_light = new CLightPanel;
     QDockWidget* light = addDock("light", tr("Light"), m_light, Qt::LeftDockWidgetArea);
+    QDockWidget* wind = addDock("windDock", tr("Wind"), m_wind, Qt::LeftDockWidgetArea);
     m_messages = new QListWidget;
     m_messages->setObjectName(QStringLiteral("messageList"));
     m_messages->setAlternatingRowColors(true);
@@ -144,6 +152,7 @@ void CMainWindow::makeDocks() {
     tabifyDockWidget(presets, variants);
     tabifyDockWidget(variants, history);
     tabifyDockWidget(history, light);
+    tabifyDockWidget(light, wind);
     presets->raise();
     resizeDocks({presets}, {200}, Qt::Horizontal);
 }
@@ -259,7 +268,7 @@ void CMainWindow::connectParts() {
 
 void CMainWindow::connectControllers() {
     CGrowthController* growth = m_growth.get();
-    growth->setHeld([this] { return m_panel->held() || m_viewController->held(); });
+    growth->setHeld([this] { return m_panel->held() || m_viewController->held() || m_timeline->held() || m_wind->held(); });
     connect(m_panel, &CParamPanel::released, growth, &CGrowthController::handReleased);
     connect(m_viewController, &CViewController::released, growth, &CGrowthController::handReleased);
     connect(growth, &CGrowthController::created, this, &CMainWindow::onCreated);
@@ -275,6 +284,21 @@ void CMainWindow::connectControllers() {
             [this] { m_panel->showParams(m_document->params(), m_document->savedParams()); });
     connect(m_exporter, &CExportController::notice, m_notice, &QLabel::setText);
     connect(m_exporter, &CExportController::started, &m_progressTimer, qOverload<>(&QTimer::start));
+}
+
+void CMainWindow::connectMotion() {
+    CGrowthController* growth = m_growth.get();
+    m_windController = new CWindController(*m_viewport, *m_wind, *growth, this);
+    connect(m_timeline, &CTimeline::ageChanged, growth, &CGrowthController::setAge);
+    connect(m_timeline, &CTimeline::playingChanged, growth, &CGrowthController::setPlaying);
+    connect(m_timeline, &CTimeline::playingChanged, this, [this](bool on) { findChild<QAction*>(QStringLiteral("play"))->setChecked(on); });
+    connect(m_timeline, &CTimeline::released, growth, &CGrowthController::handReleased);
+    connect(growth, &CGrowthController::refused, m_timeline, [this] { m_timeline->setPlaying(false); });
+    connect(m_wind, &CWindPanel::released, growth, &CGrowthController::handReleased);
+    connect(m_wind, &CWindPanel::switched, this, [this](bool on) { findChild<QAction*>(QStringLiteral("wind"))->setChecked(on); });
+    connect(m_wind, &CWindPanel::flexibilityEdited, this, [this](double flexibility, int gesture) {
+        m_document->setValue(*findParam("Flexibility", m_document->params().block()), flexibility, gesture);
+    });
 }
 
 void CMainWindow::connectDocument() {
@@ -366,6 +390,7 @@ void CMainWindow::dropEvent(QDropEvent* event) {
 
 void CMainWindow::onReplaced() {
     m_recentreNext = true;
+    m_timeline->setAge(1);
     m_viewController->clearSelection();
     m_files->watchFile();
     updateTitle();
@@ -376,6 +401,7 @@ void CMainWindow::onReplaced() {
 void CMainWindow::onChanged() {
     m_panel->showParams(m_document->params(), m_document->savedParams());
     m_variants->showParams(m_document->params(), m_document->folder());
+    m_wind->showFlexibility(m_document->params().common.flexibility);
     m_viewController->updateOverlay();
     m_files->keepAside();
     m_notice->clear();
@@ -390,6 +416,8 @@ void CMainWindow::showPresets() {
 void CMainWindow::onCreated(const std::shared_ptr<const ViewModel>& view) {
     m_shown = view;
     m_viewController->show(view);
+    m_windController->show(view);
+    m_timeline->shown();
     if (m_recentreNext && view->model->params == m_document->params()) { // not a late picture of the document before
         m_viewport->recentre();
         m_recentreNext = false;
@@ -405,7 +433,8 @@ void CMainWindow::onSurfaceRead(Surface surface, const std::shared_ptr<const Sur
 }
 
 std::shared_ptr<const TreeModel> CMainWindow::shownModel() const {
-    return m_shown && m_shown->model->params == m_document->params() ? m_shown->model : nullptr;
+    const bool current = m_shown && m_shown->model->params == m_document->params() && m_shown->model->age == m_growth->age();
+    return current ? m_shown->model : nullptr;
 }
 
 void CMainWindow::updateCounts(const TreeModel& model) {

@@ -24,7 +24,10 @@ class CMessageBar;
 class CParamPanel;
 class CPresetBrowser;
 class CThumbnails;
+class CTimeline;
 class CVariants;
+class CWindController;
+class CWindPanel;
 
 /// The window: viewport, parameters, docks, menus; brings document, controllers and widgets together.
 class CMainWindow : public QMainWindow {
@@ -49,6 +52,8 @@ public:
     CGrowthController& growth() { return *m_growth; }
     CFileController& files() { return *m_files; }
     CExportController& exporter() { return *m_exporter; }
+    CTimeline& timeline() { return *m_timeline; }
+    CWindPanel& wind() { return *m_wind; }
     /// Whether a tree grows or a thumbnail is still to come.
     bool busy() const;
     /// What the viewport shows; null before the first tree.
@@ -80,7 +85,7 @@ protected:
     void dropEvent(QDropEvent* event) override;
 
 private:
-    static constexpr int kLayoutVersion = 2; ///< rises when docks come or go
+    static constexpr int kLayoutVersion = 3; ///< rises when docks come or go
 
     void makeCentre();
     void makeDocks();
@@ -91,6 +96,7 @@ private:
     void restoreSwitches();
     void makeStatusBar();
     void connectParts();
+    void connectMotion();
     void connectDocument();
     void restoreLayout();
 
@@ -118,6 +124,8 @@ private:
     CVariants* m_variants;
     CMessageBar* m_bar;
     CLightPanel* m_light = nullptr;
+    CTimeline* m_timeline;
+    CWindPanel* m_wind;
     CViewController* m_viewController;
     QPointer<CHelpWindow> m_help;
     QMenu* m_recentMenu = nullptr;
@@ -134,6 +142,7 @@ private:
     bool m_started = false; ///< a tree was shown
     CFileController* m_files;
     CExportController* m_exporter;
+    CWindController* m_windController = nullptr;
     std::unique_ptr<CGrowthController> m_growth; ///< last: it stops before anything it reports to is gone
 };
 

@@ -11,8 +11,8 @@
 
 namespace stromar {
 
-CExportController::CExportController(CDocument& document, Shown shown, Limits limits, QWidget* window)
-    : QObject(window), m_document(document), m_shown(std::move(shown)), m_limits(std::move(limits)), m_window(window) {}
+CExportController::CExportController(CDocument& document, Shown shown, Limits limits, Age age, QWidget* window)
+    : QObject(window), m_document(document), m_shown(std::move(shown)), m_limits(std::move(limits)), m_age(std::move(age)), m_window(window) {}
 
 CExportController::~CExportController() = default;
 
@@ -30,7 +30,7 @@ void CExportController::chooseAndExport() {
 void CExportController::exportTo(const QString& path, const ExportOptions& options) {
     if (m_job) return;
     m_job = std::make_unique<CExportJob>(
-        CExportJob::Task{m_document.params(), m_shown(), options, m_document.folder(), toPath(path), m_limits()});
+        CExportJob::Task{m_document.params(), m_shown(), options, m_document.folder(), toPath(path), m_limits(), m_age()});
     QProgressDialog* dialog = showProgress(path);
     connect(
         m_job.get(), &CExportJob::finished, this,

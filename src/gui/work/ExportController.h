@@ -18,7 +18,9 @@ public:
     /// What is ready: the model that is shown, or null; what a tree may take.
     using Shown = std::function<std::shared_ptr<const TreeModel>()>;
     using Limits = std::function<SizeLimits()>;
-    CExportController(CDocument& document, Shown shown, Limits limits, QWidget* window);
+    /// Of the tree in the window.
+    using Age = std::function<double()>;
+    CExportController(CDocument& document, Shown shown, Limits limits, Age age, QWidget* window);
     ~CExportController() override;
 
     /// Asks for format, file and choices.
@@ -40,6 +42,7 @@ private:
     CDocument& m_document;
     Shown m_shown;
     Limits m_limits;
+    Age m_age;
     QWidget* m_window;
     std::unique_ptr<CExportJob> m_job;
 };

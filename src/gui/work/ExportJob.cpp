@@ -14,6 +14,7 @@ void CExportJob::start() {
 void CExportJob::work() {
     try {
         CTreeCreator creator(true, m_task.limits);
+        creator.setAge(m_task.age);
         exportTree(creator, m_task.params, m_task.options, m_task.treeFolder, m_task.path, m_progress, m_task.model);
         emit finished({}, false);
     } catch (const CCancelled&) {

@@ -17,6 +17,7 @@ public:
         ExportOptions options;
         std::filesystem::path treeFolder, path;
         SizeLimits limits;
+        double age = 1;
     };
 
     explicit CExportJob(Task task, QObject* parent = nullptr) : QObject(parent), m_task(std::move(task)) {}

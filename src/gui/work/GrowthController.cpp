@@ -26,7 +26,27 @@ CGrowthController::CGrowthController(CDocument& document, CMessageBar& bar, cons
 
 void CGrowthController::follow() {
     request(m_only.value_or(Model::Simple));
-    if (!m_only) m_pause.start();
+    if (!m_only && !m_playing) m_pause.start();
+}
+
+void CGrowthController::setAge(double age) {
+    if (age == m_age) return;
+    m_age = age;
+    follow();
+}
+
+void CGrowthController::setPlaying(bool on) {
+    m_playing = on;
+    if (on)
+        m_pause.stop();
+    else if (!m_only)
+        m_pause.start();
+}
+
+void CGrowthController::setSwaying(bool on) {
+    if (on == m_swaying) return;
+    m_swaying = on;
+    if (on) request(m_last);
 }
 
 void CGrowthController::growFull() {
@@ -56,7 +76,8 @@ SizeLimits CGrowthController::limits() const {
 }
 
 void CGrowthController::request(Model model, bool anew) {
-    m_thread.request({m_document.params(), m_document.folder(), &detailOf(model), limits(), anew});
+    m_last = model;
+    m_thread.request({m_document.params(), m_document.folder(), &detailOf(model), limits(), anew, m_age, m_swaying});
     emit started();
 }
 

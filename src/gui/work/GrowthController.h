@@ -24,6 +24,12 @@ public:
     void setHeld(std::function<bool()> held) { m_held = std::move(held); }
     void handReleased() { m_pause.start(); }
     void growFull();
+    /// How old the tree is, 0..1; it follows as after a change. While a life is played only the simple model does.
+    void setAge(double age);
+    double age() const { return m_age; }
+    void setPlaying(bool on);
+    /// Whether the trees that come can sway.
+    void setSwaying(bool on);
     /// Everything from nothing.
     void generate();
     /// Whether something was growing.
@@ -58,6 +64,9 @@ private:
     std::function<bool()> m_held = [] { return false; };
     QTimer m_pause; ///< until the full model follows
     std::optional<Model> m_only;
+    double m_age = 1;
+    bool m_playing = false, m_swaying = false;
+    Model m_last = Model::Simple; ///< that was asked for
     SizeLimits m_limits;
     double m_givenMemory; ///< bytes; the limit where the user sets none
     CParams m_allowed;    ///< may grow although they are large

@@ -156,11 +156,13 @@ std::shared_ptr<const ViewModel> CTreeCreatorThread::create(const Request& reque
     if (request.anew) m_creator->forget();
     refuseTooLarge(request.params, detailOf(Model::Full), request.limits, progress); // also where the simple one would fit
     m_creator->setLimits(request.limits);
+    m_creator->setAge(request.age);
     m_fitting = request.params;
     auto view = std::make_shared<ViewModel>();
     view->model = m_creator->create(request.params, *request.detail, progress);
     m_shown = request.detail;
     m_parts = view->parts = viewPartsOf(*view->model, m_parts, progress);
+    m_sway = view->sway = request.sways ? swayOf(view->model, m_sway.get(), progress) : nullptr;
     return view;
 }
 

@@ -14,6 +14,7 @@ namespace stromar {
 struct ViewModel {
     std::shared_ptr<const TreeModel> model;
     std::vector<ViewPart> parts;
+    std::shared_ptr<const ModelSway> sway{}; ///< where it is asked for
     std::array<std::shared_ptr<const SurfaceMaps>, kSurfaces.size()> surfaces{}; ///< of those it has; where they are asked for
 };
 
@@ -39,6 +40,8 @@ public:
         const Detail* detail;
         SizeLimits limits{}; ///< the tree is not grown when its full model may become larger
         bool anew = false;   ///< forgets what was made before
+        double age = 1;      ///< 0..1 of the tree's life
+        bool sways = false;  ///< in the wind
     };
     /// Any thread; returns at once.
     void request(Request request);
@@ -71,6 +74,7 @@ private:
 
     std::unique_ptr<CTreeCreator> m_creator; // this and the next: run() only
     std::vector<ViewPart> m_parts; ///< of the last model
+    std::shared_ptr<const ModelSway> m_sway; ///< of the last model that sways
     const Detail* m_shown = nullptr; ///< of the last model
     CParams m_fitting;               ///< the last values that were not too large
     SurfaceTextures m_read;        ///< the pictures that were told of last

@@ -1,0 +1,130 @@
+#include "motion/Timeline.h"
+#include "params/ParamSlider.h"
+#include <QComboBox>
+#include <QHBoxLayout>
+#include <QLabel>
+#include <QLocale>
+#include <QSignalBlocker>
+#include <QStyle>
+#include <QToolButton>
+#include <algorithm>
+#include <cmath>
+
+namespace stromar {
+
+namespace {
+constexpr int kSteps = 200; // of the slider
+constexpr double kStep = 0.02; // of a button
+constexpr int kTickMs = 16;
+constexpr int kPatienceMs = 3000; // for a tree that does not come
+constexpr double kSpeeds[] = {0.25, 0.5, 1, 2, 4};
+constexpr int kUsualSpeed = 2;
+
+int positionOf(double age) { return static_cast<int>(std::lround(age * kSteps * CParamSlider::kFinePerStep)); }
+} // namespace
+
+CTimeline::CTimeline(QWidget* parent) : QWidget(parent), m_slider(new CParamSlider(kSteps)), m_label(new QLabel), m_speed(new QComboBox) {
+    auto* row = new QHBoxLayout(this);
+    row->setContentsMargins(6, 2, 6, 2);
+    row->setSpacing(2);
+    const auto icon = [this](QStyle::StandardPixmap which) { return style()->standardIcon(which, nullptr, this); };
+    auto* back = addButton("timelineBack", icon(QStyle::SP_MediaSeekBackward), tr("A step younger"));
+    m_play = addButton("timelinePlay", icon(QStyle::SP_MediaPlay), tr("Let the tree grow"));
+    m_play->setCheckable(true);
+    auto* forward = addButton("timelineForward", icon(QStyle::SP_MediaSeekForward), tr("A step older"));
+    m_slider->setObjectName(QStringLiteral("age"));
+    m_slider->setAccessibleName(tr("Age"));
+    m_slider->setToolTip(tr("How old the tree is"));
+    m_slider->setValue(m_slider->maximum());
+    row->addWidget(m_slider, 1);
+    row->addWidget(m_label);
+    m_label->setObjectName(QStringLiteral("ageText"));
+    m_label->setMinimumWidth(m_label->fontMetrics().horizontalAdvance(tr("Age %1 %").arg(QLocale().toString(100.0, 'f', 1))) + 6);
+    m_speed->setObjectName(QStringLiteral("timelineSpeed"));
+    m_speed->setAccessibleName(tr("Speed"));
+    m_speed->setToolTip(tr("How fast it grows"));
+    m_speed->setFocusPolicy(Qt::StrongFocus);
+    for (const double speed : kSpeeds) m_speed->addItem(QStringLiteral("%1×").arg(QLocale().toString(speed)), speed);
+    m_speed->setCurrentIndex(kUsualSpeed);
+    row->addWidget(m_speed);
+    m_loop = addButton("timelineLoop", icon(QStyle::SP_BrowserReload), tr("Begin anew when it is grown"));
+    m_loop->setCheckable(true);
+    auto* record = addButton("timelineRecord", icon(QStyle::SP_DialogSaveButton), tr("Save pictures or a video of it"));
+    m_timer.setInterval(kTickMs);
+    m_timer.setTimerType(Qt::PreciseTimer);
+    connect(&m_timer, &QTimer::timeout, this, &CTimeline::advance);
+    connect(back, &QToolButton::clicked, this, [this] { step(-kStep); });
+    connect(forward, &QToolButton::clicked, this, [this] { step(kStep); });
+    connect(m_play, &QToolButton::toggled, this, &CTimeline::setPlaying);
+    connect(record, &QToolButton::clicked, this, &CTimeline::recordWanted);
+    connect(m_slider, &QSlider::valueChanged, this, [this](int position) {
+        setPlaying(false);
+        moveTo(double(position) / m_slider->maximum());
+    });
+    connect(m_slider, &QSlider::sliderReleased, this, &CTimeline::released);
+    moveTo(1);
+}
+
+QToolButton* CTimeline::addButton(const char* name, const QIcon& icon, const QString& help) {
+    auto* button = new QToolButton;
+    button->setObjectName(QLatin1String(name));
+    button->setIcon(icon);
+    button->setToolTip(help);
+    button->setAccessibleName(help);
+    button->setAutoRaise(true);
+    static_cast<QHBoxLayout*>(layout())->addWidget(button);
+    return button;
+}
+
+double CTimeline::speed() const { return m_speed->currentData().toDouble(); }
+
+bool CTimeline::held() const { return m_slider->isSliderDown(); }
+
+void CTimeline::setLooping(bool on) { m_loop->setChecked(on); }
+
+void CTimeline::moveTo(double age) {
+    const bool other = age != m_age;
+    m_age = age;
+    m_label->setText(tr("Age %1 %").arg(QLocale().toString(100 * age, 'f', 1)));
+    {
+        const QSignalBlocker quiet(m_slider);
+        m_slider->setValue(positionOf(age));
+    }
+    if (!other) return;
+    m_waiting = true;
+    m_asked.start();
+    emit ageChanged(age);
+}
+
+void CTimeline::setAge(double age) {
+    setPlaying(false);
+    moveTo(std::clamp(age, 0.0, 1.0));
+}
+
+void CTimeline::step(double by) { setAge(std::round((m_age + by) / kStep) * kStep); }
+
+void CTimeline::setPlaying(bool on) {
+    if (on == playing()) return;
+    m_play->setChecked(on);
+    m_play->setIcon(style()->standardIcon(on ? QStyle::SP_MediaPause : QStyle::SP_MediaPlay, nullptr, this));
+    if (on) {
+        m_clock.start();
+        m_timer.start();
+        emit playingChanged(true);
+        if (m_age >= 1) moveTo(0);
+    } else {
+        m_timer.stop();
+        emit playingChanged(false);
+    }
+}
+
+void CTimeline::advance() {
+    if (m_waiting && m_asked.elapsed() < kPatienceMs) return;
+    double age = m_age + double(m_clock.restart()) / 1000 * speed() / kLifeSeconds;
+    const bool loops = m_loop->isChecked();
+    if (age > 1) age = loops && m_age >= 1 ? 0 : 1; // the grown tree is seen too
+    moveTo(age);
+    if (age >= 1 && !loops) setPlaying(false);
+}
+
+} // namespace stromar
