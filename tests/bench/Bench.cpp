@@ -8,6 +8,7 @@
 #include "stromar/tree/lsystem/LSystemBuilder.h"
 #include "stromar/params/ParamText.h"
 #include "stromar/model/MeshValues.h"
+#include "stromar/model/ModelSway.h"
 #include "stromar/params/TreeFile.h"
 #include <algorithm>
 #include <benchmark/benchmark.h>
@@ -148,6 +149,44 @@ void addStrands(const CParams& params) {
     addEdit({"2000 strands", withStrands(params, 2000)}, "TrunkHeight", "curve");
 }
 
+/// A pose of the wind, one frame's work of the processor; and what a model needs once to sway.
+void poseInWind(State& state, const CParams& params) {
+    const auto model = CTreeCreator().create(params, detailOf(Model::Simple), CProgress());
+    const auto sway = swayOf(model, nullptr, CProgress());
+    WindPose pose;
+    double seconds = 0;
+    for (auto _ : state) sway->table->pose({.strength = 0.8, .loop = 64}, seconds += 0.04, pose, CProgress());
+    state.counters["stems"] = double(sway->table->stems().size());
+    state.counters["nodes/s"] = perSecond(double(sway->table->nodeCount()));
+}
+
+void hangInWind(State& state, const CParams& params) {
+    const auto model = CTreeCreator().create(params, detailOf(Model::Full), CProgress());
+    for (auto _ : state) benchmark::DoNotOptimize(swayOf(model, nullptr, CProgress()));
+}
+
+/// A life in so many files, or one file of the grown tree.
+void exportLife(State& state, const CParams& params, int frames) {
+    std::string pattern = (fs::temp_directory_path() / "stromar-bench-XXXXXX").string();
+    if (!::mkdtemp(pattern.data())) return state.SkipWithError("no temporary folder");
+    const fs::path folder = pattern;
+    const Motion motion{.wind = {}, .frames = frames};
+    for (auto _ : state)
+        exportFrames(params, {}, motion, 1, true, {}, {}, folder / "x.glb", [](const fs::path&) {}, CProgress());
+    fs::remove_all(folder);
+}
+
+void addMotion(const std::vector<Preset>& presets) {
+    for (const Preset& preset : presets) {
+        if (preset.name != "weeping_willow" && preset.name != "quaking_aspen") continue;
+        add("Wind/Pose/" + preset.name, [=, params = preset.params](State& state) { poseInWind(state, params); });
+        add("Wind/Hang/" + preset.name, [=, params = preset.params](State& state) { hangInWind(state, params); });
+        if (preset.name != "quaking_aspen") continue;
+        for (const int frames : {1, 100})
+            add("Growth/Export/" + std::to_string(frames), [=, params = preset.params](State& state) { exportLife(state, params, frames); });
+    }
+}
+
 void addExports(const CParams& params) {
     for (const Format& format : formatTable()) {
         const std::string ending(format.ending);
@@ -165,6 +204,7 @@ int main(int argc, char** argv) {
     for (const Preset& preset : presets) addPreset(preset);
     if (const auto apple = std::ranges::find(presets, "apple", &Preset::name); apple != presets.end()) addExports(apple->params);
     addStrands(CParams(strandsBlock()));
+    addMotion(presets);
     for (const int threads : {1, 2}) add("Derive/" + std::to_string(threads), [=](State& state) { derive(state, threads); });
     benchmark::RunSpecifiedBenchmarks();
     benchmark::Shutdown();

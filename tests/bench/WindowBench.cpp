@@ -4,6 +4,7 @@
 #include "work/ExportController.h"
 #include "work/GrowthController.h"
 #include "params/ParamPanel.h"
+#include "motion/WindPanel.h"
 #include "stromar/params/ParamText.h"
 #include <QApplication>
 #include <QEventLoop>
@@ -128,6 +129,57 @@ BENCHMARK_CAPTURE(BM_Frame, oak, "english_oak", Model::Full)
     ->Name("Window/Frame/english_oak")
     ->Unit(benchmark::kMillisecond)
     ->UseRealTime();
+
+/// A picture of the viewport, and the same while the wind blows: its pose, its rows and its shadows besides.
+void BM_ViewportFrame(benchmark::State& state, const char* name, bool wind) {
+    CMainWindow window;
+    window.show();
+    window.files().open(preset(name));
+    window.growth().showOnly(Model::Full);
+    waitForPicture(window);
+    while (window.busy()) QCoreApplication::processEvents();
+    window.wind().setBlowing(wind);
+    while (wind && !window.shown()->sway) QCoreApplication::processEvents();
+    for (auto _ : state) {
+        const int before = window.viewport().framesDrawn();
+        if (!wind) window.viewport().update();
+        while (window.viewport().framesDrawn() == before) QCoreApplication::processEvents(QEventLoop::WaitForMoreEvents);
+    }
+    window.wind().setBlowing(false);
+}
+BENCHMARK_CAPTURE(BM_ViewportFrame, still, "quaking_aspen", false)
+    ->Name("Window/Viewport/quaking_aspen/still")
+    ->Unit(benchmark::kMillisecond)
+    ->UseRealTime();
+BENCHMARK_CAPTURE(BM_ViewportFrame, wind, "quaking_aspen", true)
+    ->Name("Window/Viewport/quaking_aspen/wind")
+    ->Unit(benchmark::kMillisecond)
+    ->UseRealTime();
+BENCHMARK_CAPTURE(BM_ViewportFrame, willow, "weeping_willow", false)
+    ->Name("Window/Viewport/weeping_willow/still")
+    ->Unit(benchmark::kMillisecond)
+    ->UseRealTime();
+BENCHMARK_CAPTURE(BM_ViewportFrame, willowWind, "weeping_willow", true)
+    ->Name("Window/Viewport/weeping_willow/wind")
+    ->Unit(benchmark::kMillisecond)
+    ->UseRealTime();
+
+/// A step of a life that is played: the simple model at another age, grown, meshed and drawn.
+void BM_GrowthStep(benchmark::State& state) {
+    CMainWindow window;
+    window.show();
+    window.files().open(preset("quaking_aspen"));
+    window.growth().showOnly(Model::Simple);
+    waitForPicture(window);
+    while (window.busy()) QCoreApplication::processEvents();
+    double age = 0;
+    for (auto _ : state) {
+        age = age < 1 ? age + 0.01 : 0.01;
+        window.growth().setAge(age);
+        waitForPicture(window);
+    }
+}
+BENCHMARK(BM_GrowthStep)->Name("Window/GrowthStep/quaking_aspen")->Unit(benchmark::kMillisecond)->UseRealTime();
 } // namespace
 
 int main(int argc, char** argv) {

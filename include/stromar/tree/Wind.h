@@ -48,6 +48,8 @@ struct WindStem {
     double parentPart;        ///< how far its base is from there to the next node, 0..1
     std::uint32_t generation, stem; ///< in the tree
     std::uint32_t firstNode;        ///< of path 0
+    std::uint32_t segments;         ///< of path 0
+    bool forks;                     ///< has other paths
 };
 
 /// A tree bent by the wind, or fallen. Two rows for each node: its point and the strength of the wind at its stem; the
@@ -96,12 +98,16 @@ public:
 private:
     void addStems(std::size_t generation, const CTree& grown, double flexibility, int seed);
     void poseStem(const WindStem& own, const Push& push, std::vector<glm::vec4>& rows) const;
+    void poseClones(const WindStem& own, const Push& push, const glm::dquat& carried, std::vector<glm::vec4>& rows) const;
+    void posePath(std::uint32_t first, std::uint32_t segments, double start, glm::dvec3 at, const glm::dquat& carried,
+                  const glm::dvec3& perMetre, float strength, std::vector<glm::vec4>& rows) const;
 
     std::shared_ptr<const CTree> m_tree;
     std::vector<WindStem> m_stems;
     std::vector<std::size_t> m_firstStem;              ///< by generation
     std::vector<std::vector<std::uint32_t>> m_nodeOf;  ///< by generation and segment
     std::vector<glm::vec3> m_still;
+    std::vector<glm::vec4> m_pieces; ///< by node: unit vector to the next one, and how far it is, metres
 };
 
 /// What hangs at a place, as a pose moves it: its turn, and where a point of the still tree goes.

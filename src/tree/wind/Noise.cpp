@@ -19,11 +19,13 @@ double windLattice(std::uint32_t at, std::uint32_t seed) {
 
 double windNoise(double at, std::uint32_t seed, std::uint32_t steps) {
     const double floor = std::floor(at), f = at - floor;
-    const auto valueAt = [&](double place) {
-        const double wrapped = steps > 0 ? place - steps * std::floor(place / steps) : place;
-        return windLattice(static_cast<std::uint32_t>(static_cast<std::int64_t>(wrapped)), seed);
-    };
-    const double low = valueAt(floor), high = valueAt(floor + 1);
+    auto below = static_cast<std::int64_t>(floor), above = below + 1;
+    if (steps > 0) {
+        const auto wrapped = [&](std::int64_t place) { return (place % steps + steps) % steps; };
+        below = wrapped(below);
+        above = wrapped(above);
+    }
+    const double low = windLattice(static_cast<std::uint32_t>(below), seed), high = windLattice(static_cast<std::uint32_t>(above), seed);
     return low + (high - low) * f * f * f * (f * (6 * f - 15) + 10);
 }
 

@@ -70,7 +70,9 @@ void CWindTable::addStems(std::size_t generation, const CTree& grown, double fle
             for (std::uint32_t s = path.firstSegment; s < path.firstSegment + path.segmentCount; ++s) {
                 nodes[s] = static_cast<std::uint32_t>(m_still.size());
                 m_still.emplace_back(all.segments[s].position);
+                m_pieces.emplace_back(glm::vec3(all.segments[s].frame[2]), static_cast<float>(all.segments[s].length));
             }
+            m_pieces.emplace_back(0);
             m_still.emplace_back(all.segments[path.firstSegment + path.segmentCount - 1].axisPoint(1));
         }
         const CSegment &first = all.segments[all.paths[stem.firstPath].firstSegment],
@@ -94,7 +96,9 @@ void CWindTable::addStems(std::size_t generation, const CTree& grown, double fle
                      .parentPart = 0,
                      .generation = static_cast<std::uint32_t>(generation),
                      .stem = static_cast<std::uint32_t>(&stem - all.stems.data()),
-                     .firstNode = firstNode};
+                     .firstNode = firstNode,
+                     .segments = all.paths[stem.firstPath].segmentCount,
+                     .forks = stem.pathCount > 1};
         if (stem.parent >= 0) {
             const CGeneration& before = m_tree->generation(generation - 1);
             const CStem& parent = before.stems[static_cast<std::size_t>(stem.parent)];
@@ -132,8 +136,9 @@ CWindTable::Push CWindTable::pushOn(const WindStem& stem, const Wind& wind, doub
     if (sine > 1e-9) {
         const double slender = stem.diameter > 0 ? std::min(stem.length / stem.diameter, kSlender) / kSlender : 1;
         const double sway = 1 + kSway * std::sin(2 * std::numbers::pi * own.frequency * seconds + stem.phase);
-        const double angle = std::atan2(sine, glm::dot(stem.axis, wind.direction));
-        turn = std::min(kBend * give * slender * sine * sway, angle) / sine * across;
+        double bend = kBend * give * slender * sine * sway;
+        if (bend > sine) bend = std::min(bend, std::atan2(sine, glm::dot(stem.axis, wind.direction))); // an angle is more than its sine
+        turn = bend / sine * across;
     }
     const double beat = own.frequency * seconds;
     turn += kTremble * give * (windNoise(beat, stem.seed, own.steps) * stem.x + windNoise(beat, ~stem.seed, own.steps) * stem.y);
@@ -143,11 +148,8 @@ CWindTable::Push CWindTable::pushOn(const WindStem& stem, const Wind& wind, doub
 }
 
 void CWindTable::poseStem(const WindStem& own, const Push& push, std::vector<glm::vec4>& rows) const {
-    const CGeneration& all = m_tree->generation(own.generation);
-    const CStem& stem = all.stems[own.stem];
     glm::dquat carried(1, 0, 0, 0);
     glm::dvec3 base = own.base;
-    const auto strength = static_cast<float>(push.strength);
     if (own.parent >= 0) {
         const glm::vec4* below = &rows[2 * std::size_t{own.parentNode}];
         const glm::dvec4 p = glm::mix(glm::dvec4(below[0]), glm::dvec4(below[2]), own.parentPart);
@@ -156,23 +158,40 @@ void CWindTable::poseStem(const WindStem& own, const Push& push, std::vector<glm
         const glm::dvec3 axis = glm::mix(glm::dvec3(m_still[own.parentNode]), glm::dvec3(m_still[own.parentNode + 1]), own.parentPart);
         base = glm::dvec3(p) + carried * (own.base - axis);
     }
-    const glm::dvec3 perMetre = push.turn / own.length;
-    const auto turnAt = [&](double z) { return carried * turnBy(z * perMetre); };
-    for (std::uint32_t p = 0; p < stem.pathCount; ++p) {
+    posePath(own.firstNode, own.segments, 0, base, carried, push.turn / own.length, static_cast<float>(push.strength), rows);
+    if (own.forks) poseClones(own, push, carried, rows);
+}
+
+void CWindTable::poseClones(const WindStem& own, const Push& push, const glm::dquat& carried, std::vector<glm::vec4>& rows) const {
+    const CGeneration& all = m_tree->generation(own.generation);
+    const CStem& stem = all.stems[own.stem];
+    for (std::uint32_t p = 1; p < stem.pathCount; ++p) {
         const CPath& path = all.paths[stem.firstPath + p];
-        const std::uint32_t first = m_nodeOf[own.generation][path.firstSegment];
-        glm::dvec3 at = base;
-        if (const CSegment* below = all.segmentBelow(stem, path))
-            at = glm::dvec3(rows[2 * std::size_t{m_nodeOf[own.generation][static_cast<std::size_t>(below - all.segments.data())] + 1}]);
-        glm::vec4* row = &rows[2 * std::size_t{first}];
-        for (const CSegment& segment : all.segmentsOf(path)) {
-            *row++ = glm::vec4(glm::vec3(at), strength);
-            *row++ = rowOf(turnAt(segment.start));
-            at += turnAt(segment.start + segment.length / 2) * (segment.length * segment.frame[2]);
-        }
-        *row++ = glm::vec4(glm::vec3(at), strength);
-        *row++ = rowOf(turnAt(all.lengthOf(path)));
+        const CSegment* below = all.segmentBelow(stem, path);
+        const std::uint32_t fork = m_nodeOf[own.generation][static_cast<std::size_t>(below - all.segments.data())] + 1;
+        posePath(m_nodeOf[own.generation][path.firstSegment], path.segmentCount, all.segments[path.firstSegment].start,
+                 glm::dvec3(rows[2 * std::size_t{fork}]), carried, push.turn / own.length, static_cast<float>(push.strength), rows);
     }
+}
+
+/// Half a piece turns as far as the next half: their quaternion is worked out once for all pieces of a length.
+void CWindTable::posePath(std::uint32_t first, std::uint32_t segments, double start, glm::dvec3 at, const glm::dquat& carried,
+                          const glm::dvec3& perMetre, float strength, std::vector<glm::vec4>& rows) const {
+    glm::dquat turn = carried * turnBy(start * perMetre), half(1, 0, 0, 0);
+    double known = 0;
+    glm::vec4* row = &rows[2 * std::size_t{first}];
+    for (std::uint32_t i = 0; i < segments; ++i) {
+        const glm::dvec4 piece(m_pieces[first + i]);
+        if (piece.w != known) half = turnBy(piece.w / 2 * perMetre);
+        known = piece.w;
+        *row++ = glm::vec4(glm::vec3(at), strength);
+        *row++ = rowOf(turn);
+        turn = turn * half;
+        at += piece.w * (turn * glm::dvec3(piece));
+        turn = turn * half;
+    }
+    *row++ = glm::vec4(glm::vec3(at), strength);
+    *row++ = rowOf(turn);
 }
 
 void CWindTable::pose(const Wind& wind, double seconds, WindPose& pose, const CProgress& progress) const {
