@@ -47,14 +47,18 @@ SwayMoment CWindController::now() const {
 }
 
 void CWindController::tick() {
-    if (!m_sway || m_waiting || !m_viewport.isVisible()) return;
+    if (!m_sway || !m_viewport.isVisible()) return;
+    if (m_ready && m_ready->first.sway == m_sway)
+        m_viewport.setPose(m_sway, m_ready->second, m_ready->first.seconds, kLoop);
+    m_ready.reset();
+    if (m_waiting) return;
     m_waiting = true;
     m_poses.request(now());
 }
 
 void CWindController::onPosed(const SwayMoment& moment, const std::shared_ptr<const WindPose>& pose) {
     m_waiting = false;
-    if (blowing() && moment.sway == m_sway) m_viewport.setPose(m_sway, pose, moment.seconds, kLoop);
+    m_ready.emplace(moment, pose);
 }
 
 } // namespace stromar

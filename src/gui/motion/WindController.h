@@ -35,6 +35,7 @@ private:
     QTimer m_timer;
     QElapsedTimer m_clock;
     bool m_waiting = false; ///< for a pose
+    std::optional<std::pair<SwayMoment, std::shared_ptr<const WindPose>>> m_ready; ///< it is worked out while a picture is drawn
     CPoseThread m_poses;    ///< last: it stops before anything it reports to is gone
 };
 

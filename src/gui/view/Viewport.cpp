@@ -1,6 +1,7 @@
 #include "view/Viewport.h"
 #include "window/Display.h"
 #include "document/Gesture.h"
+#include <QElapsedTimer>
 #include <QMouseEvent>
 #include <QOpenGLContext>
 #include <QOpenGLFramebufferObject>
@@ -13,7 +14,7 @@ namespace {
 constexpr std::chrono::milliseconds kSettle{200};
 constexpr double kClickPixels = 4; // a drag is longer
 constexpr qint64 kQuickNs = 12'000'000; // a picture with its shadows
-constexpr int kShadowEvery = 6;         // pictures, where it is slower
+constexpr int kShadowEvery = 6;         // poses, where it is slower
 constexpr double kDegreesPerPixel = 0.35;
 constexpr double kZoomPerPixel = 0.006, kZoomPerNotch = 0.14;
 } // namespace
@@ -81,8 +82,8 @@ void CViewport::show(const std::vector<ViewPart>& parts) {
 
 void CViewport::setPose(const std::shared_ptr<const ModelSway>& sway, const std::shared_ptr<const WindPose>& pose, double seconds,
                         double loop) {
-    const bool behind = m_frameNs > kQuickNs && m_shadowAge.isValid() && m_shadowAge.nsecsElapsed() < kShadowEvery * m_frameNs;
-    if (!behind) m_shadowAge.start();
+    const bool behind = m_frameNs > kQuickNs && ++m_posesSinceShadows < kShadowEvery;
+    if (!behind) m_posesSinceShadows = 0;
     m_scene.setPose(sway, pose, seconds, loop, behind ? CViewScene::Shadows::Kept : CViewScene::Shadows::New);
     update();
 }

@@ -2,7 +2,6 @@
 #include "view/Navigation.h"
 #include "view/ViewOverlay.h"
 #include "stromar/scene/SceneRenderer.h"
-#include <QElapsedTimer>
 #include <QOpenGLWidget>
 #include <QTimer>
 
@@ -87,7 +86,7 @@ private:
     std::optional<std::size_t> m_handle; ///< that is being dragged
     int m_gesture = 0;
     bool m_windHeld = false; ///< the arrow is being dragged
-    QElapsedTimer m_shadowAge;
+    int m_posesSinceShadows = 0;
     qint64 m_frameNs = 0; ///< how long the last picture took
     bool m_click = false; ///< the mouse has not moved since a button went down
     bool m_trackball = false;
