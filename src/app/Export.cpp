@@ -1,4 +1,5 @@
 #include "stromar/app/Export.h"
+#include "WindExport.h"
 #include "stromar/app/Formats.h"
 #include "stromar/params/ParamTable.h"
 #include "stromar/model/ModelSway.h"
@@ -30,18 +31,19 @@ fs::path pictureBeside(const fs::path& model, Surface surface, const fs::path& p
     return model.parent_path() / (plainName(model) + "_" + surfaceOf(surface).name + picture.extension().string());
 }
 
-/// Meshes in the unit and with the axis up that were chosen. Writers turn z to the axis that is usual in the format.
-Meshes arranged(const Meshes& meshes, const ExportOptions& options, const Format& format) {
+Arrangement arrangementFor(const ExportOptions& options, const Format& format) {
     const auto up = static_cast<ExportedUp>(options.up);
     const bool turn = up != ExportedUp::Format && (up == ExportedUp::Y) != (format.upAxis == "y");
-    if (!turn && options.scale == 1) return meshes;
-    const float side = up == ExportedUp::Y ? 1.0f : -1.0f; // y up: z becomes y; z up in a writer of y: the way back
-    const auto turned = [&](const glm::vec3& v) { return turn ? glm::vec3(v.x, side * v.z, -side * v.y) : v; };
+    return {static_cast<float>(options.scale), turn, up == ExportedUp::Y ? 1.0f : -1.0f};
+}
+
+Meshes arranged(const Meshes& meshes, const Arrangement& to) {
+    if (to.isPlain()) return meshes;
     Meshes all;
     for (const auto& mesh : meshes) {
         auto copy = std::make_shared<CMesh>(*mesh);
-        for (glm::vec3& p : copy->positions) p = static_cast<float>(options.scale) * turned(p);
-        for (glm::vec3& n : copy->normals) n = turned(n);
+        for (glm::vec3& p : copy->positions) p = to.point(p);
+        for (glm::vec3& n : copy->normals) n = to.direction(n);
         all.push_back(std::move(copy));
     }
     return all;
@@ -111,6 +113,7 @@ namespace {
 struct Pose {
     std::vector<std::shared_ptr<const TreeModel>> lods;
     std::vector<Meshes> meshes; ///< of each
+    std::vector<std::shared_ptr<const ModelSway>> sways; ///< of each, where they go into the file
 
     std::size_t vertexCount() const {
         std::size_t count = 0;
@@ -120,7 +123,7 @@ struct Pose {
 };
 
 void writePose(const Pose& pose, const ExportOptions& options, const fs::path& treeFolder, const Output& to,
-               const CProgress& progress) {
+               const CProgress& progress, const Motion& motion = {}) {
     const Format& format = *formatOf(to.path);
     const TreeModel& coarsest = *pose.lods.back(); // only coarse ones have pictures of twigs, all the same
     if (coarsest.age > 0 && std::ranges::any_of(pose.meshes, &Meshes::empty))
@@ -128,10 +131,11 @@ void writePose(const Pose& pose, const ExportOptions& options, const fs::path& t
     makePictures(coarsest, treeFolder, progress);
     CFileSet files(progress, static_cast<std::uint64_t>(format.bytesPerVertex * double(pose.vertexCount())));
     const auto materials = materialsOf(coarsest, pose.meshes, options, format, treeFolder, to, files);
+    const Arrangement arrangement = arrangementFor(options, format);
     const auto write = [&](const std::string& suffix, std::size_t first, std::size_t count) {
-        ExportModel model{plainName(to.path) + suffix, arranged(pose.meshes[first], options, format), {}, materials};
-        for (std::size_t i = first + 1; i < first + count; ++i)
-            model.coarser.push_back(arranged(pose.meshes[i], options, format));
+        ExportModel model{plainName(to.path) + suffix, arranged(pose.meshes[first], arrangement), {}, materials};
+        for (std::size_t i = first + 1; i < first + count; ++i) model.coarser.push_back(arranged(pose.meshes[i], arrangement));
+        if (!pose.sways.empty()) addWind(model, std::span(pose.sways).subspan(first, count), options, motion, arrangement);
         format.write(model, withSuffix(to.path, suffix), files);
     };
     if (options.lods == static_cast<int>(ExportedLods::FileEach))
@@ -166,7 +170,7 @@ public:
     }
 
     Pose poseAt(const Moment& moment, const CProgress& progress) {
-        Pose pose{m_lods, {}};
+        Pose pose{m_lods, {}, {}};
         if (!m_motion.blows()) {
             std::unique_ptr<CTreeCreator> creator = takeCreator();
             creator->setAge(moment.age);
@@ -218,11 +222,13 @@ int workersFor(const CParams& params, const ExportOptions& options, const SizeLi
 } // namespace
 
 void exportModels(const std::vector<std::shared_ptr<const TreeModel>>& lods, const ExportOptions& options,
-                  const fs::path& treeFolder, const fs::path& path, const CProgress& progress) {
+                  const fs::path& treeFolder, const fs::path& path, const CProgress& progress, const Motion& motion) {
     refuseUnless(options, formatOf(path), path);
-    Pose pose{lods, {}};
+    Pose pose{lods, {}, {}};
     for (const auto& lod : lods) pose.meshes.push_back(lod->meshes(progress));
-    writePose(pose, options, treeFolder, {path, path}, progress);
+    if (options.wind != static_cast<int>(ExportedWind::None))
+        for (const auto& lod : lods) pose.sways.push_back(swayOf(lod, nullptr, progress));
+    writePose(pose, options, treeFolder, {path, path}, progress, motion);
 }
 
 void exportFrames(const CParams& params, const ExportOptions& options, const Motion& motion, double age, bool varied,
@@ -250,10 +256,10 @@ void exportFrames(const CParams& params, const ExportOptions& options, const Mot
 std::vector<std::shared_ptr<const TreeModel>> exportTree(CTreeCreator& creator, const CParams& params,
                                                          const ExportOptions& options, const fs::path& treeFolder,
                                                          const fs::path& path, const CProgress& progress,
-                                                         const std::shared_ptr<const TreeModel>& ready) {
+                                                         const std::shared_ptr<const TreeModel>& ready, const Motion& motion) {
     refuseUnless(options, formatOf(path), path); // before anything grows
     const auto lods = makeLods(creator, params, options, progress, ready);
-    exportModels(lods, options, treeFolder, path, progress);
+    exportModels(lods, options, treeFolder, path, progress, motion);
     return lods;
 }
 

@@ -11,11 +11,17 @@ constexpr string_view kLods[] = {"none", "one-file", "file-each"};
 constexpr string_view kUps[] = {"format", "y", "z"};
 constexpr string_view kTextures[] = {"format", "embed", "copy", "refer"};
 
+constexpr string_view kWinds[] = {"none", "attributes", "cryengine", "unity", "bones"};
+
 constexpr string_view kModelNames[] = {N_("Full model"), N_("Simple model")};
 constexpr string_view kLodNames[] = {N_("No"), N_("In one file"), N_("A file for each")};
 constexpr string_view kUpNames[] = {N_("As usual in the format"), N_("Y"), N_("Z")};
 constexpr string_view kTextureNames[] = {N_("As usual in the format"), N_("Inside the file"), N_("Copies beside it"),
                                          N_("Where they are")};
+
+constexpr string_view kWindNames[] = {N_("None"), N_("Attributes for a shader"), N_("CryEngine vertex colours"),
+                                      N_("Unity Tree Creator colours"), N_("Bones with clips")};
+constexpr int kMaxBones = 256;
 
 constexpr ExportChoice kChoices[] = {
     {.key = "model",
@@ -52,6 +58,18 @@ constexpr ExportChoice kChoices[] = {
      .words = kTextures,
      .names = kTextureNames,
      .field = &ExportOptions::textures},
+    {.key = "wind",
+     .label = N_("Wind"),
+     .help = N_("What lets the tree sway in another program: vertex attributes and a table for a shader, vertex colours as an engine "
+                "reads them (COLOR_0 then tints the tree where they are not read), or bones with clips of wind and growth."),
+     .words = kWinds,
+     .names = kWindNames,
+     .field = &ExportOptions::wind},
+    {.key = "bones",
+     .label = N_("Bones"),
+     .help = N_("How many of the thickest stems get a bone of their own; the others follow theirs. Only with bones."),
+     .field = &ExportOptions::bones,
+     .range = {1, kMaxBones}},
 };
 } // namespace
 
@@ -61,6 +79,8 @@ string_view conflictOf(const ExportOptions& options, const Format& format) {
     const auto lods = static_cast<ExportedLods>(options.lods);
     if (lods == ExportedLods::InOneFile && !format.lods)
         return N_("%1 cannot hold levels of detail; choose a file for each");
+    if (options.wind != static_cast<int>(ExportedWind::None) && !format.wind)
+        return N_("%1 cannot hold what moves in the wind; choose glTF");
     const bool simple = options.model == static_cast<int>(ExportedModel::Simple);
     if (simple && (lods != ExportedLods::None || options.lod > 0))
         return N_("levels of detail belong to the full model; the simple model has none");

@@ -12,8 +12,8 @@ namespace stromar {
 namespace {
 // clang-format off
 constexpr Format kFormats[] = {
-    {".glb", N_("glTF, one file"), "y", N_("nothing"), writeGlb, 68, Pictures::Inside, true, false, true},
-    {".gltf", N_("glTF, with its buffer and pictures beside it"), "y", N_("nothing"), writeGltf, 68, Pictures::Beside, true, false, true},
+    {".glb", N_("glTF, one file"), "y", N_("nothing"), writeGlb, 68, Pictures::Inside, true, false, true, true},
+    {".gltf", N_("glTF, with its buffer and pictures beside it"), "y", N_("nothing"), writeGltf, 68, Pictures::Beside, true, false, true, true},
     {".obj", N_("Wavefront OBJ"), "y", N_("occlusion and tangents; two-sided leaves are up to the program"), writeObj, 120,
      Pictures::Beside, false, true},
     {".dae", N_("COLLADA"), "z", N_("occlusion and tangents; two-sided leaves are up to the program"), writeDae, 110},

@@ -308,10 +308,11 @@ void exportTree(const CommonOptions& common, const ExportOptions& options, const
     if (!format) throw CUsageError(unknownFormat(path));
     if (const std::string conflict = conflictText(options, *format); !conflict.empty()) throw CUsageError(conflict);
     const CParams params = readParams(common);
-    if (motion.frames > 0 || motion.blows()) return exportFrames(common, params, options, motion, path, progress);
+    const bool carriesWind = options.wind != static_cast<int>(ExportedWind::None);
+    if (!carriesWind && (motion.frames > 0 || motion.blows())) return exportFrames(common, params, options, motion, path, progress);
     CTreeCreator creator = creatorFor(common);
     const auto lods = stromar::exportTree(creator, params, options, std::filesystem::path(common.file).parent_path(), path,
-                                          progress);
+                                          progress, nullptr, motion);
     for (const auto& lod : lods)
         say(common, path + ": " + std::string(lod->detail->name) + ", " + std::to_string(lod->vertexCount()) +
                         " vertices, " + std::to_string(lod->triangleCount()) + " triangles");

@@ -6,6 +6,8 @@
 #include <cstring>
 #include <functional>
 #include <glm/common.hpp>
+#include <glm/mat4x4.hpp>
+#include <glm/vec4.hpp>
 #include <nlohmann/json.hpp>
 #include <sstream>
 #include <tiny_gltf.h>
@@ -30,10 +32,13 @@ public:
         m_gltf.scenes.emplace_back();
         m_gltf.defaultScene = 0;
         m_gltf.buffers.emplace_back();
+        addSkeleton();
         if (source.coarser.empty())
             addSingleModel();
         else
             addLods();
+        for (const Clip& clip : source.clips) addClip(clip);
+        addTables();
     }
 
     std::uint64_t bufferBytes() const { return m_bytes; }
@@ -128,12 +133,91 @@ private:
         tinygltf::Node root;
         root.name = m_source.name;
         const Crown crown = crownOf(m_source.meshes);
-        for (const auto& mesh : m_source.meshes) {
-            const int index = addMesh(mesh->name, {mesh}, crown);
+        for (std::size_t i = 0; i < m_source.meshes.size(); ++i) {
+            const auto& mesh = m_source.meshes[i];
+            const int index = addMesh(mesh->name, {mesh}, crown, m_source.channels, i);
             root.children.push_back(addNode(mesh->name, index));
+        }
+        if (!m_source.joints.empty()) { // what bones move hangs on nothing else
+            for (const int node : root.children) m_gltf.scenes[0].nodes.push_back(node);
+            return;
         }
         m_gltf.nodes.push_back(root);
         m_gltf.scenes[0].nodes.push_back(static_cast<int>(m_gltf.nodes.size()) - 1);
+    }
+
+    /// Bones at rest are only shifted; the first nodes of the file are theirs.
+    void addSkeleton() {
+        const auto& joints = m_source.joints;
+        if (joints.empty()) return;
+        tinygltf::Skin skin;
+        skin.name = m_source.name + "_bones";
+        std::vector<glm::mat4> toJoint;
+        for (std::size_t j = 0; j < joints.size(); ++j) {
+            const glm::vec3 base = yUp(joints[j].base), from = joints[j].parent < 0 ? glm::vec3(0) : yUp(joints[static_cast<std::size_t>(joints[j].parent)].base);
+            tinygltf::Node node;
+            node.name = joints[j].name;
+            const glm::vec3 shift = base - from;
+            node.translation = {shift.x, shift.y, shift.z};
+            m_gltf.nodes.push_back(node);
+            if (joints[j].parent >= 0) m_gltf.nodes[static_cast<std::size_t>(joints[j].parent)].children.push_back(static_cast<int>(j));
+            skin.joints.push_back(static_cast<int>(j));
+            glm::mat4 own(1);
+            own[3] = glm::vec4(-base, 1);
+            toJoint.push_back(own);
+        }
+        skin.skeleton = 0;
+        skin.inverseBindMatrices = addNumbers(toJoint, TINYGLTF_TYPE_MAT4);
+        m_gltf.skins.push_back(skin);
+        m_gltf.scenes[0].nodes.push_back(0);
+    }
+
+    void addClip(const Clip& clip) {
+        tinygltf::Animation animation;
+        animation.name = clip.name;
+        const int times = addNumbers(clip.seconds, TINYGLTF_TYPE_SCALAR);
+        m_gltf.accessors.back().minValues = {clip.seconds.front()};
+        m_gltf.accessors.back().maxValues = {clip.seconds.back()};
+        const auto add = [&](std::size_t joint, const char* path, int values) {
+            tinygltf::AnimationSampler sampler;
+            sampler.input = times;
+            sampler.output = values;
+            sampler.interpolation = "LINEAR";
+            tinygltf::AnimationChannel channel;
+            channel.sampler = static_cast<int>(animation.samplers.size());
+            channel.target_node = static_cast<int>(joint);
+            channel.target_path = path;
+            animation.samplers.push_back(sampler);
+            animation.channels.push_back(channel);
+        };
+        for (std::size_t j = 0; j < clip.turns.size(); ++j) {
+            if (clip.turns[j].empty()) continue;
+            std::vector<glm::vec4> turns = clip.turns[j];
+            for (glm::vec4& q : turns) q = glm::vec4(yUp(glm::vec3(q)), q.w);
+            add(j, "rotation", addNumbers(turns, TINYGLTF_TYPE_VEC4));
+        }
+        for (std::size_t j = 0; j < clip.scales.size(); ++j) {
+            if (clip.scales[j].empty()) continue;
+            std::vector<glm::vec3> scales;
+            for (const float scale : clip.scales[j]) scales.emplace_back(scale);
+            add(j, "scale", addNumbers(scales, TINYGLTF_TYPE_VEC3));
+        }
+        if (!animation.channels.empty()) m_gltf.animations.push_back(animation);
+    }
+
+    /// In the extras of the scene: which part of the buffer holds which table, and the names of its columns.
+    void addTables() {
+        tinygltf::Value::Object all;
+        for (const DataTable& table : m_source.tables) {
+            const int view = addView(table.bytes.size(), 0, [bytes = &table.bytes] { return *bytes; });
+            tinygltf::Value::Array columns;
+            for (const std::string& column : table.columns) columns.emplace_back(column);
+            all[table.name] = tinygltf::Value(tinygltf::Value::Object{
+                {"bufferView", tinygltf::Value(view)},
+                {"rows", tinygltf::Value(static_cast<int>(table.bytes.size() / (4 * table.columns.size())))},
+                {"columns", tinygltf::Value(columns)}});
+        }
+        if (!all.empty()) m_gltf.scenes[0].extras = tinygltf::Value(tinygltf::Value::Object{{"wind", tinygltf::Value(all)}});
     }
 
     /// One mesh per level of detail, as engines want it; the node of the finest refers to the others (MSFT_lod).
@@ -141,37 +225,44 @@ private:
         const Crown crown = crownOf(m_source.meshes);
         tinygltf::Value::Array ids, coverage;
         const std::size_t count = m_source.coarser.size() + 1;
+        int first = 0;
         for (std::size_t lod = 0; lod < count; ++lod) {
             const std::string name = m_source.name + "_LOD" + std::to_string(lod);
-            const int mesh = addMesh(name, lod == 0 ? m_source.meshes : m_source.coarser[lod - 1], crown);
+            const bool carries = !m_source.channels.empty();
+            const int mesh = addMesh(name, lod == 0 ? m_source.meshes : m_source.coarser[lod - 1], crown,
+                                     lod == 0 || !carries ? m_source.channels : m_source.coarserChannels[lod - 1]);
             const int node = addNode(name, mesh);
+            if (lod == 0) first = node;
             if (lod > 0) ids.emplace_back(node);
             coverage.emplace_back(kScreenCoverage[std::min(lod, kScreenCoverage.size() - 1)]);
         }
-        tinygltf::Node& finest = m_gltf.nodes[0];
+        tinygltf::Node& finest = m_gltf.nodes[static_cast<std::size_t>(first)];
         finest.extensions["MSFT_lod"] = tinygltf::Value(tinygltf::Value::Object{{"ids", tinygltf::Value(ids)}});
         finest.extras = tinygltf::Value(tinygltf::Value::Object{{"MSFT_screencoverage", tinygltf::Value(coverage)}});
         m_gltf.extensionsUsed.emplace_back("MSFT_lod");
-        m_gltf.scenes[0].nodes.push_back(0);
+        m_gltf.scenes[0].nodes.push_back(first);
     }
 
     int addNode(const std::string& name, int mesh) {
         tinygltf::Node node;
         node.name = name;
         node.mesh = mesh;
+        if (!m_gltf.skins.empty()) node.skin = 0;
         m_gltf.nodes.push_back(node);
         return static_cast<int>(m_gltf.nodes.size()) - 1;
     }
 
-    int addMesh(const std::string& name, const Meshes& parts, const Crown& crown) {
+    /// `channels` are of the parts, from the `first` one on, or empty.
+    int addMesh(const std::string& name, const Meshes& parts, const Crown& crown, const std::vector<VertexChannels>& channels, std::size_t first = 0) {
         tinygltf::Mesh mesh;
         mesh.name = name;
-        for (const auto& part : parts) mesh.primitives.push_back(makePrimitive(part, crown));
+        for (std::size_t i = 0; i < parts.size(); ++i)
+            mesh.primitives.push_back(makePrimitive(parts[i], crown, channels.empty() ? nullptr : &channels[first + i]));
         m_gltf.meshes.push_back(mesh);
         return static_cast<int>(m_gltf.meshes.size()) - 1;
     }
 
-    tinygltf::Primitive makePrimitive(const std::shared_ptr<const CMesh>& mesh, const Crown& crown) {
+    tinygltf::Primitive makePrimitive(const std::shared_ptr<const CMesh>& mesh, const Crown& crown, const VertexChannels* channels) {
         const std::size_t count = mesh->vertexCount();
         tinygltf::Primitive primitive;
         primitive.mode = TINYGLTF_MODE_TRIANGLES;
@@ -190,13 +281,33 @@ private:
         attributes["TEXCOORD_0"] = addVertices<glm::vec2>(count, TINYGLTF_TYPE_VEC2, [mesh](std::size_t v) {
             return glm::vec2(mesh->texCoords[v].x, 1 - mesh->texCoords[v].y);
         });
-        attributes["COLOR_0"] = addVertices<glm::u8vec4>(
-            count, TINYGLTF_TYPE_VEC4,
-            [mesh, crown](std::size_t v) { return glm::u8vec4(glm::u8vec3(ambientAt(crown, *mesh, v)), 255); },
-            TINYGLTF_COMPONENT_TYPE_UNSIGNED_BYTE);
-        m_gltf.accessors.back().normalized = true;
+        for (std::size_t c = 0; channels && c < channels->size(); ++c) attributes[(*channels)[c].name] = addChannel((*channels)[c], count);
+        if (!attributes.contains("COLOR_0")) {
+            attributes["COLOR_0"] = addVertices<glm::u8vec4>(
+                count, TINYGLTF_TYPE_VEC4,
+                [mesh, crown](std::size_t v) { return glm::u8vec4(glm::u8vec3(ambientAt(crown, *mesh, v)), 255); },
+                TINYGLTF_COMPONENT_TYPE_UNSIGNED_BYTE);
+            m_gltf.accessors.back().normalized = true;
+        }
         primitive.indices = addIndices(mesh);
         return primitive;
+    }
+
+    int addChannel(const VertexChannel& channel, std::size_t count) {
+        constexpr int kComponents[] = {TINYGLTF_COMPONENT_TYPE_FLOAT, TINYGLTF_COMPONENT_TYPE_UNSIGNED_BYTE, TINYGLTF_COMPONENT_TYPE_UNSIGNED_SHORT};
+        constexpr int kTypes[] = {TINYGLTF_TYPE_SCALAR, TINYGLTF_TYPE_VEC2, TINYGLTF_TYPE_VEC3, TINYGLTF_TYPE_VEC4};
+        const int view = addView(channel.bytes.size(), TINYGLTF_TARGET_ARRAY_BUFFER, [bytes = &channel.bytes] { return *bytes; });
+        const int accessor = addAccessor(view, count, kTypes[channel.components - 1], kComponents[static_cast<std::size_t>(channel.type)]);
+        m_gltf.accessors.back().normalized = channel.type == VertexChannel::Type::Byte;
+        return accessor;
+    }
+
+    /// Of a few values, which are kept until they are written.
+    template <typename Value>
+    int addNumbers(const std::vector<Value>& values, int type) {
+        const std::size_t bytes = values.size() * sizeof(Value);
+        const int view = addView(bytes, 0, [values, bytes] { return std::string(reinterpret_cast<const char*>(values.data()), bytes); });
+        return addAccessor(view, values.size(), type, TINYGLTF_COMPONENT_TYPE_FLOAT);
     }
 
     int addTangents(const std::shared_ptr<const CMesh>& mesh) {

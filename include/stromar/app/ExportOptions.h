@@ -11,7 +11,7 @@ namespace stromar {
 
 /// What a user can choose for one export. A plain value; what each means stands in the table.
 struct ExportOptions {
-    int model = 0, lod = 0, lods = 0, up = 0, textures = 0;
+    int model = 0, lod = 0, lods = 0, up = 0, textures = 0, wind = 0, bones = 64;
     double scale = 1;
 
     bool operator==(const ExportOptions&) const = default;
@@ -22,6 +22,7 @@ enum class ExportedModel { Full, Simple };
 enum class ExportedLods { None, InOneFile, FileEach };
 enum class ExportedUp { Format, Y, Z };
 enum class ExportedTextures { Format, Embed, Copy, Refer };
+enum class ExportedWind { None, Attributes, CryEngine, Unity, Bones };
 
 /// One row of the table of choices: the flags of the command line and the rows of the dialog are loops over it.
 struct ExportChoice {

@@ -1,6 +1,7 @@
 #pragma once
 #include "stromar/model/Material.h"
 #include <array>
+#include <glm/vec4.hpp>
 #include <string>
 #include <vector>
 
@@ -9,12 +10,50 @@ namespace stromar {
 /// The least part of a screen's height that the tree fills when a level of detail is shown.
 constexpr std::array<double, 4> kScreenCoverage{0.5, 0.25, 0.1, 0.01};
 
+/// More that the vertices of a mesh carry, in formats that hold it.
+struct VertexChannel {
+    enum class Type { Float, Byte, Short }; ///< Byte: 255 is 1; Short: whole numbers
+
+    std::string name; ///< as glTF has it: "_STEM", "JOINTS_0"; "COLOR_0" stands in place of the occlusion
+    Type type;
+    int components;
+    std::string bytes; ///< of all vertices
+};
+using VertexChannels = std::vector<VertexChannel>;
+
+/// A bone: a stem that others follow. At rest it is not turned.
+struct Joint {
+    std::string name;
+    int parent; ///< −1: none
+    glm::vec3 base;
+};
+
+/// How joints move: each at all times, or not at all (empty).
+struct Clip {
+    std::string name;
+    std::vector<float> seconds;
+    std::vector<std::vector<glm::vec4>> turns; ///< by joint: quaternions x y z w in the parent's frame
+    std::vector<std::vector<float>> scales;    ///< by joint
+};
+
+/// Numbers that a shader reads besides, in cells of 4 bytes; already in the axes of the format.
+struct DataTable {
+    std::string name;
+    std::vector<std::string> columns; ///< "seed:uint32" for whole numbers
+    std::string bytes;
+};
+
 /// What a writer of model files gets.
 struct ExportModel {
     std::string name;
     Meshes meshes;                  ///< none is empty
     std::vector<Meshes> coarser;    ///< levels of detail 1, 2, …, for formats that hold them
     std::vector<Material> materials; ///< of all surfaces of its meshes, perhaps of others
+    std::vector<VertexChannels> channels{};                   ///< by mesh; or empty
+    std::vector<std::vector<VertexChannels>> coarserChannels{}; ///< likewise of the levels of detail 1, 2, …
+    std::vector<Joint> joints{};                              ///< of a skeleton that all meshes hang on, the root first
+    std::vector<Clip> clips{};
+    std::vector<DataTable> tables{};
 
     /// Which of the materials a mesh has.
     std::size_t materialIndex(const CMesh& mesh) const;

@@ -67,7 +67,7 @@ CMainWindow::CMainWindow(const SizeLimits& limits, std::shared_ptr<CDocument> do
       m_viewController(new CViewController(*m_viewport, *m_panel, *m_document, this)),
       m_files(new CFileController(*m_document, *m_bar, this)),
       m_exporter(new CExportController(
-          *m_document, [this] { return shownModel(); }, [this] { return m_growth->limits(); }, [this] { return m_growth->age(); }, this)),
+          *m_document, [this] { return shownModel(); }, [this] { return m_growth->limits(); }, [this] { return CExportController::Motion{m_growth->age(), m_wind->wind()}; }, this)),
       m_growth(std::make_unique<CGrowthController>(*m_document, *m_bar, limits)) {
     initResources();
     setAcceptDrops(true);

@@ -11,8 +11,8 @@
 
 namespace stromar {
 
-CExportController::CExportController(CDocument& document, Shown shown, Limits limits, Age age, QWidget* window)
-    : QObject(window), m_document(document), m_shown(std::move(shown)), m_limits(std::move(limits)), m_age(std::move(age)), m_window(window) {}
+CExportController::CExportController(CDocument& document, Shown shown, Limits limits, Moving moving, QWidget* window)
+    : QObject(window), m_document(document), m_shown(std::move(shown)), m_limits(std::move(limits)), m_moving(std::move(moving)), m_window(window) {}
 
 CExportController::~CExportController() = default;
 
@@ -29,8 +29,9 @@ void CExportController::chooseAndExport() {
 
 void CExportController::exportTo(const QString& path, const ExportOptions& options) {
     if (m_job) return;
-    m_job = std::make_unique<CExportJob>(
-        CExportJob::Task{m_document.params(), m_shown(), options, m_document.folder(), toPath(path), m_limits(), m_age()});
+    const Motion moving = m_moving();
+    m_job = std::make_unique<CExportJob>(CExportJob::Task{m_document.params(), m_shown(), options, m_document.folder(), toPath(path),
+                                                          m_limits(), moving.age, {.wind = moving.wind}});
     QProgressDialog* dialog = showProgress(path);
     connect(
         m_job.get(), &CExportJob::finished, this,

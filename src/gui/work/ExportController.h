@@ -18,9 +18,13 @@ public:
     /// What is ready: the model that is shown, or null; what a tree may take.
     using Shown = std::function<std::shared_ptr<const TreeModel>()>;
     using Limits = std::function<SizeLimits()>;
-    /// Of the tree in the window.
-    using Age = std::function<double()>;
-    CExportController(CDocument& document, Shown shown, Limits limits, Age age, QWidget* window);
+    /// Of the tree in the window: how old it is, and the wind over it.
+    struct Motion {
+        double age;
+        Wind wind;
+    };
+    using Moving = std::function<Motion()>;
+    CExportController(CDocument& document, Shown shown, Limits limits, Moving moving, QWidget* window);
     ~CExportController() override;
 
     /// Asks for format, file and choices.
@@ -42,7 +46,7 @@ private:
     CDocument& m_document;
     Shown m_shown;
     Limits m_limits;
-    Age m_age;
+    Moving m_moving;
     QWidget* m_window;
     std::unique_ptr<CExportJob> m_job;
 };

@@ -15,7 +15,8 @@ void CExportJob::work() {
     try {
         CTreeCreator creator(true, m_task.limits);
         creator.setAge(m_task.age);
-        exportTree(creator, m_task.params, m_task.options, m_task.treeFolder, m_task.path, m_progress, m_task.model);
+        exportTree(creator, m_task.params, m_task.options, m_task.treeFolder, m_task.path, m_progress, m_task.model,
+                   m_task.motion);
         emit finished({}, false);
     } catch (const CCancelled&) {
         emit finished({}, true);

@@ -18,6 +18,7 @@ public:
         std::filesystem::path treeFolder, path;
         SizeLimits limits;
         double age = 1;
+        Motion motion{}; ///< of clips
     };
 
     explicit CExportJob(Task task, QObject* parent = nullptr) : QObject(parent), m_task(std::move(task)) {}
