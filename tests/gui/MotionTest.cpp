@@ -1,11 +1,15 @@
 // The timeline and the wind of the window.
 #include "WindowFixture.h"
+#include "motion/Recorder.h"
 #include "motion/Timeline.h"
 #include "motion/WindController.h"
 #include "motion/WindPanel.h"
 #include <QCheckBox>
 #include <QComboBox>
+#include <QDir>
+#include <QFile>
 #include <QFileInfo>
+#include <QProgressDialog>
 #include <QPushButton>
 #include <QTemporaryDir>
 #include <QToolButton>
@@ -173,6 +177,109 @@ TEST_F(MotionTest, FlexibilityIsAValueOfTheTree) {
     action("undo")->trigger();
     EXPECT_EQ(value("Flexibility"), 1);
     EXPECT_EQ(flexibility->value(), flexibility->maximum() / 2);
+}
+
+/// Puts a program named ffmpeg first on the path.
+class FakeFfmpeg {
+public:
+    explicit FakeFfmpeg(const char* script) : m_path(qgetenv("PATH")) {
+        QFile file(m_folder.filePath(QStringLiteral("ffmpeg")));
+        if (*script && file.open(QIODevice::WriteOnly)) {
+            file.write(script);
+            file.setPermissions(QFile::ReadOwner | QFile::ExeOwner);
+        }
+        qputenv("PATH", *script ? m_folder.path().toLocal8Bit() + ":" + m_path : m_folder.path().toLocal8Bit());
+    }
+    ~FakeFfmpeg() { qputenv("PATH", m_path); }
+
+private:
+    QTemporaryDir m_folder;
+    QByteArray m_path;
+};
+
+class RecordTest : public MotionTest {
+protected:
+    RecordedTree tree() {
+        return {window.document().params(), window.document().folder(), 1, {.strength = 1}, SizeLimits::none(), {}, window.viewport().camera()};
+    }
+    RecordOptions options(RecordOptions::What what, const char* name) {
+        return {what, {64, 80}, 0.8, 5, false, folder.filePath(QLatin1String(name))};
+    }
+    QStringList files() const { return QDir(folder.path()).entryList(QDir::Files, QDir::Name); }
+    QTemporaryDir folder;
+};
+
+TEST_F(RecordTest, GrowthIsNumberedPicturesThatEndWithTheGrownTree) {
+    window.recorder().record(tree(), options(RecordOptions::What::Growth, "t.png"));
+    EXPECT_EQ(files(), QStringList({"t_0001.png", "t_0002.png", "t_0003.png", "t_0004.png"}));
+    const QImage first(folder.filePath(QStringLiteral("t_0001.png"))), last(folder.filePath(QStringLiteral("t_0004.png")));
+    EXPECT_EQ(last.size(), QSize(64, 80));
+    EXPECT_NE(first, last);
+    EXPECT_NE(notice().indexOf(QLatin1String("4")), -1);
+}
+
+TEST_F(RecordTest, WindIsALoopOfPictures) {
+    window.recorder().record(tree(), options(RecordOptions::What::Wind, "w.png"));
+    ASSERT_EQ(files().size(), 4);
+    EXPECT_NE(QImage(folder.filePath(QStringLiteral("w_0001.png"))), QImage(folder.filePath(QStringLiteral("w_0003.png"))));
+}
+
+TEST_F(RecordTest, AVideoIsMadeByFfmpegAndReplacesTheOldFileOnlyWhenItIsThere) {
+    RecordOptions video = options(RecordOptions::What::Growth, "t.mp4");
+    video.video = true;
+    QFile old(video.path);
+    ASSERT_TRUE(old.open(QIODevice::WriteOnly));
+    old.write("older");
+    old.close();
+    const auto content = [&] {
+        QFile file(video.path);
+        file.open(QIODevice::ReadOnly);
+        return file.readAll();
+    };
+    {
+        const FakeFfmpeg failing("#!/bin/sh\necho no codec >&2\nexit 1\n");
+        answerNext(QMessageBox::Ok);
+        window.recorder().record(tree(), video);
+        EXPECT_NE(question.indexOf(QLatin1String("no codec")), -1) << question.toStdString();
+        EXPECT_EQ(content(), "older");
+    }
+    // Tells which frames it was given: the last argument is the file.
+    const FakeFfmpeg working("#!/bin/sh\nwhile [ $# -gt 1 ]; do [ \"$1\" = -i ] && frames=$2; shift; done\nls $(dirname $frames) > \"$1\"\n");
+    window.recorder().record(tree(), video);
+    EXPECT_EQ(content(), "frame_0001.png\nframe_0002.png\nframe_0003.png\nframe_0004.png\n");
+    EXPECT_EQ(files(), QStringList("t.mp4"));
+}
+
+TEST_F(RecordTest, WithoutFfmpegTheDialogSaysSo) {
+    const FakeFfmpeg none("");
+    const CRecordDialog without({100, 100}, false);
+    EXPECT_TRUE(without.findChild<QLabel*>(QStringLiteral("noVideo")));
+    EXPECT_EQ(without.findChild<QComboBox*>(QStringLiteral("kind"))->count(), 1);
+}
+
+TEST_F(RecordTest, CancellingKeepsWhatIsThereAndSaysHowMany) {
+    RecordOptions many = options(RecordOptions::What::Wind, "w.png");
+    many.seconds = 60;
+    QTimer poll;
+    QObject::connect(&poll, &QTimer::timeout, &window, [&] {
+        if (auto* progress = window.findChild<QProgressDialog*>(); progress && files().size() >= 3) progress->cancel();
+    });
+    poll.start(10);
+    window.recorder().record(tree(), many);
+    const auto count = files().size();
+    EXPECT_GE(count, 3);
+    EXPECT_LT(count, 300);
+    EXPECT_NE(notice().indexOf(QString::number(count)), -1) << notice().toStdString();
+    EXPECT_FALSE(window.recorder().busy());
+}
+
+TEST_F(RecordTest, WhatCannotBeWrittenIsTold) {
+    RecordOptions nowhere = options(RecordOptions::What::Wind, "w.png");
+    nowhere.path = QStringLiteral("/nowhere/w.png");
+    answerNext(QMessageBox::Ok);
+    window.recorder().record(tree(), nowhere);
+    EXPECT_TRUE(asked);
+    EXPECT_FALSE(window.recorder().busy());
 }
 
 } // namespace

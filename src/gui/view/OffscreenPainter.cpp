@@ -29,29 +29,46 @@ bool COffscreenPainter::attach() {
     return true;
 }
 
-QImage COffscreenPainter::paint(const ViewModel& view, const QSize& pixels, const ViewLook& look) {
-    if (!start() || !m_context->makeCurrent(&m_surface)) return {};
+void COffscreenPainter::show(const ViewModel& view, const ViewLook& look) {
     m_scene.show(view.parts);
     m_scene.setLook(look);
     for (const Surface surface : kSurfaces)
         if (const auto& maps = view.surfaces[static_cast<std::size_t>(surface)]) m_scene.setSurface(surface, *maps);
-    CCamera camera;
-    camera.lookFrom(0, 5);
-    const osg::BoundingBox box = m_scene.bounds();
-    if (box.valid())
-        camera.frame(osg::BoundingBoxd(osg::Vec3d(box._min), osg::Vec3d(box._max)),
-                     double(pixels.width()) / pixels.height());
+}
+
+QImage COffscreenPainter::draw(const QSize& pixels, const CCamera& camera) {
     QOpenGLFramebufferObjectFormat format;
     format.setAttachment(QOpenGLFramebufferObject::CombinedDepthStencil);
     format.setSamples(display::bestSamples());
     QImage image;
     {
         QOpenGLFramebufferObject buffer(pixels, format);
+        if (!buffer.isValid()) return {};
         m_renderer.draw(buffer.handle(), pixels.width(), pixels.height(), camera);
         image = buffer.toImage();
     }
     m_context->doneCurrent();
     return image;
+}
+
+QImage COffscreenPainter::paint(const ViewModel& view, const QSize& pixels, const ViewLook& look) {
+    if (!start() || !m_context->makeCurrent(&m_surface)) return {};
+    show(view, look);
+    CCamera camera;
+    camera.lookFrom(0, 5);
+    const osg::BoundingBox box = m_scene.bounds();
+    if (box.valid())
+        camera.frame(osg::BoundingBoxd(osg::Vec3d(box._min), osg::Vec3d(box._max)),
+                     double(pixels.width()) / pixels.height());
+    return draw(pixels, camera);
+}
+
+QImage COffscreenPainter::paint(const ViewModel& view, const QSize& pixels, const ViewLook& look, const CCamera& camera,
+                                const std::shared_ptr<const WindPose>& pose, double seconds, double loop) {
+    if (!start() || !m_context->makeCurrent(&m_surface)) return {};
+    show(view, look);
+    if (pose) m_scene.setPose(view.sway, pose, seconds, loop);
+    return draw(pixels, camera);
 }
 
 void COffscreenPainter::rest() {

@@ -2,6 +2,7 @@
 #include "params/CurveEditor.h"
 #include "params/ParamEditor.h"
 #include "params/ParamPanel.h"
+#include "view/ImageFile.h"
 #include "view/PictureDialog.h"
 #include "window/QtText.h"
 #include "window/Settings.h"
@@ -9,12 +10,9 @@
 #include "stromar/params/ParamText.h"
 #include "stromar/tree/Nearest.h"
 #include "stromar/util/Random.h"
-#include <QFileInfo>
 #include <QLocale>
 #include <QMessageBox>
-#include <QPainter>
 #include <QProgressDialog>
-#include <QSaveFile>
 #include <QTabWidget>
 #include <algorithm>
 
@@ -44,22 +42,6 @@ std::vector<std::vector<osg::Vec3d>> linesOf(const CGeneration& all, const CStem
 /// The same in every tree in which the leaf sits in the same place.
 std::uint64_t nameOf(const CTree& tree, const CLeaf& leaf) {
     return hashCombine(tree.generation(leaf.generation).stems[leaf.stem].id, leaf.number);
-}
-
-QImage onWhite(const QImage& image) {
-    QImage opaque(image.size(), QImage::Format_RGB32);
-    opaque.fill(Qt::white);
-    QPainter(&opaque).drawImage(0, 0, image);
-    return opaque;
-}
-
-/// All of it or, when that fails, none: then the old file stays.
-bool writeImage(const QImage& image, const QString& path) {
-    QSaveFile file(path);
-    const QByteArray format = QFileInfo(path).suffix().toLower().toLatin1();
-    const bool opaque = format.startsWith("jp"); // has no alpha: what is transparent becomes white
-    const QImage written = opaque && image.hasAlphaChannel() ? onWhite(image) : image;
-    return file.open(QIODevice::WriteOnly) && written.save(&file, format.constData()) && file.commit();
 }
 } // namespace
 

@@ -28,6 +28,8 @@ constexpr Command kCommands[] = {
      QT_TRANSLATE_NOOP("Commands", "Write the tree for another program"), [](W& w, bool) { w.exporter().chooseAndExport(); }, true, true},
     {"picture", Menu::File, QT_TRANSLATE_NOOP("Commands", "Save P&icture…"), "Ctrl+P", "picture",
      QT_TRANSLATE_NOOP("Commands", "A picture of the tree, or the frames of a turntable"), [](W& w, bool) { w.view().savePicture(&w); }},
+    {"record", Menu::File, QT_TRANSLATE_NOOP("Commands", "&Record…"), "Ctrl+Shift+E", "",
+     QT_TRANSLATE_NOOP("Commands", "Pictures or a video of the tree as it grows or sways"), [](W& w, bool) { w.record(); }},
     {"loadBark", Menu::File, QT_TRANSLATE_NOOP("Commands", "Load &Bark Texture…"), "Ctrl+Shift+B", "",
      QT_TRANSLATE_NOOP("Commands", "Choose the picture on the stems"), [](W& w, bool) { w.chooseTexture("BarkTexture"); }, false, true},
     {"loadLeaf", Menu::File, QT_TRANSLATE_NOOP("Commands", "Load &Leaf Texture…"), "Ctrl+Shift+L", "",

@@ -7,6 +7,7 @@
 #include "document/Gesture.h"
 #include "window/HelpWindow.h"
 #include "view/LightPanel.h"
+#include "motion/Recorder.h"
 #include "motion/Timeline.h"
 #include "motion/WindController.h"
 #include "motion/WindPanel.h"
@@ -63,7 +64,7 @@ CMainWindow::CMainWindow(const SizeLimits& limits, std::shared_ptr<CDocument> do
     : QMainWindow(parent), m_document(document ? std::move(document) : std::make_shared<CDocument>()),
       m_thumbnails(new CThumbnails(this)), m_viewport(new CViewport), m_panel(new CParamPanel),
       m_presets(new CPresetBrowser(*m_thumbnails)), m_variants(new CVariants(*m_thumbnails)), m_bar(new CMessageBar),
-      m_timeline(new CTimeline), m_wind(new CWindPanel),
+      m_timeline(new CTimeline), m_wind(new CWindPanel), m_recorder(new CRecorder(*this)),
       m_viewController(new CViewController(*m_viewport, *m_panel, *m_document, this)),
       m_files(new CFileController(*m_document, *m_bar, this)),
       m_exporter(new CExportController(
@@ -292,6 +293,8 @@ void CMainWindow::connectMotion() {
     connect(m_timeline, &CTimeline::ageChanged, growth, &CGrowthController::setAge);
     connect(m_timeline, &CTimeline::playingChanged, growth, &CGrowthController::setPlaying);
     connect(m_timeline, &CTimeline::playingChanged, this, [this](bool on) { findChild<QAction*>(QStringLiteral("play"))->setChecked(on); });
+    connect(m_timeline, &CTimeline::recordWanted, this, &CMainWindow::record);
+    connect(m_recorder, &CRecorder::notice, m_notice, &QLabel::setText);
     connect(m_timeline, &CTimeline::released, growth, &CGrowthController::handReleased);
     connect(growth, &CGrowthController::refused, m_timeline, [this] { m_timeline->setPlaying(false); });
     connect(m_wind, &CWindPanel::released, growth, &CGrowthController::handReleased);
@@ -517,6 +520,15 @@ void CMainWindow::chooseTexture(const char* key) {
 void CMainWindow::stop() {
     if (m_growth->stop()) m_notice->setText(tr("Stopped; F6 grows the full model"));
     m_viewController->clearSelection();
+}
+
+void CMainWindow::record() {
+    m_timeline->setPlaying(false);
+    CRecordDialog dialog(m_viewport->size() * m_viewport->devicePixelRatioF(), m_wind->blowing(), this);
+    if (dialog.exec() != QDialog::Accepted) return;
+    m_recorder->record({m_document->params(), m_document->folder(), m_growth->age(), m_wind->wind(), m_growth->limits(), m_viewport->look(),
+                        m_viewport->camera()},
+                       dialog.options());
 }
 
 void CMainWindow::setWireframe(Wireframe wireframe, const char* other) {

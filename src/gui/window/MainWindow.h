@@ -24,6 +24,7 @@ class CMessageBar;
 class CParamPanel;
 class CPresetBrowser;
 class CThumbnails;
+class CRecorder;
 class CTimeline;
 class CVariants;
 class CWindController;
@@ -52,6 +53,7 @@ public:
     CGrowthController& growth() { return *m_growth; }
     CFileController& files() { return *m_files; }
     CExportController& exporter() { return *m_exporter; }
+    CRecorder& recorder() { return *m_recorder; }
     CTimeline& timeline() { return *m_timeline; }
     CWindPanel& wind() { return *m_wind; }
     /// Whether a tree grows or a thumbnail is still to come.
@@ -66,6 +68,8 @@ public:
     void throwDice();
     void stop();
     /// `other` is the switch that goes off.
+    /// Asks what, how and where to, and records growth or wind.
+    void record();
     void setWireframe(Wireframe wireframe, const char* other);
     void resetLayout();
     void showManual();
@@ -126,6 +130,7 @@ private:
     CLightPanel* m_light = nullptr;
     CTimeline* m_timeline;
     CWindPanel* m_wind;
+    CRecorder* m_recorder;
     CViewController* m_viewController;
     QPointer<CHelpWindow> m_help;
     QMenu* m_recentMenu = nullptr;
