@@ -36,9 +36,10 @@ QString keptFile(const CParams& params, const SurfaceTextures& textures, const Q
     return folder.filePath(QString::fromLatin1(hash.result().toHex()) + QStringLiteral(".png"));
 }
 
-std::shared_ptr<const ViewModel> grow(const CParams& params, const std::filesystem::path& folder, const CProgress& progress) {
+std::shared_ptr<const ViewModel> grow(const CParams& params, const std::filesystem::path& folder, double age, const CProgress& progress) {
     const bool small = predictSize(params, detailOf(Model::Full, 1)).vertices < kFewVertices;
     CTreeCreator creator;
+    creator.setAge(age);
     auto view = std::make_shared<ViewModel>();
     view->model = creator.create(params, detailOf(Model::Full, small ? 1 : 3), progress);
     view->parts = viewPartsOf(*view->model, {}, progress);
@@ -70,8 +71,8 @@ CThumbnails::~CThumbnails() {
 }
 
 void CThumbnails::request(const QString& id, const CParams& params, const std::filesystem::path& folder,
-                          const QSize& pixels, Keep keep) {
-    Task task{++m_lastNumber, id, QString(), folder, params, pixels};
+                          const QSize& pixels, Keep keep, double age) {
+    Task task{++m_lastNumber, id, QString(), folder, params, pixels, age};
     if (keep == Keep::OnDisk) task.file = keptFile(params, texturesOf(params, folder), pixels);
     if (const QImage kept = task.file.isEmpty() ? QImage() : QImage(task.file); !kept.isNull()) {
         QTimer::singleShot(0, this, [this, id, kept] { emit ready(id, kept); });
@@ -108,7 +109,7 @@ void CThumbnails::work(const std::stop_token& stop) {
             progress = m_progress;
         }
         try {
-            emit grown(task.number, grow(task.params, task.folder, progress), {});
+            emit grown(task.number, grow(task.params, task.folder, task.age, progress), {});
         } catch (const CCancelled&) {
             // Dropped, or the end.
         } catch (const std::exception& e) {

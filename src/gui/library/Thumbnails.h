@@ -24,7 +24,7 @@ public:
 
     /// ready() or failed() follows; `id` comes back with it. Pictures that lie on the disk come first.
     void request(const QString& id, const CParams& params, const std::filesystem::path& folder, const QSize& pixels,
-                 Keep keep);
+                 Keep keep, double age = 1);
     /// Whether pictures are still to come.
     bool busy() const { return !m_drawing.empty(); }
     /// Forgets what was asked for with ids that start with this.
@@ -42,6 +42,7 @@ private:
         std::filesystem::path folder; ///< that the paths of pictures start at
         CParams params;
         QSize pixels;
+        double age;
     };
     void work(const std::stop_token& stop);
     void draw(quint64 number, const std::shared_ptr<const ViewModel>& view, const QString& why);

@@ -21,6 +21,7 @@ constexpr int kPictureSize = 128, kLikedSize = 64;
 constexpr int kPauseMs = 700; // after a change of the tree
 constexpr const char* kSheetId = "seed:";
 constexpr const char* kLikedId = "liked:";
+constexpr const char* kAgeId = "age:";
 
 QString titleOf(const ParamRef& ref) { return groupTitle(ref.group(), ref.level); }
 } // namespace
@@ -39,6 +40,7 @@ CVariants::CVariants(CThumbnails& thumbnails, QWidget* parent) : QWidget(parent)
     column->setContentsMargins(6, 6, 6, 6);
     column->addWidget(makeSheet());
     column->addWidget(makeLiked());
+    column->addWidget(makeAges());
     column->addWidget(makeRandomiser());
     column->addStretch(1);
     m_pause.setSingleShot(true);
@@ -46,9 +48,20 @@ CVariants::CVariants(CThumbnails& thumbnails, QWidget* parent) : QWidget(parent)
     connect(&m_pause, &QTimer::timeout, this, [this] {
         requestSheet();
         requestLiked();
+        requestAges();
     });
     connect(&m_thumbnails, &CThumbnails::ready, this, &CVariants::showThumbnail);
     throwSheet();
+}
+
+QToolButton* CVariants::makeCell(const QString& name) {
+    auto* cell = new QToolButton;
+    cell->setObjectName(name);
+    cell->setToolButtonStyle(Qt::ToolButtonTextUnderIcon);
+    cell->setIconSize({36, 36});
+    cell->setAutoRaise(true);
+    cell->setSizePolicy(QSizePolicy::Ignored, QSizePolicy::Preferred); // the room decides, not the picture
+    return cell;
 }
 
 QWidget* CVariants::makeSheet() {
@@ -58,12 +71,7 @@ QWidget* CVariants::makeSheet() {
     auto* grid = new QGridLayout;
     grid->setSpacing(3);
     for (int i = 0; i < kSheet; ++i) {
-        auto* cell = new QToolButton;
-        cell->setObjectName(QStringLiteral("seed%1").arg(i));
-        cell->setToolButtonStyle(Qt::ToolButtonTextUnderIcon);
-        cell->setIconSize({36, 36});
-        cell->setAutoRaise(true);
-        cell->setSizePolicy(QSizePolicy::Ignored, QSizePolicy::Preferred); // the room decides, not the picture
+        QToolButton* cell = makeCell(QStringLiteral("seed%1").arg(i));
         connect(cell, &QToolButton::clicked, this, [this, i] { emit seedChosen(m_seeds[std::size_t(i)]); });
         grid->addWidget(cell, i / 3, i % 3);
         m_cells[std::size_t(i)] = cell;
@@ -110,6 +118,27 @@ QWidget* CVariants::makeLiked() {
             [this](const QListWidgetItem* item) { emit seedChosen(item->data(Qt::UserRole).toInt()); });
     connect(m_liked, &QListWidget::itemClicked, this,
             [this](const QListWidgetItem* item) { emit seedChosen(item->data(Qt::UserRole).toInt()); });
+    return box;
+}
+
+QWidget* CVariants::makeAges() {
+    auto* box = new QWidget;
+    auto* column = new QVBoxLayout(box);
+    column->setContentsMargins(0, 6, 0, 0);
+    column->addWidget(new QLabel(QStringLiteral("<b>%1</b>").arg(tr("Ages"))));
+    auto* row = new QHBoxLayout;
+    row->setSpacing(1);
+    for (std::size_t i = 0; i < kAges.size(); ++i) {
+        const QString percent = tr("%1 %").arg(100 * kAges[i]);
+        QToolButton* cell = makeCell(QStringLiteral("age%1").arg(i));
+        cell->setText(percent);
+        cell->setAccessibleName(tr("Age %1").arg(percent));
+        cell->setToolTip(tr("The tree at this part of its life"));
+        connect(cell, &QToolButton::clicked, this, [this, i] { emit ageChosen(kAges[i]); });
+        row->addWidget(cell);
+        m_ages[i] = cell;
+    }
+    column->addLayout(row);
     return box;
 }
 
@@ -174,13 +203,14 @@ void CVariants::showParams(const CParams& params, const std::filesystem::path& f
     kind.common.seed = shown.common.seed = 0;
     kind.text.likedSeeds = shown.text.likedSeeds = {};
     m_stale = m_stale || kind != shown;
+    m_agesStale = m_agesStale || params != m_params;
     const bool otherLiked = params.text.likedSeeds != m_params.text.likedSeeds;
     m_params = params;
     m_folder = folder;
     fillGroups();
     const std::vector<int> liked = seedsFrom(params.text.likedSeeds);
     m_like->setChecked(std::ranges::find(liked, params.common.seed) != liked.end());
-    if (m_stale && isVisible()) m_pause.start();
+    if ((m_stale || m_agesStale) && isVisible()) m_pause.start();
     if (otherLiked) requestLiked();
 }
 
@@ -189,17 +219,28 @@ void CVariants::resizeEvent(QResizeEvent* event) {
     QWidget::resizeEvent(event);
     const int side = std::clamp(width() / 3 - 12, 36, kPictureSize);
     for (QToolButton* cell : m_cells) cell->setIconSize({side, side});
+    const int small = std::clamp(width() / int(kAges.size()) - 8, 24, kPictureSize);
+    for (QToolButton* cell : m_ages) cell->setIconSize({small, small});
 }
 
 void CVariants::showEvent(QShowEvent* event) {
     QWidget::showEvent(event);
-    if (m_stale) m_pause.start();
+    if (m_stale || m_agesStale) m_pause.start();
 }
 
 QSize CVariants::pictureSize() const { return QSize(kPictureSize, kPictureSize) * devicePixelRatioF(); }
 
+void CVariants::requestAges() {
+    if (!isVisible() || !m_agesStale) return;
+    m_agesStale = false;
+    m_thumbnails.drop(QLatin1String(kAgeId));
+    for (std::size_t i = 0; i < kAges.size(); ++i)
+        m_thumbnails.request(QStringLiteral("%1%2").arg(QLatin1String(kAgeId)).arg(i), m_params, m_folder, pictureSize(),
+                             CThumbnails::Keep::No, kAges[i]);
+}
+
 void CVariants::requestSheet() {
-    if (!isVisible()) return;
+    if (!isVisible() || !m_stale) return;
     m_stale = false;
     m_thumbnails.drop(QLatin1String(kSheetId));
     for (std::size_t i = 0; i < m_seeds.size(); ++i) {
@@ -229,6 +270,7 @@ void CVariants::showThumbnail(const QString& id, const QImage& image) {
     QPixmap pixmap = QPixmap::fromImage(image);
     pixmap.setDevicePixelRatio(devicePixelRatioF());
     if (id.startsWith(QLatin1String(kSheetId))) m_cells[number.toUInt()]->setIcon(QIcon(pixmap));
+    if (id.startsWith(QLatin1String(kAgeId))) m_ages[number.toUInt()]->setIcon(QIcon(pixmap));
     if (!id.startsWith(QLatin1String(kLikedId))) return;
     for (int i = 0; i < m_liked->count(); ++i)
         if (m_liked->item(i)->text() == number) m_liked->item(i)->setIcon(QIcon(pixmap));

@@ -15,11 +15,12 @@ namespace stromar {
 
 class CThumbnails;
 
-/// Other trees of the same kind: nine seeds to choose from, the seeds that were liked, and random values.
+/// Other trees of the same kind: nine seeds to choose from, the seeds that were liked, the tree at five ages, and random values.
 class CVariants : public QWidget {
     Q_OBJECT
 public:
     static constexpr int kSheet = 9;
+    static constexpr std::array<double, 5> kAges{0.2, 0.4, 0.6, 0.8, 1};
 
     explicit CVariants(CThumbnails& thumbnails, QWidget* parent = nullptr);
 
@@ -29,6 +30,7 @@ public:
 signals:
     void seedChosen(int seed);
     void likedChanged(const QString& seeds);
+    void ageChosen(double age);
     /// Move the values of these levels (nothing: all groups) by chance; `amount` 0..1.
     void randomiseWanted(const std::vector<stromar::ParamRef>& refs, double amount);
 
@@ -40,6 +42,7 @@ private:
     void throwSheet();
     void requestSheet();
     void requestLiked();
+    void requestAges();
     void showThumbnail(const QString& id, const QImage& image);
     void setLiked(const std::vector<int>& seeds);
     void fillGroups();
@@ -47,11 +50,14 @@ private:
     QSize pictureSize() const;
     QWidget* makeSheet();
     QWidget* makeLiked();
+    QWidget* makeAges();
+    QToolButton* makeCell(const QString& name);
     QWidget* makeRandomiser();
 
     CThumbnails& m_thumbnails;
     std::array<QToolButton*, kSheet> m_cells{};
     std::array<int, kSheet> m_seeds{};
+    std::array<QToolButton*, kAges.size()> m_ages{};
     QListWidget* m_liked = nullptr;
     QToolButton* m_like = nullptr;
     QComboBox* m_level = nullptr;
@@ -60,7 +66,8 @@ private:
     const ParamBlock* m_block = nullptr;
     CParams m_params;
     std::filesystem::path m_folder;
-    bool m_stale = true;
+    bool m_stale = true;      ///< the sheet
+    bool m_agesStale = true;
 };
 
 /// The numbers of a list of seeds; what is no number is left out.

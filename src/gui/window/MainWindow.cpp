@@ -311,6 +311,7 @@ void CMainWindow::connectDocument() {
     connect(m_panel, &CParamPanel::assigned, document, &CDocument::setValues);
     connect(m_variants, &CVariants::seedChosen, document,
             [document](int seed) { document->setValue(*findParam("Seed", document->params().block()), double(seed), 0); });
+    connect(m_variants, &CVariants::ageChosen, m_timeline, &CTimeline::setAge);
     connect(m_variants, &CVariants::likedChanged, document, [document](const QString& seeds) {
         document->setValue(*findParam("LikedSeeds", document->params().block()), seeds.toStdString(), 0);
     });
