@@ -162,16 +162,18 @@ public:
 
     /// For wind: what all moments share.
     void prepare(double age, const CProgress& progress) {
-        if (!m_motion.blows()) return;
+        if (!m_motion.sways()) return;
         CTreeCreator creator(m_varied, m_limits);
         creator.setAge(age);
         m_lods = makeLods(creator, m_params, m_options, progress);
-        for (const auto& lod : m_lods) m_sways.push_back(swayOf(lod, nullptr, progress));
+        for (const auto& lod : m_lods) m_moving.emplace_back(lod, m_motion, progress);
     }
+
+    std::vector<Moment> moments(double age) const { return m_motion.moments(age, m_moving.empty() ? 0 : m_moving.front().fallSeconds()); }
 
     Pose poseAt(const Moment& moment, const CProgress& progress) {
         Pose pose{m_lods, {}, {}};
-        if (!m_motion.blows()) {
+        if (!m_motion.sways()) {
             std::unique_ptr<CTreeCreator> creator = takeCreator();
             creator->setAge(moment.age);
             pose.lods = makeLods(*creator, m_params, m_options, progress);
@@ -179,12 +181,8 @@ public:
             for (const auto& lod : pose.lods) pose.meshes.push_back(lod->meshes(progress));
             return pose;
         }
-        const Wind wind = m_motion.loopingWind();
-        for (const auto& sway : m_sways) {
-            WindPose rows;
-            sway->table->pose(wind, moment.seconds, rows, progress);
-            pose.meshes.push_back(swayedMeshes(*sway, rows, moment.seconds, wind.loop, progress));
-        }
+        for (const CMovingModel& moving : m_moving)
+            pose.meshes.push_back(swayedMeshes(*moving.sway(), *moving.poseAt(moment.seconds, progress), moment.seconds, moving.loop(), progress));
         return pose;
     }
 
@@ -207,7 +205,7 @@ private:
     bool m_varied;
     SizeLimits m_limits;
     std::vector<std::shared_ptr<const TreeModel>> m_lods;
-    std::vector<std::shared_ptr<const ModelSway>> m_sways;
+    std::vector<CMovingModel> m_moving; ///< of the lods
     std::mutex m_mutex;
     std::vector<std::unique_ptr<CTreeCreator>> m_creators; ///< that nobody uses now
 };
@@ -225,9 +223,12 @@ void exportModels(const std::vector<std::shared_ptr<const TreeModel>>& lods, con
                   const fs::path& treeFolder, const fs::path& path, const CProgress& progress, const Motion& motion) {
     refuseUnless(options, formatOf(path), path);
     Pose pose{lods, {}, {}};
-    for (const auto& lod : lods) pose.meshes.push_back(lod->meshes(progress));
-    if (options.wind != static_cast<int>(ExportedWind::None))
-        for (const auto& lod : lods) pose.sways.push_back(swayOf(lod, nullptr, progress));
+    const bool carriesWind = options.wind != static_cast<int>(ExportedWind::None);
+    for (std::size_t i = 0; carriesWind && i < lods.size(); ++i) {
+        pose.sways.push_back(CMovingModel(lods[i], motion, progress).sway());
+        pose.lods[i] = pose.sways[i]->model; // perhaps felled
+    }
+    for (const auto& lod : pose.lods) pose.meshes.push_back(lod->meshes(progress));
     writePose(pose, options, treeFolder, {path, path}, progress, motion);
 }
 
@@ -236,9 +237,9 @@ void exportFrames(const CParams& params, const ExportOptions& options, const Mot
                   const std::function<void(const fs::path&)>& written, const CProgress& progress) {
     refuseUnless(options, formatOf(path), path);
     for (const Detail* detail : detailsOf(options)) refuseTooLarge(params, *detail, limits, progress);
-    const std::vector<Moment> moments = motion.moments(age);
     CPoseMaker maker(params, options, motion, varied, SizeLimits::none());
     maker.prepare(age, progress);
+    const std::vector<Moment> moments = maker.moments(age);
     std::atomic<std::size_t> done = 0;
     const auto write = [&](std::size_t i, const CProgress& own) {
         const Output to{motion.frames == 0 ? path : framePath(path, i, moments.size()), path, i == 0};

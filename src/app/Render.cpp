@@ -59,10 +59,17 @@ public:
         const osg::BoundingBox all = m_parts.empty() ? osg::BoundingBox(-1, -1, 0, 1, 1, 2) : m_scene.bounds(); // before its life there is air
         m_camera = cameraOf(kViews[m_options.view], all, double(m_options.width) / m_options.height);
     }
-    void blow(const std::shared_ptr<const ModelSway>& sway, const Wind& wind, double seconds, const CProgress& progress) {
-        const auto pose = std::make_shared<WindPose>();
-        sway->table->pose(wind, seconds, *pose, progress);
-        m_scene.setPose(sway, pose, seconds, wind.loop);
+    /// With room for a tree that falls.
+    void frame(const CMovingModel& moving, const CProgress& progress) {
+        osg::BoundingBox all = m_scene.bounds();
+        if (moving.fallSeconds() > 0) {
+            const auto last = moving.poseAt(moving.fallSeconds(), progress);
+            for (std::size_t n = 0; n < last->rows.size(); n += 2) all.expandBy(last->rows[n].x, last->rows[n].y, std::max(0.f, last->rows[n].z));
+        }
+        m_camera = cameraOf(kViews[m_options.view], all, double(m_options.width) / m_options.height);
+    }
+    void move(const CMovingModel& moving, double seconds, const CProgress& progress) {
+        m_scene.setPose(moving.sway(), moving.poseAt(seconds, progress), seconds, moving.loop());
     }
     Pixels paint() { return m_painter.paint(m_camera, m_options.width, m_options.height); }
 
@@ -91,14 +98,18 @@ void renderMotion(CTreeCreator& creator, const CParams& params, const Detail& de
     CTreePainter painter(treeFolder, options);
     creator.setAge(age);
     const auto last = creator.create(params, detail, progress);
-    painter.show(last, progress);
-    painter.frame();
-    const auto sway = motion.blows() ? swayOf(last, nullptr, progress) : nullptr;
-    const std::vector<Moment> moments = motion.moments(age);
+    std::optional<CMovingModel> moving;
+    if (motion.sways()) moving.emplace(last, motion, progress);
+    painter.show(moving ? moving->sway()->model : last, progress);
+    if (moving)
+        painter.frame(*moving, progress);
+    else
+        painter.frame();
+    const std::vector<Moment> moments = motion.moments(age, moving ? moving->fallSeconds() : 0);
     for (std::size_t i = 0; i < moments.size(); ++i) {
         progress.poll();
-        if (sway)
-            painter.blow(sway, motion.loopingWind(), moments[i].seconds, progress);
+        if (moving)
+            painter.move(*moving, moments[i].seconds, progress);
         else if (moments[i].age != age || i > 0) {
             creator.setAge(moments[i].age);
             painter.show(creator.create(params, detail, progress), progress);

@@ -84,7 +84,7 @@ private:
                 row.along = row.start;
             } else if (stem.parent >= 0) {
                 row.parent = static_cast<std::int32_t>(m_rowOfNode[stem.parentNode]);
-                row.along = alongAt({static_cast<float>(stem.parentNode), static_cast<float>(stem.parentPart)});
+                row.along = alongAt(stem.on());
             }
             float along = row.start;
             for (std::uint32_t n = 0; n < row.nodes; ++n) {
@@ -106,7 +106,7 @@ private:
             m_bends.push_back({});
             return;
         }
-        const Bend at = bendAt({static_cast<float>(stem.parentNode), static_cast<float>(stem.parentPart)});
+        const Bend at = bendAt(stem.on());
         m_bends.push_back({at.trunk, 1 - (1 - at.below) * (1 - at.own), 0, at.branches});
     }
 
@@ -242,7 +242,9 @@ DataTable nodeTable(const CWindTable& table, const CPathTable& paths, const Arra
 /// The stems that get bones, and which bone each stem follows.
 class CSkeleton {
 public:
-    CSkeleton(const CWindTable& table, std::size_t count) : m_table(table), m_boneOf(table.stems().size(), 0) {
+    /// With `fall`, what is above its cut hangs on a joint at the hinge.
+    CSkeleton(const CWindTable& table, std::size_t count, const CFall* fall)
+        : m_table(table), m_fall(fall), m_roots(fall ? 2 : 1), m_boneOf(table.stems().size(), 0) {
         const auto& stems = table.stems();
         std::vector<std::uint32_t> byThickness(stems.size());
         std::iota(byThickness.begin(), byThickness.end(), 0u);
@@ -250,10 +252,10 @@ public:
         std::vector<bool> chosen(stems.size());
         for (std::size_t i = 0; i < std::min(count, stems.size()); ++i) chosen[byThickness[i]] = true;
         for (std::uint32_t s = 0; s < stems.size(); ++s) {
-            const int parent = stems[s].parent < 0 ? 0 : m_boneOf[static_cast<std::size_t>(stems[s].parent)];
-            m_boneOf[s] = parent;
-            if (!chosen[s]) continue;
-            m_boneOf[s] = static_cast<int>(m_bones.size()) + 1;
+            const int parent = stems[s].parent < 0 ? m_roots - 1 : m_boneOf[static_cast<std::size_t>(stems[s].parent)];
+            m_boneOf[s] = stands(s) ? 0 : parent;
+            if (!chosen[s] || stands(s)) continue;
+            m_boneOf[s] = static_cast<int>(m_bones.size()) + m_roots;
             m_bones.push_back({s, parent});
         }
     }
@@ -262,12 +264,14 @@ public:
         std::uint32_t stem;
         int parent; ///< joint
     };
-    /// Joint 0 is the ground; bone i is joint i + 1.
-    const std::vector<Bone>& bones() const { return m_bones; }
-    int jointOf(std::uint32_t stem) const { return m_boneOf[stem]; }
+    /// Joint 0 is the ground; the bones come last.
+    int jointOf(std::uint32_t stem, const SwayPlace& place) const {
+        return m_fall && !m_fall->falls(place.index()) ? 0 : m_boneOf[stem];
+    }
 
     std::vector<Joint> joints(const Arrangement& to) const {
         std::vector<Joint> all{{"ground", -1, glm::vec3(0)}};
+        if (m_fall) all.push_back({"hinge", 0, to.point(glm::vec3(m_fall->hinge()))});
         for (const Bone& bone : m_bones) {
             const WindStem& stem = m_table.stems()[bone.stem];
             all.push_back({"stem_" + std::to_string(stem.generation) + "_" + std::to_string(stem.stem), bone.parent, to.point(glm::vec3(stem.base))});
@@ -280,36 +284,61 @@ public:
         if (wind.strength == 0) wind.strength = kClipStrength;
         wind.loop = motion.frames > 0 ? motion.loopingWind().loop : motion.seconds > 0 ? motion.seconds : kClipSeconds;
         const int keys = std::max(2, static_cast<int>(std::lround(wind.loop * motion.fps)));
-        Clip clip{"wind", {}, std::vector<std::vector<glm::vec4>>(m_bones.size() + 1), {}};
+        Clip clip = emptyClip("wind");
         for (int k = 0; k <= keys; ++k) {
             clip.seconds.push_back(static_cast<float>(wind.loop * k / keys));
-            for (std::size_t b = 0; b < m_bones.size(); ++b) { // a stiff piece in place of an arc: half its turn
-                const glm::dvec3 turn = m_table.pushOn(m_table.stems()[m_bones[b].stem], wind, wind.loop * (k % keys) / keys).turn / 2.0;
-                const glm::vec3 axis = to.direction(glm::vec3(turn));
-                const float angle = glm::length(axis);
-                const float part = angle > 0 ? std::sin(angle / 2) / angle : 0;
-                clip.turns[b + 1].push_back(glm::vec4(part * axis, std::cos(angle / 2)));
-            }
+            for (std::size_t b = 0; b < m_bones.size(); ++b)
+                turn(clip, b + std::size_t(m_roots), m_table.pushOn(stemOf(b), wind, wind.loop * (k % keys) / keys).turn / 2.0, to);
+        }
+        return clip;
+    }
+
+    Clip fall(double fps, const Arrangement& to) const {
+        Clip clip = emptyClip("fall");
+        const int keys = std::max(2, static_cast<int>(std::lround(m_fall->seconds() * fps)));
+        for (int k = 0; k <= keys; ++k) {
+            const double seconds = m_fall->seconds() * k / keys;
+            clip.seconds.push_back(static_cast<float>(seconds));
+            turn(clip, 1, m_fall->angleAt(seconds) * m_fall->axis(), to);
+            for (std::size_t b = 0; b < m_bones.size(); ++b)
+                turn(clip, b + std::size_t(m_roots), m_fall->pushAt(stemOf(b), seconds).turn / 2.0, to);
         }
         return clip;
     }
 
     /// Each stem as large as it is by then; those that wait for their parent's tip are seeds.
     Clip growth() const {
-        Clip clip{"growth", {}, {}, std::vector<std::vector<float>>(m_bones.size() + 1)};
+        Clip clip{"growth", {}, {}, std::vector<std::vector<float>>(jointCount())};
         for (int k = 0; k <= kGrowthKeys; ++k) {
             const double age = double(k) / kGrowthKeys;
             clip.seconds.push_back(static_cast<float>(kGrowthSeconds * age));
             for (std::size_t b = 0; b < m_bones.size(); ++b) {
                 const int parent = m_bones[b].parent;
-                const float whole = parent == 0 ? 1 : maturity(m_bones[static_cast<std::size_t>(parent) - 1].stem, age);
-                clip.scales[b + 1].push_back(maturity(m_bones[b].stem, age) / whole);
+                const float whole = parent < m_roots ? 1 : maturity(m_bones[static_cast<std::size_t>(parent - m_roots)].stem, age);
+                clip.scales[b + std::size_t(m_roots)].push_back(maturity(m_bones[b].stem, age) / whole);
             }
         }
         return clip;
     }
 
 private:
+    std::size_t jointCount() const { return m_bones.size() + std::size_t(m_roots); }
+    const WindStem& stemOf(std::size_t bone) const { return m_table.stems()[m_bones[bone].stem]; }
+    /// Whether a felling leaves it where it is.
+    bool stands(std::uint32_t stem) const {
+        const WindStem& own = m_table.stems()[stem];
+        return m_fall && own.parent >= 0 && !m_fall->falls(own.firstNode);
+    }
+    Clip emptyClip(const char* name) const { return {name, {}, std::vector<std::vector<glm::vec4>>(jointCount()), {}}; }
+
+    /// A stem's joint gets half its turn: a stiff piece in place of an arc.
+    static void turn(Clip& clip, std::size_t joint, const glm::dvec3& by, const Arrangement& to) {
+        const glm::vec3 axis = to.direction(glm::vec3(by));
+        const float angle = glm::length(axis);
+        const float part = angle > 0 ? std::sin(angle / 2) / angle : 0;
+        clip.turns[joint].push_back(glm::vec4(part * axis, std::cos(angle / 2)));
+    }
+
     /// How long a stem is by now, as a part of what it will be.
     float maturity(std::uint32_t index, double age) const {
         const WindStem& stem = m_table.stems()[index];
@@ -321,7 +350,9 @@ private:
     }
 
     const CWindTable& m_table;
-    std::vector<int> m_boneOf; ///< by stem
+    const CFall* m_fall;
+    int m_roots;               ///< joints in front of the bones
+    std::vector<int> m_boneOf; ///< joint by stem
     std::vector<Bone> m_bones;
 };
 
@@ -331,7 +362,7 @@ std::vector<VertexChannels> bonesFor(const ModelSway& sway, const Meshes& meshes
         own = {{"JOINTS_0", VertexChannel::Type::Short, 4, {}}, {"WEIGHTS_0", VertexChannel::Type::Byte, 4, {}}};
     const CPathTable paths(*sway.table);
     forEachVertex(sway, meshes, paths, [&](std::size_t mesh, const SwayVertex& vertex) {
-        const auto joint = static_cast<std::uint16_t>(skeleton.jointOf(paths.rows()[paths.rowAt(vertex.place)].stem));
+        const auto joint = static_cast<std::uint16_t>(skeleton.jointOf(paths.rows()[paths.rowAt(vertex.place)].stem, vertex.place));
         for (const std::uint16_t index : {joint, std::uint16_t{0}, std::uint16_t{0}, std::uint16_t{0}}) put(all[mesh][0].bytes, index);
         put(all[mesh][1].bytes, std::array<std::uint8_t, 4>{255, 0, 0, 0});
     });
@@ -343,7 +374,9 @@ void addWind(ExportModel& model, std::span<const std::shared_ptr<const ModelSway
              const Motion& motion, const Arrangement& arrangement) {
     const auto wind = static_cast<ExportedWind>(options.wind);
     const CWindTable& table = *sways.front()->table; // all levels of detail have the same stems
-    const CSkeleton skeleton(table, static_cast<std::size_t>(options.bones));
+    std::optional<CFall> fall;
+    if (motion.felling && wind == ExportedWind::Bones) fall.emplace(sways.front()->table, *motion.felling);
+    const CSkeleton skeleton(table, static_cast<std::size_t>(options.bones), fall ? &*fall : nullptr);
     const auto channels = [&](std::size_t lod, const Meshes& meshes) {
         return wind == ExportedWind::Bones ? bonesFor(*sways[lod], meshes, skeleton) : channelsFor(*sways[lod], meshes, channelsOf(wind));
     };
@@ -356,6 +389,7 @@ void addWind(ExportModel& model, std::span<const std::shared_ptr<const ModelSway
     if (wind != ExportedWind::Bones) return;
     model.joints = skeleton.joints(arrangement);
     model.clips = {skeleton.wind(motion, arrangement), skeleton.growth()};
+    if (fall && fall->anythingFalls()) model.clips.push_back(skeleton.fall(motion.fps, arrangement));
 }
 
 } // namespace stromar

@@ -309,7 +309,7 @@ void exportTree(const CommonOptions& common, const ExportOptions& options, const
     if (const std::string conflict = conflictText(options, *format); !conflict.empty()) throw CUsageError(conflict);
     const CParams params = readParams(common);
     const bool carriesWind = options.wind != static_cast<int>(ExportedWind::None);
-    if (!carriesWind && (motion.frames > 0 || motion.blows())) return exportFrames(common, params, options, motion, path, progress);
+    if (!carriesWind && (motion.frames > 0 || motion.sways())) return exportFrames(common, params, options, motion, path, progress);
     CTreeCreator creator = creatorFor(common);
     const auto lods = stromar::exportTree(creator, params, options, std::filesystem::path(common.file).parent_path(), path,
                                           progress, nullptr, motion);

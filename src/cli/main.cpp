@@ -33,7 +33,7 @@ struct Options {
     int size = 1024;
     RenderOptions rendered;
     Motion motion;
-    std::string age, windStrength, windDirection, gusts, seconds, fps;
+    std::string age, windStrength, windDirection, gusts, seconds, fps, fell;
     std::string pictureSize, season, memory, method = "weber-penn";
     bool segments = false;
     bool markdown = false, json = false;
@@ -72,6 +72,12 @@ struct Options {
         readClamped("--gusts", gusts, 0, 1, motion.wind.gusts);
         readClamped("--fps", fps, 0.1, 1000, motion.fps);
         readClamped("--seconds", seconds, 0.01, 3600, motion.seconds);
+        if (!fell.empty()) {
+            const std::size_t comma = fell.find(',');
+            Felling& felling = motion.felling.emplace();
+            readClamped("--fell", fell.substr(0, comma), -360, 360, felling.direction);
+            if (comma != std::string::npos) readClamped("--fell", fell.substr(comma + 1), 0, 1000, felling.height);
+        }
         motion.wind.direction = windDirection.empty() ? motion.wind.direction : stromar::windDirection(degrees);
         if (motion.frames == 0 && motion.seconds > 0)
             motion.frames = static_cast<int>(std::clamp(std::round(motion.seconds * motion.fps), 1.0, double(kMaxFrames)));
@@ -169,6 +175,8 @@ void addMotion(CLI::App& command, Options& options, const std::string& what) {
     command.add_option("--wind-direction", options.windDirection, "Where it blows to: degrees, 0 to the right, 90 away from the viewer")
         ->type_name("DEG");
     command.add_option("--gusts", options.gusts, "How much of it comes and goes, 0 to 1; default: 0.3")->type_name("G");
+    command.add_option("--fell", options.fell, "Fells the tree: where it falls to, in degrees, and the height of the cut in metres; default: at the ground")
+        ->type_name("DEG[,HEIGHT]");
     command.add_option("--seconds", options.seconds, "How long the wind's loop is; default: as long as its frames")->type_name("T");
     command.add_option("--fps", options.fps, "Frames of a second; default: 25")->type_name("F");
 }

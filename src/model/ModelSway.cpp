@@ -93,6 +93,23 @@ std::shared_ptr<const ModelSway> swayOf(const std::shared_ptr<const TreeModel>& 
     return sway;
 }
 
+std::shared_ptr<const ModelSway> felled(const std::shared_ptr<const ModelSway>& sway, const CFall& fall) {
+    if (fall.felling().height <= 0 || !fall.anythingFalls()) return sway;
+    auto model = std::make_shared<TreeModel>(*sway->model);
+    auto cut = std::make_shared<ModelSway>(*sway);
+    CutMesh trunks = cutTrunks(*model->stems[0], *sway->stems[0], *sway->table, fall);
+    model->stems[0] = trunks.mesh;
+    cut->stems[0] = shared(std::move(trunks.places));
+    const auto side = [&](std::shared_ptr<const SwayPlaces>& places) {
+        if (places) places = shared(onOneSide(*places, *sway->table, fall));
+    };
+    for (std::size_t g = 1; g < cut->stems.size(); ++g) side(cut->stems[g]);
+    for (auto& organs : cut->organs) side(organs);
+    side(cut->cards);
+    cut->model = model;
+    return cut;
+}
+
 Meshes swayedMeshes(const ModelSway& sway, const WindPose& pose, double seconds, double loop, const CProgress& progress) {
     Meshes all;
     sway.model->visitMeshes(

@@ -127,7 +127,7 @@ uniform mat4 shadowMatrix;
 uniform float shadowOffset; // metres
 attribute float openAt;
 varying vec3 place, normal, inShadow;
-varying float skyVisibility, shade;
+varying float skyVisibility, shade, ground;
 void main() {
     swayAngle = 0.0;
     vec3 own = stillPlace(), front = stillNormal(own), named = front;
@@ -137,6 +137,7 @@ void main() {
         front = stillNormal(own);
     }
     place = swayedPlace(own);
+    ground = swaying < 0.5 ? -1e9 : min(own.z, 0.0) - 1e-3;
     normal = swaying < 0.5 ? front : turned(swayTurn, front);
     gl_Position = gl_ModelViewProjectionMatrix * vec4(place, 1.0);
     gl_TexCoord[0] = gl_MultiTexCoord0;
@@ -155,7 +156,7 @@ uniform sampler2D picture, relief, gloss, under; // albedo; normals; roughness a
 uniform float leaf, tinted, generation, reliefDepth, underSide, smoothEdges, alphaCut;
 uniform int view; // 0 lit, 1 material, 2 occlusion, 3 normals
 varying vec3 place, normal, inShadow;
-varying float skyVisibility, shade;
+varying float skyVisibility, shade, ground;
 vec3 withRelief(vec3 n) {
     vec3 along = dFdx(place), up = dFdy(place);
     vec2 du = dFdx(gl_TexCoord[0].st), dv = dFdy(gl_TexCoord[0].st);
@@ -177,6 +178,7 @@ void main() {
         if (tinted > -0.5 && mod(floor(gl_FragCoord.x) + floor(gl_FragCoord.y), 2.0) > 0.5) discard;
     }
     vec3 eye = osg_ViewMatrixInverse[3].xyz, toEye = normalize(eye - place);
+    if (place.z < ground && eye.z > 0.0) discard; // what a fallen tree presses into the ground
     vec3 n = normalize(normal);
     bool back = leaf > 0.5 && dot(n, toEye) < 0.0;
     if (back) n = -n;

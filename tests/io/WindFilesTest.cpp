@@ -117,6 +117,21 @@ TEST(WindBones, ThreeJsPlaysTheClips) {
     EXPECT_LT(growth["ends"].get<double>(), 1e-4) << "the grown tree at last";
 }
 
+TEST(WindBones, AFelledTreeHasAClipInWhichItFallsAndAStumpThatStands) {
+    needTool(hasModule("three"), "three.js (npm)");
+    if (::testing::Test::HasFailure() || ::testing::Test::IsSkipped()) return;
+    const CTemporaryFolder folder;
+    for (const double height : {0.0, 1.5}) {
+        write(folder / "fall.glb", "quaking_aspen", carrying(ExportedWind::Bones), {.wind = {.strength = 1}, .felling = Felling{30, height}});
+        const ProcessResult run = runProcess({"node", kTests + "three-clips.mjs", (folder / "fall.glb").string()}, {.folder = STROMAR_BIN "/.."});
+        ASSERT_EQ(run.status, 0) << run.err;
+        const Json file = Json::parse(run.out), fall = file["clips"]["fall"];
+        EXPECT_GT(fall["ends"].get<double>(), 10) << "its tip has moved by more than its height";
+        EXPECT_EQ(fall["unmoved"].get<int>() > 10, height > 0) << "a stump stays";
+        EXPECT_LT(fall["top"].get<double>(), 0.75 * file["height"].get<double>());
+    }
+}
+
 TEST(WindBones, BlenderHasTheArmatureAndItsActions) {
     needTool(std::system("command -v blender > /dev/null") == 0, "Blender");
     if (::testing::Test::HasFailure() || ::testing::Test::IsSkipped()) return;

@@ -45,7 +45,8 @@ for (const clip of gltf.animations) {
   const at = [0, 0.5, 1].map(part => { mixer.setTime(part * clip.duration); return points(); });
   clips[clip.name] = {
     seconds: clip.duration, moves: farthest(at[0], at[1]), closes: farthest(at[0], at[2]), ends: farthest(at[2], still),
-    height: Math.max(...at[0].map(p => p.y)),
+    height: Math.max(...at[0].map(p => p.y)), top: Math.max(...at[2].map(p => p.y)),
+    unmoved: at[2].filter((p, i) => p.distanceTo(still[i]) < 1e-4).length,
   };
   mixer.stopAllAction();
 }

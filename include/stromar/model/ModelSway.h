@@ -1,4 +1,5 @@
 #pragma once
+#include "stromar/mesh/Cut.h"
 #include "stromar/mesh/Sway.h"
 #include "stromar/model/TreeModel.h"
 
@@ -20,6 +21,9 @@ struct ModelSway {
 /// CCancelled.
 std::shared_ptr<const ModelSway> swayOf(const std::shared_ptr<const TreeModel>& model, const ModelSway* known,
                                         const CProgress& progress);
+
+/// The same where a tree is felled: the trunks are cut in two. Without a cut above the ground it is `sway` itself.
+std::shared_ptr<const ModelSway> felled(const std::shared_ptr<const ModelSway>& sway, const CFall& fall);
 
 /// The model's meshes, as TreeModel::meshes() gives them, in a pose at a time. Throws CCancelled.
 Meshes swayedMeshes(const ModelSway& sway, const WindPose& pose, double seconds, double loop, const CProgress& progress);

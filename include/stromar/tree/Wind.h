@@ -32,6 +32,14 @@ double windNoise(double at, std::uint32_t seed, std::uint32_t steps);
 /// The value of the noise at a whole number, −1..1: a hash that shaders and scripts can repeat (32 bits).
 double windLattice(std::uint32_t at, std::uint32_t seed);
 
+/// Where something hangs: between a node and the next one of its path.
+struct SwayPlace {
+    float node; ///< a whole number
+    float part; ///< 0..1 of the way to the next
+
+    std::size_t index() const { return static_cast<std::size_t>(node); }
+};
+
 /// What the wind knows of a stem of the still tree.
 struct WindStem {
     glm::dvec3 base;
@@ -50,20 +58,15 @@ struct WindStem {
     std::uint32_t firstNode;        ///< of path 0
     std::uint32_t segments;         ///< of path 0
     bool forks;                     ///< has other paths
+
+    /// Where it sits on its parent.
+    SwayPlace on() const { return {static_cast<float>(parentNode), static_cast<float>(parentPart)}; }
 };
 
 /// A tree bent by the wind, or fallen. Two rows for each node: its point and the strength of the wind at its stem; the
 /// quaternion (x y z w) that has turned the wood there.
 struct WindPose {
     std::vector<glm::vec4> rows;
-};
-
-/// Where something hangs: between a node and the next one of its path.
-struct SwayPlace {
-    float node; ///< a whole number
-    float part; ///< 0..1 of the way to the next
-
-    std::size_t index() const { return static_cast<std::size_t>(node); }
 };
 
 /// The axes of a tree as the wind bends them. Nodes are the ends of segments: each path has one more than segments, they lie one after the
@@ -95,12 +98,16 @@ public:
     };
     Push pushOn(const WindStem& stem, const Wind& wind, double seconds) const;
 
-private:
-    void addStems(std::size_t generation, const CTree& grown, double flexibility, int seed);
-    void poseStem(const WindStem& own, const Push& push, std::vector<glm::vec4>& rows) const;
-    void poseClones(const WindStem& own, const Push& push, const glm::dquat& carried, std::vector<glm::vec4>& rows) const;
+    /// Poses one stem whose parent, if any, is posed: it is pushed, and hangs at `on` of its parent's axis; a trunk stands where it is.
+    void poseStem(const WindStem& own, const Push& push, const SwayPlace& on, std::vector<glm::vec4>& rows) const;
+    /// Poses consecutive pieces from a node on: it lies at `at`, `start` metres above where the wood is turned by `carried`, and turns further
+    /// by so much per metre.
     void posePath(std::uint32_t first, std::uint32_t segments, double start, glm::dvec3 at, const glm::dquat& carried,
                   const glm::dvec3& perMetre, float strength, std::vector<glm::vec4>& rows) const;
+
+private:
+    void addStems(std::size_t generation, const CTree& grown, double flexibility, int seed);
+    void poseClones(const WindStem& own, const Push& push, const glm::dquat& carried, std::vector<glm::vec4>& rows) const;
 
     std::shared_ptr<const CTree> m_tree;
     std::vector<WindStem> m_stems;

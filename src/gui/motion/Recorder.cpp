@@ -46,7 +46,7 @@ public:
         const Moment& moment = m_moments[i];
         if (!m_view || m_view->model->age != moment.age) grow(moment.age);
         Frame frame{m_view, nullptr, moment.seconds, m_motion.loopingWind().loop};
-        if (m_motion.blows()) frame.pose = SwayMoment{m_view->sway, m_motion.loopingWind(), moment.seconds}.pose();
+        if (m_motion.sways()) frame.pose = SwayMoment{m_view->sway, m_motion.loopingWind(), moment.seconds}.pose();
         return frame;
     }
 
@@ -56,7 +56,7 @@ private:
         auto view = std::make_shared<ViewModel>();
         view->model = m_creator.create(m_tree.params, detailOf(Model::Full), m_progress);
         view->parts = m_parts = viewPartsOf(*view->model, m_parts, m_progress);
-        if (m_motion.blows()) view->sway = swayOf(view->model, nullptr, m_progress);
+        if (m_motion.sways()) view->sway = swayOf(view->model, nullptr, m_progress);
         makePictures(*view->model, m_tree.folder, m_progress);
         for (const ViewPart& part : view->parts) {
             auto& maps = m_surfaces[static_cast<std::size_t>(part.surface)];

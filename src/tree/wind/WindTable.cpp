@@ -147,15 +147,17 @@ CWindTable::Push CWindTable::pushOn(const WindStem& stem, const Wind& wind, doub
     return {turn, s, size};
 }
 
-void CWindTable::poseStem(const WindStem& own, const Push& push, std::vector<glm::vec4>& rows) const {
+void CWindTable::poseStem(const WindStem& own, const Push& push, const SwayPlace& on, std::vector<glm::vec4>& rows) const {
     glm::dquat carried(1, 0, 0, 0);
     glm::dvec3 base = own.base;
     if (own.parent >= 0) {
-        const glm::vec4* below = &rows[2 * std::size_t{own.parentNode}];
-        const glm::dvec4 p = glm::mix(glm::dvec4(below[0]), glm::dvec4(below[2]), own.parentPart);
-        const glm::dvec4 a(below[1]), b(below[3]), q = glm::normalize(glm::mix(a, glm::dot(a, b) < 0 ? -b : b, own.parentPart));
+        const std::size_t node = on.index();
+        const double part = on.part;
+        const glm::vec4* below = &rows[2 * node];
+        const glm::dvec4 p = glm::mix(glm::dvec4(below[0]), glm::dvec4(below[2]), part);
+        const glm::dvec4 a(below[1]), b(below[3]), q = glm::normalize(glm::mix(a, glm::dot(a, b) < 0 ? -b : b, part));
         carried = glm::dquat(q.w, q.x, q.y, q.z);
-        const glm::dvec3 axis = glm::mix(glm::dvec3(m_still[own.parentNode]), glm::dvec3(m_still[own.parentNode + 1]), own.parentPart);
+        const glm::dvec3 axis = glm::mix(glm::dvec3(m_still[node]), glm::dvec3(m_still[node + 1]), part);
         base = glm::dvec3(p) + carried * (own.base - axis);
     }
     posePath(own.firstNode, own.segments, 0, base, carried, push.turn / own.length, static_cast<float>(push.strength), rows);
@@ -201,7 +203,7 @@ void CWindTable::pose(const Wind& wind, double seconds, WindPose& pose, const CP
         parallelFor(
             m_tree->generation(g).stems.size(), kStemGrain,
             [&](std::size_t begin, std::size_t end) {
-                for (std::size_t i = begin; i < end; ++i) poseStem(stems[i], pushOn(stems[i], wind, seconds), pose.rows);
+                for (std::size_t i = begin; i < end; ++i) poseStem(stems[i], pushOn(stems[i], wind, seconds), stems[i].on(), pose.rows);
             },
             progress);
     }
