@@ -1,5 +1,6 @@
 // The timeline and the wind of the window.
 #include "WindowFixture.h"
+#include "motion/FallController.h"
 #include "motion/Recorder.h"
 #include "motion/Timeline.h"
 #include "motion/WindController.h"
@@ -200,7 +201,7 @@ private:
 class RecordTest : public MotionTest {
 protected:
     RecordedTree tree() {
-        return {window.document().params(), window.document().folder(), 1, {.strength = 1}, SizeLimits::none(), {}, window.viewport().camera()};
+        return {window.document().params(), window.document().folder(), 1, {.strength = 1}, Felling{}, SizeLimits::none(), {}, window.viewport().camera()};
     }
     RecordOptions options(RecordOptions::What what, const char* name) {
         return {what, {64, 80}, 0.8, 5, false, folder.filePath(QLatin1String(name))};
@@ -222,6 +223,48 @@ TEST_F(RecordTest, WindIsALoopOfPictures) {
     window.recorder().record(tree(), options(RecordOptions::What::Wind, "w.png"));
     ASSERT_EQ(files().size(), 4);
     EXPECT_NE(QImage(folder.filePath(QStringLiteral("w_0001.png"))), QImage(folder.filePath(QStringLiteral("w_0003.png"))));
+}
+
+TEST_F(RecordTest, AFallIsPicturesToo) {
+    window.recorder().record(tree(), options(RecordOptions::What::Fall, "f.png"));
+    ASSERT_EQ(files().size(), 4);
+    EXPECT_NE(QImage(folder.filePath(QStringLiteral("f_0001.png"))), QImage(folder.filePath(QStringLiteral("f_0004.png"))));
+}
+
+TEST_F(MotionTest, AFelledTreeFallsAndStandsAgain) {
+    ASSERT_TRUE(rests());
+    const QImage standing = picture();
+    window.fall().fell({0, 1});
+    ASSERT_TRUE(waitFor([&] { return window.timeline().playing(); }));
+    EXPECT_TRUE(action("fell")->isChecked());
+    ASSERT_TRUE(waitFor([&] { return !window.timeline().playing(); }, 60000));
+    const double seconds = window.timeline().fallSeconds();
+    EXPECT_GT(seconds, 1);
+    const QImage lying = picture();
+    EXPECT_NE(lying, standing);
+    auto* age = widget<QSlider>("age");
+    age->setValue(age->maximum() / 2); // scrubbing
+    EXPECT_NEAR(window.timeline().fallSeconds(), seconds / 2, 0.02);
+    EXPECT_NE(picture(), lying);
+    EXPECT_EQ(window.timeline().age(), 1) << "the age stays";
+    slider("1DownAngle")->setValue(slider("1DownAngle")->value() + 100); // it stays felled
+    ASSERT_TRUE(showsNow(Model::Full));
+    EXPECT_TRUE(window.fall().felling());
+    EXPECT_GT(window.timeline().fallSeconds(), 0.3);
+    action("undo")->trigger();
+    ASSERT_TRUE(showsNow(Model::Full));
+    action("fell")->setChecked(false);
+    ASSERT_TRUE(rests());
+    EXPECT_FALSE(window.fall().felling());
+    EXPECT_EQ(picture(), standing);
+    window.fall().fell({90, 0});
+    ASSERT_TRUE(window.files().open(presetPath("apple")));
+    EXPECT_FALSE(window.fall().felling()) << "another tree stands";
+}
+
+TEST_F(MotionTest, PicturesOfAgesChooseThem) {
+    widget<QToolButton>("age1")->click();
+    EXPECT_TRUE(showsAge(0.4, Model::Full));
 }
 
 TEST_F(RecordTest, AVideoIsMadeByFfmpegAndReplacesTheOldFileOnlyWhenItIsThere) {
@@ -252,7 +295,7 @@ TEST_F(RecordTest, AVideoIsMadeByFfmpegAndReplacesTheOldFileOnlyWhenItIsThere) {
 
 TEST_F(RecordTest, WithoutFfmpegTheDialogSaysSo) {
     const FakeFfmpeg none("");
-    const CRecordDialog without({100, 100}, false);
+    const CRecordDialog without({100, 100}, false, false);
     EXPECT_TRUE(without.findChild<QLabel*>(QStringLiteral("noVideo")));
     EXPECT_EQ(without.findChild<QComboBox*>(QStringLiteral("kind"))->count(), 1);
 }

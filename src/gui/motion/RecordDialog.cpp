@@ -39,7 +39,7 @@ QString RecordOptions::fileOf(int frame) const {
     return video ? path : fromPath(framePath(toPath(path), static_cast<std::size_t>(frame), static_cast<std::size_t>(frames())));
 }
 
-CRecordDialog::CRecordDialog(const QSize& windowSize, bool windBlows, QWidget* parent)
+CRecordDialog::CRecordDialog(const QSize& windowSize, bool windBlows, bool felled, QWidget* parent)
     : QDialog(parent), m_what(new QComboBox), m_width(makeNumber<QSpinBox>("width", 16, kMaxPixels, windowSize.width(), tr(" px"))),
       m_height(makeNumber<QSpinBox>("height", 16, kMaxPixels, windowSize.height(), tr(" px"))),
       m_fps(makeNumber<QSpinBox>("fps", 1, 120, 25, QString())),
@@ -48,7 +48,8 @@ CRecordDialog::CRecordDialog(const QSize& windowSize, bool windBlows, QWidget* p
     m_what->setObjectName(QStringLiteral("what"));
     m_what->addItem(tr("Growth, up to the age that is shown"));
     m_what->addItem(tr("Wind, in a loop"));
-    m_what->setCurrentIndex(windBlows ? 1 : 0);
+    if (felled) m_what->addItem(tr("The fall"));
+    m_what->setCurrentIndex(felled ? 2 : windBlows ? 1 : 0);
     m_kind->setObjectName(QStringLiteral("kind"));
     m_kind->addItem(tr("Numbered pictures (PNG)"));
     auto* form = new QFormLayout(this);
@@ -92,7 +93,7 @@ void CRecordDialog::chooseFile() {
 }
 
 RecordOptions CRecordDialog::options() const {
-    return {m_what->currentIndex() == 0 ? RecordOptions::What::Growth : RecordOptions::What::Wind,
+    return {static_cast<RecordOptions::What>(m_what->currentIndex()),
             {m_width->value(), m_height->value()},
             m_seconds->value(),
             m_fps->value(),

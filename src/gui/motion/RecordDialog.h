@@ -11,7 +11,7 @@ namespace stromar {
 
 /// What is recorded of a tree that moves.
 struct RecordOptions {
-    enum class What { Growth, Wind };
+    enum class What { Growth, Wind, Fall };
 
     What what = What::Growth;
     QSize size;
@@ -29,7 +29,7 @@ struct RecordOptions {
 class CRecordDialog : public QDialog {
     Q_OBJECT
 public:
-    CRecordDialog(const QSize& windowSize, bool windBlows, QWidget* parent = nullptr);
+    CRecordDialog(const QSize& windowSize, bool windBlows, bool felled, QWidget* parent = nullptr);
     RecordOptions options() const;
 
 private:

@@ -32,7 +32,7 @@ public:
         m_motion.frames = options.frames();
         m_motion.fps = options.fps;
         if (options.what == RecordOptions::What::Wind) m_motion.wind = tree.wind;
-        m_moments = m_motion.moments(tree.age);
+        if (options.what == RecordOptions::What::Fall) m_motion.felling = tree.felling;
     }
 
     void cancel() { m_progress.cancel(); }
@@ -43,10 +43,11 @@ public:
         double seconds, loop;
     };
     Frame make(std::size_t i) {
-        const Moment& moment = m_moments[i];
-        if (!m_view || m_view->model->age != moment.age) grow(moment.age);
+        if (!m_view) grow(m_motion.moments(m_tree.age).front().age);
+        const Moment moment = m_motion.moments(m_tree.age, m_moving ? m_moving->fallSeconds() : 0)[i];
+        if (m_view->model->age != moment.age) grow(moment.age);
         Frame frame{m_view, nullptr, moment.seconds, m_motion.loopingWind().loop};
-        if (m_motion.sways()) frame.pose = SwayMoment{m_view->sway, m_motion.loopingWind(), moment.seconds}.pose();
+        if (m_moving) frame.pose = m_moving->poseAt(moment.seconds, m_progress);
         return frame;
     }
 
@@ -55,8 +56,12 @@ private:
         m_creator.setAge(age);
         auto view = std::make_shared<ViewModel>();
         view->model = m_creator.create(m_tree.params, detailOf(Model::Full), m_progress);
+        if (m_motion.sways()) {
+            m_moving.emplace(view->model, m_motion, m_progress);
+            view->sway = m_moving->sway();
+            view->model = view->sway->model; // perhaps cut
+        }
         view->parts = m_parts = viewPartsOf(*view->model, m_parts, m_progress);
-        if (m_motion.sways()) view->sway = swayOf(view->model, nullptr, m_progress);
         makePictures(*view->model, m_tree.folder, m_progress);
         for (const ViewPart& part : view->parts) {
             auto& maps = m_surfaces[static_cast<std::size_t>(part.surface)];
@@ -68,7 +73,7 @@ private:
 
     const RecordedTree& m_tree;
     Motion m_motion;
-    std::vector<Moment> m_moments;
+    std::optional<CMovingModel> m_moving; ///< null while it grows
     CTreeCreator m_creator;
     CProgress m_progress;
     std::vector<ViewPart> m_parts;

@@ -16,6 +16,7 @@ struct RecordedTree {
     std::filesystem::path folder;
     double age = 1;
     Wind wind;
+    std::optional<Felling> felling;
     SizeLimits limits;
     ViewLook look;
     CCamera camera;

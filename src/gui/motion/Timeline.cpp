@@ -28,13 +28,13 @@ CTimeline::CTimeline(QWidget* parent) : QWidget(parent), m_slider(new CParamSlid
     row->setContentsMargins(6, 2, 6, 2);
     row->setSpacing(2);
     const auto icon = [this](QStyle::StandardPixmap which) { return style()->standardIcon(which, nullptr, this); };
-    auto* back = addButton("timelineBack", icon(QStyle::SP_MediaSeekBackward), tr("A step younger"));
-    m_play = addButton("timelinePlay", icon(QStyle::SP_MediaPlay), tr("Let the tree grow"));
+    auto* back = addButton("timelineBack", icon(QStyle::SP_MediaSeekBackward), tr("A step back"));
+    m_play = addButton("timelinePlay", icon(QStyle::SP_MediaPlay), tr("Play"));
     m_play->setCheckable(true);
-    auto* forward = addButton("timelineForward", icon(QStyle::SP_MediaSeekForward), tr("A step older"));
+    auto* forward = addButton("timelineForward", icon(QStyle::SP_MediaSeekForward), tr("A step forward"));
     m_slider->setObjectName(QStringLiteral("age"));
     m_slider->setAccessibleName(tr("Age"));
-    m_slider->setToolTip(tr("How old the tree is"));
+    m_slider->setToolTip(tr("How old the tree is, or how far it has fallen"));
     m_slider->setValue(m_slider->maximum());
     row->addWidget(m_slider, 1);
     row->addWidget(m_label);
@@ -42,12 +42,12 @@ CTimeline::CTimeline(QWidget* parent) : QWidget(parent), m_slider(new CParamSlid
     m_label->setMinimumWidth(m_label->fontMetrics().horizontalAdvance(tr("Age %1 %").arg(QLocale().toString(100.0, 'f', 1))) + 6);
     m_speed->setObjectName(QStringLiteral("timelineSpeed"));
     m_speed->setAccessibleName(tr("Speed"));
-    m_speed->setToolTip(tr("How fast it grows"));
+    m_speed->setToolTip(tr("How fast it is played"));
     m_speed->setFocusPolicy(Qt::StrongFocus);
     for (const double speed : kSpeeds) m_speed->addItem(QStringLiteral("%1×").arg(QLocale().toString(speed)), speed);
     m_speed->setCurrentIndex(kUsualSpeed);
     row->addWidget(m_speed);
-    m_loop = addButton("timelineLoop", icon(QStyle::SP_BrowserReload), tr("Begin anew when it is grown"));
+    m_loop = addButton("timelineLoop", icon(QStyle::SP_BrowserReload), tr("Begin anew at the end"));
     m_loop->setCheckable(true);
     auto* record = addButton("timelineRecord", icon(QStyle::SP_DialogSaveButton), tr("Save pictures or a video of it"));
     m_timer.setInterval(kTickMs);
@@ -62,7 +62,7 @@ CTimeline::CTimeline(QWidget* parent) : QWidget(parent), m_slider(new CParamSlid
         moveTo(double(position) / m_slider->maximum());
     });
     connect(m_slider, &QSlider::sliderReleased, this, &CTimeline::released);
-    moveTo(1);
+    tell();
 }
 
 QToolButton* CTimeline::addButton(const char* name, const QIcon& icon, const QString& help) {
@@ -82,26 +82,56 @@ bool CTimeline::held() const { return m_slider->isSliderDown(); }
 
 void CTimeline::setLooping(bool on) { m_loop->setChecked(on); }
 
-void CTimeline::moveTo(double age) {
-    const bool other = age != m_age;
-    m_age = age;
-    m_label->setText(tr("Age %1 %").arg(QLocale().toString(100 * age, 'f', 1)));
-    {
-        const QSignalBlocker quiet(m_slider);
-        m_slider->setValue(positionOf(age));
+void CTimeline::showFall(double seconds) {
+    if (m_track != &m_fall) {
+        setPlaying(false);
+        m_fall.at = 0;
     }
+    m_track = &m_fall;
+    m_fall.seconds = seconds;
+    m_waiting = false;
+    tell();
+}
+
+void CTimeline::showLife() {
+    if (m_track == &m_life) return;
+    setPlaying(false);
+    m_track = &m_life;
+    tell();
+}
+
+void CTimeline::tell() {
+    const QLocale numbers;
+    m_label->setText(m_track == &m_life ? tr("Age %1 %").arg(numbers.toString(100 * m_life.at, 'f', 1))
+                                        : tr("Fall %1 s").arg(numbers.toString(fallSeconds(), 'f', 1)));
+    const QSignalBlocker quiet(m_slider);
+    m_slider->setValue(positionOf(m_track->at));
+}
+
+void CTimeline::moveTo(double at) {
+    const bool other = at != m_track->at;
+    m_track->at = at;
+    tell();
     if (!other) return;
+    if (m_track == &m_fall) {
+        emit fallMoved(fallSeconds());
+        return;
+    }
     m_waiting = true;
     m_asked.start();
-    emit ageChanged(age);
+    emit ageChanged(at);
 }
 
 void CTimeline::setAge(double age) {
+    showLife();
     setPlaying(false);
     moveTo(std::clamp(age, 0.0, 1.0));
 }
 
-void CTimeline::step(double by) { setAge(std::round((m_age + by) / kStep) * kStep); }
+void CTimeline::step(double by) {
+    setPlaying(false);
+    moveTo(std::clamp(std::round((m_track->at + by) / kStep) * kStep, 0.0, 1.0));
+}
 
 void CTimeline::setPlaying(bool on) {
     if (on == playing()) return;
@@ -111,7 +141,7 @@ void CTimeline::setPlaying(bool on) {
         m_clock.start();
         m_timer.start();
         emit playingChanged(true);
-        if (m_age >= 1) moveTo(0);
+        if (m_track->at >= 1) moveTo(0);
     } else {
         m_timer.stop();
         emit playingChanged(false);
@@ -120,11 +150,11 @@ void CTimeline::setPlaying(bool on) {
 
 void CTimeline::advance() {
     if (m_waiting && m_asked.elapsed() < kPatienceMs) return;
-    double age = m_age + double(m_clock.restart()) / 1000 * speed() / kLifeSeconds;
+    double at = m_track->at + double(m_clock.restart()) / 1000 * speed() / std::max(1e-3, m_track->seconds);
     const bool loops = m_loop->isChecked();
-    if (age > 1) age = loops && m_age >= 1 ? 0 : 1; // the grown tree is seen too
-    moveTo(age);
-    if (age >= 1 && !loops) setPlaying(false);
+    if (at > 1) at = loops && m_track->at >= 1 ? 0 : 1; // the end is seen too
+    moveTo(at);
+    if (at >= 1 && !loops) setPlaying(false);
 }
 
 } // namespace stromar

@@ -11,7 +11,7 @@ namespace stromar {
 
 class CParamSlider;
 
-/// The life of the tree under its picture: how old it is, played, stepped or dragged.
+/// The life of the tree under its picture, or its fall: how old it is, or how long it has fallen; played, stepped or dragged.
 class CTimeline : public QWidget {
     Q_OBJECT
 public:
@@ -19,7 +19,11 @@ public:
 
     explicit CTimeline(QWidget* parent = nullptr);
 
-    double age() const { return m_age; } ///< 0..1
+    double age() const { return m_life.at; } ///< 0..1
+    /// From now on it runs over a fall of so many seconds, from its beginning; one that is shown already goes on where it is.
+    void showFall(double seconds);
+    void showLife();
+    double fallSeconds() const { return m_fall.at * m_fall.seconds; }
     /// As if it were dragged there.
     void setAge(double age);
     bool playing() const { return m_timer.isActive(); }
@@ -33,13 +37,21 @@ public:
 
 signals:
     void ageChanged(double age);
+    void fallMoved(double seconds);
     void playingChanged(bool playing);
     void released();
     void recordWanted();
 
 private:
     void advance();
-    void moveTo(double age);
+    /// What the slider runs over.
+    struct Track {
+        double at;      ///< 0..1
+        double seconds; ///< of playing at speed 1
+    };
+
+    void moveTo(double at);
+    void tell();
     void step(double by);
     double speed() const;
     QToolButton* addButton(const char* name, const QIcon& icon, const QString& help);
@@ -52,7 +64,8 @@ private:
     QTimer m_timer;
     QElapsedTimer m_clock;  ///< since the last step of playing
     QElapsedTimer m_asked;  ///< since the last age was told of
-    double m_age = 1;
+    Track m_life{1, kLifeSeconds}, m_fall{0, 1};
+    Track* m_track = &m_life;
     bool m_waiting = false; ///< for the tree of the last age
 };
 

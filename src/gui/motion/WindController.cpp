@@ -22,17 +22,23 @@ CWindController::CWindController(CViewport& viewport, CWindPanel& panel, CGrowth
 }
 
 void CWindController::follow() {
-    const bool blows = m_panel.blowing();
+    const bool blows = m_panel.blowing() && !m_paused;
     m_viewport.showWindArrow(blows ? std::optional(m_panel.direction()) : std::nullopt);
-    m_growth.setSwaying(blows);
+    if (!m_paused) m_growth.setSwaying(blows);
     if (blows == m_timer.isActive()) return;
     if (blows) {
         if (!m_clock.isValid()) m_clock.start();
         m_timer.start();
     } else {
         m_timer.stop();
-        m_viewport.endSway();
+        m_ready.reset();
+        if (!m_paused) m_viewport.endSway();
     }
+}
+
+void CWindController::setPaused(bool paused) {
+    m_paused = paused;
+    follow();
 }
 
 void CWindController::show(const std::shared_ptr<const ViewModel>& view) {

@@ -20,6 +20,8 @@ public:
 
     /// After the viewport got a model.
     void show(const std::shared_ptr<const ViewModel>& view);
+    /// While something else moves the tree.
+    void setPaused(bool paused);
     bool blowing() const { return m_timer.isActive(); }
 
 private:
@@ -34,6 +36,7 @@ private:
     std::shared_ptr<const ModelSway> m_sway; ///< of the model that is shown; null until one that sways has come
     QTimer m_timer;
     QElapsedTimer m_clock;
+    bool m_paused = false;
     bool m_waiting = false; ///< for a pose
     std::optional<std::pair<SwayMoment, std::shared_ptr<const WindPose>>> m_ready; ///< it is worked out while a picture is drawn
     CPoseThread m_poses;    ///< last: it stops before anything it reports to is gone

@@ -69,7 +69,6 @@ CViewController::CViewController(CViewport& viewport, CParamPanel& panel, CDocum
 
 void CViewController::show(const std::shared_ptr<const ViewModel>& view) {
     m_view = view;
-    m_viewport.show(view->parts);
     updateSelection();
 }
 

@@ -16,6 +16,7 @@ class CViewController : public QObject {
 public:
     CViewController(CViewport& viewport, CParamPanel& panel, CDocument& document, QObject* parent = nullptr);
 
+    /// After the viewport got the model.
     void show(const std::shared_ptr<const ViewModel>& view);
     /// After a change of the values or of the unit.
     void updateOverlay();

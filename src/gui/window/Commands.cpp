@@ -81,6 +81,8 @@ constexpr Command kCommands[] = {
      QT_TRANSLATE_NOOP("Commands", "Show a grid of metres and a person beside the tree"), [](W& w, bool on) { w.view().setLook([on](ViewLook& look) { look.ground = on; }); }, true, false, Kind::KeptSwitch},
     {"wind", Menu::View, QT_TRANSLATE_NOOP("Commands", "W&ind"), "N", "",
      QT_TRANSLATE_NOOP("Commands", "Let the tree sway in the wind"), [](W& w, bool on) { w.wind().setBlowing(on); }, false, false, Kind::Switch},
+    {"fell", Menu::View, QT_TRANSLATE_NOOP("Commands", "F&ell…"), "X", "",
+     QT_TRANSLATE_NOOP("Commands", "Cut the tree and let it fall; the timeline runs over its fall"), [](W& w, bool on) { w.setFelled(on); }, false, false, Kind::Switch},
     {"statistics", Menu::View, QT_TRANSLATE_NOOP("Commands", "&Statistics"), "I", "",
      QT_TRANSLATE_NOOP("Commands", "Show sizes and counts in the picture"), [](W& w, bool on) { w.view().setStatistics(on); }, false, false, Kind::KeptSwitch},
     {"backdropSky", Menu::View, QT_TRANSLATE_NOOP("Commands", "Before the S&ky"), "Ctrl+1", "",

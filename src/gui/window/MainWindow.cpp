@@ -7,6 +7,7 @@
 #include "document/Gesture.h"
 #include "window/HelpWindow.h"
 #include "view/LightPanel.h"
+#include "motion/FallController.h"
 #include "motion/Recorder.h"
 #include "motion/Timeline.h"
 #include "motion/WindController.h"
@@ -68,7 +69,7 @@ CMainWindow::CMainWindow(const SizeLimits& limits, std::shared_ptr<CDocument> do
       m_viewController(new CViewController(*m_viewport, *m_panel, *m_document, this)),
       m_files(new CFileController(*m_document, *m_bar, this)),
       m_exporter(new CExportController(
-          *m_document, [this] { return shownModel(); }, [this] { return m_growth->limits(); }, [this] { return CExportController::Motion{m_growth->age(), m_wind->wind()}; }, this)),
+          *m_document, [this] { return shownModel(); }, [this] { return m_growth->limits(); }, [this] { return CExportController::Motion{m_growth->age(), m_wind->wind(), m_fall->felling()}; }, this)),
       m_growth(std::make_unique<CGrowthController>(*m_document, *m_bar, limits)) {
     initResources();
     setAcceptDrops(true);
@@ -290,6 +291,9 @@ void CMainWindow::connectControllers() {
 void CMainWindow::connectMotion() {
     CGrowthController* growth = m_growth.get();
     m_windController = new CWindController(*m_viewport, *m_wind, *growth, this);
+    m_fall = new CFallController(*m_viewport, *m_timeline, *growth, this);
+    connect(m_fall, &CFallController::changed, m_windController, &CWindController::setPaused);
+    connect(m_fall, &CFallController::changed, this, [this](bool felled) { findChild<QAction*>(QStringLiteral("fell"))->setChecked(felled); });
     connect(m_timeline, &CTimeline::ageChanged, growth, &CGrowthController::setAge);
     connect(m_timeline, &CTimeline::playingChanged, growth, &CGrowthController::setPlaying);
     connect(m_timeline, &CTimeline::playingChanged, this, [this](bool on) { findChild<QAction*>(QStringLiteral("play"))->setChecked(on); });
@@ -394,6 +398,7 @@ void CMainWindow::dropEvent(QDropEvent* event) {
 
 void CMainWindow::onReplaced() {
     m_recentreNext = true;
+    m_fall->raise();
     m_timeline->setAge(1);
     m_viewController->clearSelection();
     m_files->watchFile();
@@ -419,6 +424,7 @@ void CMainWindow::showPresets() {
 
 void CMainWindow::onCreated(const std::shared_ptr<const ViewModel>& view) {
     m_shown = view;
+    m_fall->show(view);
     m_viewController->show(view);
     m_windController->show(view);
     m_timeline->shown();
@@ -523,11 +529,18 @@ void CMainWindow::stop() {
     m_viewController->clearSelection();
 }
 
+void CMainWindow::setFelled(bool felled) {
+    if (!felled)
+        m_fall->raise();
+    else if (!m_fall->felling() && !m_fall->askAndFell(this))
+        findChild<QAction*>(QStringLiteral("fell"))->setChecked(false);
+}
+
 void CMainWindow::record() {
     m_timeline->setPlaying(false);
-    CRecordDialog dialog(m_viewport->size() * m_viewport->devicePixelRatioF(), m_wind->blowing(), this);
+    CRecordDialog dialog(m_viewport->size() * m_viewport->devicePixelRatioF(), m_wind->blowing(), m_fall->felling().has_value(), this);
     if (dialog.exec() != QDialog::Accepted) return;
-    m_recorder->record({m_document->params(), m_document->folder(), m_growth->age(), m_wind->wind(), m_growth->limits(), m_viewport->look(),
+    m_recorder->record({m_document->params(), m_document->folder(), m_growth->age(), m_wind->wind(), m_fall->felling(), m_growth->limits(), m_viewport->look(),
                         m_viewport->camera()},
                        dialog.options());
 }

@@ -24,6 +24,7 @@ class CMessageBar;
 class CParamPanel;
 class CPresetBrowser;
 class CThumbnails;
+class CFallController;
 class CRecorder;
 class CTimeline;
 class CVariants;
@@ -54,6 +55,7 @@ public:
     CFileController& files() { return *m_files; }
     CExportController& exporter() { return *m_exporter; }
     CRecorder& recorder() { return *m_recorder; }
+    CFallController& fall() { return *m_fall; }
     CTimeline& timeline() { return *m_timeline; }
     CWindPanel& wind() { return *m_wind; }
     /// Whether a tree grows or a thumbnail is still to come.
@@ -68,8 +70,10 @@ public:
     void throwDice();
     void stop();
     /// `other` is the switch that goes off.
-    /// Asks what, how and where to, and records growth or wind.
+    /// Asks what, how and where to, and records growth, wind or fall.
     void record();
+    /// Asks where to and how, and fells the tree; or lets it stand again.
+    void setFelled(bool felled);
     void setWireframe(Wireframe wireframe, const char* other);
     void resetLayout();
     void showManual();
@@ -148,6 +152,7 @@ private:
     CFileController* m_files;
     CExportController* m_exporter;
     CWindController* m_windController = nullptr;
+    CFallController* m_fall = nullptr;
     std::unique_ptr<CGrowthController> m_growth; ///< last: it stops before anything it reports to is gone
 };
 

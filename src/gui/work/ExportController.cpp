@@ -31,7 +31,7 @@ void CExportController::exportTo(const QString& path, const ExportOptions& optio
     if (m_job) return;
     const Motion moving = m_moving();
     m_job = std::make_unique<CExportJob>(CExportJob::Task{m_document.params(), m_shown(), options, m_document.folder(), toPath(path),
-                                                          m_limits(), moving.age, {.wind = moving.wind}});
+                                                          m_limits(), moving.age, {.wind = moving.wind, .felling = moving.felling}});
     QProgressDialog* dialog = showProgress(path);
     connect(
         m_job.get(), &CExportJob::finished, this,

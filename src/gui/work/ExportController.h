@@ -1,6 +1,7 @@
 #pragma once
 #include "document/Document.h"
 #include "work/ExportJob.h"
+#include "stromar/tree/Fall.h"
 #include <QObject>
 #include <functional>
 #include <memory>
@@ -22,6 +23,7 @@ public:
     struct Motion {
         double age;
         Wind wind;
+        std::optional<Felling> felling;
     };
     using Moving = std::function<Motion()>;
     CExportController(CDocument& document, Shown shown, Limits limits, Moving moving, QWidget* window);
