@@ -355,6 +355,38 @@
         <source>Wireframe &amp;over the Tree</source>
         <translation>Dráty &amp;přes strom</translation>
     </message>
+    <message>
+        <source>&amp;Record…</source>
+        <translation>&amp;Nahrát…</translation>
+    </message>
+    <message>
+        <source>Pictures or a video of the tree as it grows or sways</source>
+        <translation>Obrázky nebo video stromu, který roste nebo se kymácí</translation>
+    </message>
+    <message>
+        <source>&amp;Play Growth</source>
+        <translation>&amp;Přehrát růst</translation>
+    </message>
+    <message>
+        <source>Let the tree grow from its first day</source>
+        <translation>Nechat strom růst od prvního dne</translation>
+    </message>
+    <message>
+        <source>W&amp;ind</source>
+        <translation>V&amp;ítr</translation>
+    </message>
+    <message>
+        <source>Let the tree sway in the wind</source>
+        <translation>Nechat strom kymácet ve větru</translation>
+    </message>
+    <message>
+        <source>F&amp;ell…</source>
+        <translation>Po&amp;kácet…</translation>
+    </message>
+    <message>
+        <source>Cut the tree and let it fall; the timeline runs over its fall</source>
+        <translation>Pokácet strom; časová osa pak vede jeho pádem</translation>
+    </message>
 </context>
 <context>
     <name>stromar</name>
@@ -2258,6 +2290,70 @@
         <source>A trunk of strands that split again and again until each is a twig: drawn curves say how. Holton 1994.</source>
         <translation>Kmen z pramenů, které se znovu a znovu dělí, až je každý větvičkou: jak, to říkají nakreslené křivky. Holton 1994.</translation>
     </message>
+    <message>
+        <source>None</source>
+        <translation>Žádný</translation>
+    </message>
+    <message>
+        <source>Attributes for a shader</source>
+        <translation>Atributy pro shader</translation>
+    </message>
+    <message>
+        <source>CryEngine vertex colours</source>
+        <translation>Barvy vrcholů CryEngine</translation>
+    </message>
+    <message>
+        <source>Unity Tree Creator colours</source>
+        <translation>Barvy Unity Tree Creator</translation>
+    </message>
+    <message>
+        <source>Bones with clips</source>
+        <translation>Kosti s klipy</translation>
+    </message>
+    <message>
+        <source>Wind</source>
+        <translation>Vítr</translation>
+    </message>
+    <message>
+        <source>What lets the tree sway in another program: vertex attributes and a table for a shader, vertex colours as an engine reads them (COLOR_0 then tints the tree where they are not read), or bones with clips of wind and growth.</source>
+        <translation>Co rozkývá strom v jiném programu: atributy vrcholů a tabulka pro shader, barvy vrcholů, jak je čte engine (COLOR_0 pak strom tam, kde se nečtou, obarví), nebo kosti s klipy větru a růstu.</translation>
+    </message>
+    <message>
+        <source>Bones</source>
+        <translation>Kosti</translation>
+    </message>
+    <message>
+        <source>How many of the thickest stems get a bone of their own; the others follow theirs. Only with bones.</source>
+        <translation>Kolik nejtlustších kmenů a větví dostane vlastní kost; ostatní je následují. Jen s kostmi.</translation>
+    </message>
+    <message>
+        <source>%1 cannot hold what moves in the wind; choose glTF</source>
+        <translation>%1 neumí uložit pohyb ve větru; zvolte glTF</translation>
+    </message>
+    <message>
+        <source>1 is a strong gale, 22 m/s; beyond it is a storm.</source>
+        <translation>1 je silná vichřice, 22 m/s; nad ní je bouře.</translation>
+    </message>
+    <message>
+        <source>Where it blows to; the arrow in the picture can be dragged too.</source>
+        <translation>Kam vane; lze také táhnout šipku v obrázku.</translation>
+    </message>
+    <message>
+        <source>Gusts</source>
+        <translation>Poryvy</translation>
+    </message>
+    <message>
+        <source>How much of the strength comes and goes.</source>
+        <translation>Jak velká část síly přichází a odchází.</translation>
+    </message>
+    <message>
+        <source>Flexibility</source>
+        <translation>Ohebnost</translation>
+    </message>
+    <message>
+        <source>How far the wood bends in the wind: 0 is stiff, 2 bends twice as far. The tree in still air stays as it is.</source>
+        <translation>Jak moc se dřevo ohýbá ve větru: 0 je tuhé, 2 se ohýbá dvakrát víc. Strom v klidu zůstává, jaký je.</translation>
+    </message>
 </context>
 <context>
     <name>stromar::CCurveEditor</name>
@@ -2349,6 +2445,37 @@
     <message>
         <source>%1 is there already. Replace it?</source>
         <translation>%1 už existuje. Nahradit?</translation>
+    </message>
+</context>
+<context>
+    <name>stromar::CFallController</name>
+    <message>
+        <source>Fell the tree</source>
+        <translation>Pokácet strom</translation>
+    </message>
+    <message>
+        <source> m</source>
+        <translation> m</translation>
+    </message>
+    <message>
+        <source>Where it falls to: 0 to the right, 90 away from the front</source>
+        <translation>Kam padne: 0 doprava, 90 dozadu</translation>
+    </message>
+    <message>
+        <source>Of the cut above the ground; 0 fells it with its foot</source>
+        <translation>Výška řezu nad zemí; 0 skácí strom i s patou</translation>
+    </message>
+    <message>
+        <source>&amp;Direction</source>
+        <translation>S&amp;měr</translation>
+    </message>
+    <message>
+        <source>&amp;Height of the cut</source>
+        <translation>&amp;Výška řezu</translation>
+    </message>
+    <message>
+        <source>&amp;Fell</source>
+        <translation>&amp;Pokácet</translation>
     </message>
 </context>
 <context>
@@ -2758,6 +2885,10 @@
         <source>Show details of the stem or leaf</source>
         <translation>Ukázat podrobnosti o větvi nebo listu</translation>
     </message>
+    <message>
+        <source>Wind</source>
+        <translation>Vítr</translation>
+    </message>
 </context>
 <context>
     <name>stromar::CMessageBar</name>
@@ -2961,6 +3092,128 @@
     </message>
 </context>
 <context>
+    <name>stromar::CRecordDialog</name>
+    <message>
+        <source> px</source>
+        <translation> px</translation>
+    </message>
+    <message>
+        <source> s</source>
+        <translation> s</translation>
+    </message>
+    <message>
+        <source>Record</source>
+        <translation>Nahrát</translation>
+    </message>
+    <message>
+        <source>Growth, up to the age that is shown</source>
+        <translation>Růst až do zobrazeného stáří</translation>
+    </message>
+    <message>
+        <source>Wind, in a loop</source>
+        <translation>Vítr ve smyčce</translation>
+    </message>
+    <message>
+        <source>The fall</source>
+        <translation>Pád</translation>
+    </message>
+    <message>
+        <source>Numbered pictures (PNG)</source>
+        <translation>Číslované obrázky (PNG)</translation>
+    </message>
+    <message>
+        <source>&amp;What</source>
+        <translation>&amp;Co</translation>
+    </message>
+    <message>
+        <source>Wid&amp;th</source>
+        <translation>Šíř&amp;ka</translation>
+    </message>
+    <message>
+        <source>&amp;Height</source>
+        <translation>&amp;Výška</translation>
+    </message>
+    <message>
+        <source>&amp;Length</source>
+        <translation>&amp;Délka</translation>
+    </message>
+    <message>
+        <source>&amp;Frames per second</source>
+        <translation>&amp;Snímků za sekundu</translation>
+    </message>
+    <message>
+        <source>&amp;As</source>
+        <translation>&amp;Jako</translation>
+    </message>
+    <message>
+        <source>Video (MP4)</source>
+        <translation>Video (MP4)</translation>
+    </message>
+    <message>
+        <source>For videos, install ffmpeg.</source>
+        <translation>Pro videa nainstalujte ffmpeg.</translation>
+    </message>
+    <message>
+        <source>Videos (*.mp4)</source>
+        <translation>Videa (*.mp4)</translation>
+    </message>
+    <message>
+        <source>Pictures (*.png)</source>
+        <translation>Obrázky (*.png)</translation>
+    </message>
+</context>
+<context>
+    <name>stromar::CRecorder</name>
+    <message>
+        <source>Recording</source>
+        <translation>Nahrává se</translation>
+    </message>
+    <message>
+        <source>Cancel</source>
+        <translation>Zrušit</translation>
+    </message>
+    <message>
+        <source>Recording cancelled; no file was changed</source>
+        <translation>Nahrávání zrušeno; žádný soubor se nezměnil</translation>
+    </message>
+    <message numerus="yes">
+        <source>Recording cancelled: %1 of %n frame(s) are saved</source>
+        <translation>
+            <numerusform>Nahrávání zrušeno: uloženo %1 z %n snímku</numerusform>
+            <numerusform>Nahrávání zrušeno: uloženo %1 ze %n snímků</numerusform>
+            <numerusform>Nahrávání zrušeno: uloženo %1 z %n snímků</numerusform>
+        </translation>
+    </message>
+    <message>
+        <source>Saved %1</source>
+        <translation>Uloženo %1</translation>
+    </message>
+    <message numerus="yes">
+        <source>Saved %n frame(s)</source>
+        <translation>
+            <numerusform>Uložen %n snímek</numerusform>
+            <numerusform>Uloženy %n snímky</numerusform>
+            <numerusform>Uloženo %n snímků</numerusform>
+        </translation>
+    </message>
+    <message>
+        <source>Cannot record</source>
+        <translation>Nelze nahrát</translation>
+    </message>
+    <message>
+        <source>%1 cannot be written.</source>
+        <translation>%1 nelze zapsat.</translation>
+    </message>
+    <message>
+        <source>Making the video</source>
+        <translation>Vytváří se video</translation>
+    </message>
+    <message>
+        <source>ffmpeg could not make the video. %1</source>
+        <translation>ffmpeg video nevytvořil. %1</translation>
+    </message>
+</context>
+<context>
     <name>stromar::CTextureWorkshop</name>
     <message>
         <source>Texture Workshop</source>
@@ -2988,6 +3241,53 @@
     <message>
         <source>There is no OpenGL to draw it.</source>
         <translation>Není tu OpenGL, které by ho nakreslilo.</translation>
+    </message>
+</context>
+<context>
+    <name>stromar::CTimeline</name>
+    <message>
+        <source>A step back</source>
+        <translation>O krok zpět</translation>
+    </message>
+    <message>
+        <source>Play</source>
+        <translation>Přehrát</translation>
+    </message>
+    <message>
+        <source>A step forward</source>
+        <translation>O krok vpřed</translation>
+    </message>
+    <message>
+        <source>Age</source>
+        <translation>Stáří</translation>
+    </message>
+    <message>
+        <source>How old the tree is, or how far it has fallen</source>
+        <translation>Jak je strom starý nebo jak daleko spadl</translation>
+    </message>
+    <message>
+        <source>Age %1 %</source>
+        <translation>Stáří %1 %</translation>
+    </message>
+    <message>
+        <source>Speed</source>
+        <translation>Rychlost</translation>
+    </message>
+    <message>
+        <source>How fast it is played</source>
+        <translation>Jak rychle se přehrává</translation>
+    </message>
+    <message>
+        <source>Begin anew at the end</source>
+        <translation>Na konci začít znovu</translation>
+    </message>
+    <message>
+        <source>Save pictures or a video of it</source>
+        <translation>Uložit obrázky nebo video</translation>
+    </message>
+    <message>
+        <source>Fall %1 s</source>
+        <translation>Pád %1 s</translation>
     </message>
 </context>
 <context>
@@ -3039,6 +3339,22 @@
     <message>
         <source>Seed %1</source>
         <translation>Semínko %1</translation>
+    </message>
+    <message>
+        <source>Ages</source>
+        <translation>Stáří</translation>
+    </message>
+    <message>
+        <source>%1 %</source>
+        <translation>%1 %</translation>
+    </message>
+    <message>
+        <source>Age %1</source>
+        <translation>Stáří %1</translation>
+    </message>
+    <message>
+        <source>The tree at this part of its life</source>
+        <translation>Strom v této části života</translation>
     </message>
 </context>
 <context>
@@ -3149,6 +3465,29 @@ Na: %5, č. %6</translation>
     <message>
         <source>Picture of the tree</source>
         <translation>Obrázek stromu</translation>
+    </message>
+</context>
+<context>
+    <name>stromar::CWindPanel</name>
+    <message>
+        <source>Breeze</source>
+        <translation>Vánek</translation>
+    </message>
+    <message>
+        <source>Wind</source>
+        <translation>Vítr</translation>
+    </message>
+    <message>
+        <source>Gale</source>
+        <translation>Vichřice</translation>
+    </message>
+    <message>
+        <source>S&amp;way in the wind</source>
+        <translation>&amp;Kymácet ve větru</translation>
+    </message>
+    <message>
+        <source>Flexibility of the tree: %1</source>
+        <translation>Ohebnost stromu: %1</translation>
     </message>
 </context>
 </TS>

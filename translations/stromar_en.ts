@@ -2,6 +2,23 @@
 <!DOCTYPE TS>
 <TS version="2.1" language="en">
 <context>
+    <name>stromar::CRecorder</name>
+    <message numerus="yes">
+        <source>Recording cancelled: %1 of %n frame(s) are saved</source>
+        <translation>
+            <numerusform>Recording cancelled: %1 of %n frame is saved</numerusform>
+            <numerusform>Recording cancelled: %1 of %n frames are saved</numerusform>
+        </translation>
+    </message>
+    <message numerus="yes">
+        <source>Saved %n frame(s)</source>
+        <translation>
+            <numerusform>Saved %n frame</numerusform>
+            <numerusform>Saved %n frames</numerusform>
+        </translation>
+    </message>
+</context>
+<context>
     <name>stromar::CViewController</name>
     <message numerus="yes">
         <source>Split into %n path(s)</source>

@@ -355,6 +355,38 @@
         <source>Wireframe &amp;over the Tree</source>
         <translation>Каркас по&amp;верх дерева</translation>
     </message>
+    <message>
+        <source>&amp;Record…</source>
+        <translation>&amp;Записать…</translation>
+    </message>
+    <message>
+        <source>Pictures or a video of the tree as it grows or sways</source>
+        <translation>Картинки или видео растущего или качающегося дерева</translation>
+    </message>
+    <message>
+        <source>&amp;Play Growth</source>
+        <translation>&amp;Проиграть рост</translation>
+    </message>
+    <message>
+        <source>Let the tree grow from its first day</source>
+        <translation>Дерево растёт с первого дня</translation>
+    </message>
+    <message>
+        <source>W&amp;ind</source>
+        <translation>&amp;Ветер</translation>
+    </message>
+    <message>
+        <source>Let the tree sway in the wind</source>
+        <translation>Дерево качается на ветру</translation>
+    </message>
+    <message>
+        <source>F&amp;ell…</source>
+        <translation>С&amp;рубить…</translation>
+    </message>
+    <message>
+        <source>Cut the tree and let it fall; the timeline runs over its fall</source>
+        <translation>Срубить дерево; шкала времени идёт по его падению</translation>
+    </message>
 </context>
 <context>
     <name>stromar</name>
@@ -2258,6 +2290,70 @@
         <source>A trunk of strands that split again and again until each is a twig: drawn curves say how. Holton 1994.</source>
         <translation>Ствол из прядей, которые разделяются снова и снова, пока каждая не станет веточкой: как, говорят нарисованные кривые. Holton 1994.</translation>
     </message>
+    <message>
+        <source>None</source>
+        <translation>Нет</translation>
+    </message>
+    <message>
+        <source>Attributes for a shader</source>
+        <translation>Атрибуты для шейдера</translation>
+    </message>
+    <message>
+        <source>CryEngine vertex colours</source>
+        <translation>Цвета вершин CryEngine</translation>
+    </message>
+    <message>
+        <source>Unity Tree Creator colours</source>
+        <translation>Цвета Unity Tree Creator</translation>
+    </message>
+    <message>
+        <source>Bones with clips</source>
+        <translation>Кости с клипами</translation>
+    </message>
+    <message>
+        <source>Wind</source>
+        <translation>Ветер</translation>
+    </message>
+    <message>
+        <source>What lets the tree sway in another program: vertex attributes and a table for a shader, vertex colours as an engine reads them (COLOR_0 then tints the tree where they are not read), or bones with clips of wind and growth.</source>
+        <translation>Что качает дерево в другой программе: атрибуты вершин и таблица для шейдера, цвета вершин, как их читает движок (где их не читают, COLOR_0 окрасит дерево), или кости с клипами ветра и роста.</translation>
+    </message>
+    <message>
+        <source>Bones</source>
+        <translation>Кости</translation>
+    </message>
+    <message>
+        <source>How many of the thickest stems get a bone of their own; the others follow theirs. Only with bones.</source>
+        <translation>Сколько самых толстых ветвей получат свою кость; остальные следуют за ними. Только с костями.</translation>
+    </message>
+    <message>
+        <source>%1 cannot hold what moves in the wind; choose glTF</source>
+        <translation>%1 не хранит движение на ветру; выберите glTF</translation>
+    </message>
+    <message>
+        <source>1 is a strong gale, 22 m/s; beyond it is a storm.</source>
+        <translation>1 — сильный шторм, 22 м/с; дальше буря.</translation>
+    </message>
+    <message>
+        <source>Where it blows to; the arrow in the picture can be dragged too.</source>
+        <translation>Куда дует; можно тянуть и стрелку на картинке.</translation>
+    </message>
+    <message>
+        <source>Gusts</source>
+        <translation>Порывы</translation>
+    </message>
+    <message>
+        <source>How much of the strength comes and goes.</source>
+        <translation>Какая часть силы приходит и уходит.</translation>
+    </message>
+    <message>
+        <source>Flexibility</source>
+        <translation>Гибкость</translation>
+    </message>
+    <message>
+        <source>How far the wood bends in the wind: 0 is stiff, 2 bends twice as far. The tree in still air stays as it is.</source>
+        <translation>Насколько дерево гнётся на ветру: 0 — жёсткое, 2 — вдвое сильнее. В тихую погоду оно не меняется.</translation>
+    </message>
 </context>
 <context>
     <name>stromar::CCurveEditor</name>
@@ -2349,6 +2445,37 @@
     <message>
         <source>%1 is there already. Replace it?</source>
         <translation>%1 уже существует. Заменить?</translation>
+    </message>
+</context>
+<context>
+    <name>stromar::CFallController</name>
+    <message>
+        <source>Fell the tree</source>
+        <translation>Срубить дерево</translation>
+    </message>
+    <message>
+        <source> m</source>
+        <translation> м</translation>
+    </message>
+    <message>
+        <source>Where it falls to: 0 to the right, 90 away from the front</source>
+        <translation>Куда падает: 0 — вправо, 90 — назад</translation>
+    </message>
+    <message>
+        <source>Of the cut above the ground; 0 fells it with its foot</source>
+        <translation>Высота среза над землёй; 0 валит дерево с комлем</translation>
+    </message>
+    <message>
+        <source>&amp;Direction</source>
+        <translation>&amp;Направление</translation>
+    </message>
+    <message>
+        <source>&amp;Height of the cut</source>
+        <translation>&amp;Высота среза</translation>
+    </message>
+    <message>
+        <source>&amp;Fell</source>
+        <translation>С&amp;рубить</translation>
     </message>
 </context>
 <context>
@@ -2758,6 +2885,10 @@
         <source>Show details of the stem or leaf</source>
         <translation>Показать сведения о ветви или листе</translation>
     </message>
+    <message>
+        <source>Wind</source>
+        <translation>Ветер</translation>
+    </message>
 </context>
 <context>
     <name>stromar::CMessageBar</name>
@@ -2961,6 +3092,128 @@
     </message>
 </context>
 <context>
+    <name>stromar::CRecordDialog</name>
+    <message>
+        <source> px</source>
+        <translation> пикс.</translation>
+    </message>
+    <message>
+        <source> s</source>
+        <translation> с</translation>
+    </message>
+    <message>
+        <source>Record</source>
+        <translation>Записать</translation>
+    </message>
+    <message>
+        <source>Growth, up to the age that is shown</source>
+        <translation>Рост до показанного возраста</translation>
+    </message>
+    <message>
+        <source>Wind, in a loop</source>
+        <translation>Ветер по кругу</translation>
+    </message>
+    <message>
+        <source>The fall</source>
+        <translation>Падение</translation>
+    </message>
+    <message>
+        <source>Numbered pictures (PNG)</source>
+        <translation>Пронумерованные картинки (PNG)</translation>
+    </message>
+    <message>
+        <source>&amp;What</source>
+        <translation>&amp;Что</translation>
+    </message>
+    <message>
+        <source>Wid&amp;th</source>
+        <translation>&amp;Ширина</translation>
+    </message>
+    <message>
+        <source>&amp;Height</source>
+        <translation>&amp;Высота</translation>
+    </message>
+    <message>
+        <source>&amp;Length</source>
+        <translation>&amp;Длительность</translation>
+    </message>
+    <message>
+        <source>&amp;Frames per second</source>
+        <translation>&amp;Кадров в секунду</translation>
+    </message>
+    <message>
+        <source>&amp;As</source>
+        <translation>&amp;Как</translation>
+    </message>
+    <message>
+        <source>Video (MP4)</source>
+        <translation>Видео (MP4)</translation>
+    </message>
+    <message>
+        <source>For videos, install ffmpeg.</source>
+        <translation>Для видео установите ffmpeg.</translation>
+    </message>
+    <message>
+        <source>Videos (*.mp4)</source>
+        <translation>Видео (*.mp4)</translation>
+    </message>
+    <message>
+        <source>Pictures (*.png)</source>
+        <translation>Картинки (*.png)</translation>
+    </message>
+</context>
+<context>
+    <name>stromar::CRecorder</name>
+    <message>
+        <source>Recording</source>
+        <translation>Запись</translation>
+    </message>
+    <message>
+        <source>Cancel</source>
+        <translation>Отмена</translation>
+    </message>
+    <message>
+        <source>Recording cancelled; no file was changed</source>
+        <translation>Запись отменена; файлы не изменены</translation>
+    </message>
+    <message numerus="yes">
+        <source>Recording cancelled: %1 of %n frame(s) are saved</source>
+        <translation>
+            <numerusform>Запись отменена: сохранено %1 из %n кадра</numerusform>
+            <numerusform>Запись отменена: сохранено %1 из %n кадров</numerusform>
+            <numerusform>Запись отменена: сохранено %1 из %n кадров</numerusform>
+        </translation>
+    </message>
+    <message>
+        <source>Saved %1</source>
+        <translation>Сохранено: %1</translation>
+    </message>
+    <message numerus="yes">
+        <source>Saved %n frame(s)</source>
+        <translation>
+            <numerusform>Сохранён %n кадр</numerusform>
+            <numerusform>Сохранено %n кадра</numerusform>
+            <numerusform>Сохранено %n кадров</numerusform>
+        </translation>
+    </message>
+    <message>
+        <source>Cannot record</source>
+        <translation>Не удаётся записать</translation>
+    </message>
+    <message>
+        <source>%1 cannot be written.</source>
+        <translation>Не удаётся записать %1.</translation>
+    </message>
+    <message>
+        <source>Making the video</source>
+        <translation>Создаётся видео</translation>
+    </message>
+    <message>
+        <source>ffmpeg could not make the video. %1</source>
+        <translation>ffmpeg не смог создать видео. %1</translation>
+    </message>
+</context>
+<context>
     <name>stromar::CTextureWorkshop</name>
     <message>
         <source>Texture Workshop</source>
@@ -2988,6 +3241,53 @@
     <message>
         <source>There is no OpenGL to draw it.</source>
         <translation>Нет OpenGL, чтобы нарисовать.</translation>
+    </message>
+</context>
+<context>
+    <name>stromar::CTimeline</name>
+    <message>
+        <source>A step back</source>
+        <translation>Шаг назад</translation>
+    </message>
+    <message>
+        <source>Play</source>
+        <translation>Проиграть</translation>
+    </message>
+    <message>
+        <source>A step forward</source>
+        <translation>Шаг вперёд</translation>
+    </message>
+    <message>
+        <source>Age</source>
+        <translation>Возраст</translation>
+    </message>
+    <message>
+        <source>How old the tree is, or how far it has fallen</source>
+        <translation>Сколько дереву лет или как далеко оно упало</translation>
+    </message>
+    <message>
+        <source>Age %1 %</source>
+        <translation>Возраст %1 %</translation>
+    </message>
+    <message>
+        <source>Speed</source>
+        <translation>Скорость</translation>
+    </message>
+    <message>
+        <source>How fast it is played</source>
+        <translation>Как быстро проигрывать</translation>
+    </message>
+    <message>
+        <source>Begin anew at the end</source>
+        <translation>В конце начинать заново</translation>
+    </message>
+    <message>
+        <source>Save pictures or a video of it</source>
+        <translation>Сохранить картинки или видео</translation>
+    </message>
+    <message>
+        <source>Fall %1 s</source>
+        <translation>Падение %1 с</translation>
     </message>
 </context>
 <context>
@@ -3039,6 +3339,22 @@
     <message>
         <source>Seed %1</source>
         <translation>Зерно %1</translation>
+    </message>
+    <message>
+        <source>Ages</source>
+        <translation>Возрасты</translation>
+    </message>
+    <message>
+        <source>%1 %</source>
+        <translation>%1 %</translation>
+    </message>
+    <message>
+        <source>Age %1</source>
+        <translation>Возраст %1</translation>
+    </message>
+    <message>
+        <source>The tree at this part of its life</source>
+        <translation>Дерево в этой части жизни</translation>
     </message>
 </context>
 <context>
@@ -3149,6 +3465,29 @@ On %5, stem %6</source>
     <message>
         <source>Picture of the tree</source>
         <translation>Картинка дерева</translation>
+    </message>
+</context>
+<context>
+    <name>stromar::CWindPanel</name>
+    <message>
+        <source>Breeze</source>
+        <translation>Бриз</translation>
+    </message>
+    <message>
+        <source>Wind</source>
+        <translation>Ветер</translation>
+    </message>
+    <message>
+        <source>Gale</source>
+        <translation>Шторм</translation>
+    </message>
+    <message>
+        <source>S&amp;way in the wind</source>
+        <translation>&amp;Качать на ветру</translation>
+    </message>
+    <message>
+        <source>Flexibility of the tree: %1</source>
+        <translation>Гибкость дерева: %1</translation>
     </message>
 </context>
 </TS>

@@ -355,6 +355,38 @@
         <source>Wireframe &amp;over the Tree</source>
         <translation>Žice če&amp;z drevo</translation>
     </message>
+    <message>
+        <source>&amp;Record…</source>
+        <translation>&amp;Posnemi…</translation>
+    </message>
+    <message>
+        <source>Pictures or a video of the tree as it grows or sways</source>
+        <translation>Slike ali video drevesa, ki raste ali se ziblje</translation>
+    </message>
+    <message>
+        <source>&amp;Play Growth</source>
+        <translation>&amp;Predvajaj rast</translation>
+    </message>
+    <message>
+        <source>Let the tree grow from its first day</source>
+        <translation>Naj drevo raste od prvega dne</translation>
+    </message>
+    <message>
+        <source>W&amp;ind</source>
+        <translation>V&amp;eter</translation>
+    </message>
+    <message>
+        <source>Let the tree sway in the wind</source>
+        <translation>Naj se drevo ziblje v vetru</translation>
+    </message>
+    <message>
+        <source>F&amp;ell…</source>
+        <translation>Po&amp;deri…</translation>
+    </message>
+    <message>
+        <source>Cut the tree and let it fall; the timeline runs over its fall</source>
+        <translation>Podreti drevo; časovnica teče po njegovem padcu</translation>
+    </message>
 </context>
 <context>
     <name>stromar</name>
@@ -2258,6 +2290,70 @@
         <source>A trunk of strands that split again and again until each is a twig: drawn curves say how. Holton 1994.</source>
         <translation>Deblo iz pramenov, ki se vedno znova cepijo, dokler ni vsak vejica: kako, povedo narisane krivulje. Holton 1994.</translation>
     </message>
+    <message>
+        <source>None</source>
+        <translation>Brez</translation>
+    </message>
+    <message>
+        <source>Attributes for a shader</source>
+        <translation>Atributi za senčilnik</translation>
+    </message>
+    <message>
+        <source>CryEngine vertex colours</source>
+        <translation>Barve oglišč CryEngine</translation>
+    </message>
+    <message>
+        <source>Unity Tree Creator colours</source>
+        <translation>Barve Unity Tree Creator</translation>
+    </message>
+    <message>
+        <source>Bones with clips</source>
+        <translation>Kosti s posnetki</translation>
+    </message>
+    <message>
+        <source>Wind</source>
+        <translation>Veter</translation>
+    </message>
+    <message>
+        <source>What lets the tree sway in another program: vertex attributes and a table for a shader, vertex colours as an engine reads them (COLOR_0 then tints the tree where they are not read), or bones with clips of wind and growth.</source>
+        <translation>Kaj drevo zaziblje v drugem programu: atributi oglišč in tabela za senčilnik, barve oglišč, kot jih bere pogon (COLOR_0 drevo obarva tam, kjer jih ne bere), ali kosti s posnetki vetra in rasti.</translation>
+    </message>
+    <message>
+        <source>Bones</source>
+        <translation>Kosti</translation>
+    </message>
+    <message>
+        <source>How many of the thickest stems get a bone of their own; the others follow theirs. Only with bones.</source>
+        <translation>Koliko najdebelejših vej dobi svojo kost; druge jim sledijo. Samo s kostmi.</translation>
+    </message>
+    <message>
+        <source>%1 cannot hold what moves in the wind; choose glTF</source>
+        <translation>%1 ne more hraniti gibanja v vetru; izberite glTF</translation>
+    </message>
+    <message>
+        <source>1 is a strong gale, 22 m/s; beyond it is a storm.</source>
+        <translation>1 je močan vihar, 22 m/s; nad tem je orkan.</translation>
+    </message>
+    <message>
+        <source>Where it blows to; the arrow in the picture can be dragged too.</source>
+        <translation>Kam piha; vlečete lahko tudi puščico na sliki.</translation>
+    </message>
+    <message>
+        <source>Gusts</source>
+        <translation>Sunki</translation>
+    </message>
+    <message>
+        <source>How much of the strength comes and goes.</source>
+        <translation>Kolikšen del jakosti prihaja in odhaja.</translation>
+    </message>
+    <message>
+        <source>Flexibility</source>
+        <translation>Prožnost</translation>
+    </message>
+    <message>
+        <source>How far the wood bends in the wind: 0 is stiff, 2 bends twice as far. The tree in still air stays as it is.</source>
+        <translation>Kako močno se les upogne v vetru: 0 je tog, 2 se upogne dvakrat bolj. Drevo v mirnem zraku ostane, kakršno je.</translation>
+    </message>
 </context>
 <context>
     <name>stromar::CCurveEditor</name>
@@ -2349,6 +2445,37 @@
     <message>
         <source>%1 is there already. Replace it?</source>
         <translation>%1 že obstaja. Zamenjam?</translation>
+    </message>
+</context>
+<context>
+    <name>stromar::CFallController</name>
+    <message>
+        <source>Fell the tree</source>
+        <translation>Podri drevo</translation>
+    </message>
+    <message>
+        <source> m</source>
+        <translation> m</translation>
+    </message>
+    <message>
+        <source>Where it falls to: 0 to the right, 90 away from the front</source>
+        <translation>Kam pade: 0 na desno, 90 proč od sprednje strani</translation>
+    </message>
+    <message>
+        <source>Of the cut above the ground; 0 fells it with its foot</source>
+        <translation>Višina reza nad tlemi; 0 ga podre z vznožjem</translation>
+    </message>
+    <message>
+        <source>&amp;Direction</source>
+        <translation>&amp;Smer</translation>
+    </message>
+    <message>
+        <source>&amp;Height of the cut</source>
+        <translation>&amp;Višina reza</translation>
+    </message>
+    <message>
+        <source>&amp;Fell</source>
+        <translation>&amp;Podri</translation>
     </message>
 </context>
 <context>
@@ -2758,6 +2885,10 @@
         <source>Show details of the stem or leaf</source>
         <translation>Pokaži podrobnosti veje ali lista</translation>
     </message>
+    <message>
+        <source>Wind</source>
+        <translation>Veter</translation>
+    </message>
 </context>
 <context>
     <name>stromar::CMessageBar</name>
@@ -2961,6 +3092,130 @@
     </message>
 </context>
 <context>
+    <name>stromar::CRecordDialog</name>
+    <message>
+        <source> px</source>
+        <translation> px</translation>
+    </message>
+    <message>
+        <source> s</source>
+        <translation> s</translation>
+    </message>
+    <message>
+        <source>Record</source>
+        <translation>Posnemi</translation>
+    </message>
+    <message>
+        <source>Growth, up to the age that is shown</source>
+        <translation>Rast do prikazane starosti</translation>
+    </message>
+    <message>
+        <source>Wind, in a loop</source>
+        <translation>Veter v zanki</translation>
+    </message>
+    <message>
+        <source>The fall</source>
+        <translation>Padec</translation>
+    </message>
+    <message>
+        <source>Numbered pictures (PNG)</source>
+        <translation>Oštevilčene slike (PNG)</translation>
+    </message>
+    <message>
+        <source>&amp;What</source>
+        <translation>&amp;Kaj</translation>
+    </message>
+    <message>
+        <source>Wid&amp;th</source>
+        <translation>Ši&amp;rina</translation>
+    </message>
+    <message>
+        <source>&amp;Height</source>
+        <translation>&amp;Višina</translation>
+    </message>
+    <message>
+        <source>&amp;Length</source>
+        <translation>&amp;Dolžina</translation>
+    </message>
+    <message>
+        <source>&amp;Frames per second</source>
+        <translation>Sličic na &amp;sekundo</translation>
+    </message>
+    <message>
+        <source>&amp;As</source>
+        <translation>K&amp;ot</translation>
+    </message>
+    <message>
+        <source>Video (MP4)</source>
+        <translation>Video (MP4)</translation>
+    </message>
+    <message>
+        <source>For videos, install ffmpeg.</source>
+        <translation>Za videe namestite ffmpeg.</translation>
+    </message>
+    <message>
+        <source>Videos (*.mp4)</source>
+        <translation>Videi (*.mp4)</translation>
+    </message>
+    <message>
+        <source>Pictures (*.png)</source>
+        <translation>Slike (*.png)</translation>
+    </message>
+</context>
+<context>
+    <name>stromar::CRecorder</name>
+    <message>
+        <source>Recording</source>
+        <translation>Snemanje</translation>
+    </message>
+    <message>
+        <source>Cancel</source>
+        <translation>Prekliči</translation>
+    </message>
+    <message>
+        <source>Recording cancelled; no file was changed</source>
+        <translation>Snemanje preklicano; nobena datoteka ni spremenjena</translation>
+    </message>
+    <message numerus="yes">
+        <source>Recording cancelled: %1 of %n frame(s) are saved</source>
+        <translation>
+            <numerusform>Snemanje preklicano: shranjenih %1 od %n sličice</numerusform>
+            <numerusform>Snemanje preklicano: shranjenih %1 od %n sličic</numerusform>
+            <numerusform>Snemanje preklicano: shranjenih %1 od %n sličic</numerusform>
+            <numerusform>Snemanje preklicano: shranjenih %1 od %n sličic</numerusform>
+        </translation>
+    </message>
+    <message>
+        <source>Saved %1</source>
+        <translation>Shranjeno %1</translation>
+    </message>
+    <message numerus="yes">
+        <source>Saved %n frame(s)</source>
+        <translation>
+            <numerusform>Shranjena %n sličica</numerusform>
+            <numerusform>Shranjeni %n sličici</numerusform>
+            <numerusform>Shranjene %n sličice</numerusform>
+            <numerusform>Shranjenih %n sličic</numerusform>
+        </translation>
+    </message>
+    <message>
+        <source>Cannot record</source>
+        <translation>Snemanje ni mogoče</translation>
+    </message>
+    <message>
+        <source>%1 cannot be written.</source>
+        <translation>%1 ni mogoče zapisati.</translation>
+    </message>
+    <message>
+        <source>Making the video</source>
+        <translation>Izdelava videa</translation>
+    </message>
+    <message>
+        <source>ffmpeg could not make the video. %1</source>
+        <translation>ffmpeg ni mogel izdelati videa. %1</translation>
+    </message>
+</context>
+<context>
     <name>stromar::CTextureWorkshop</name>
     <message>
         <source>Texture Workshop</source>
@@ -2988,6 +3243,53 @@
     <message>
         <source>There is no OpenGL to draw it.</source>
         <translation>Ni OpenGL, ki bi ga narisal.</translation>
+    </message>
+</context>
+<context>
+    <name>stromar::CTimeline</name>
+    <message>
+        <source>A step back</source>
+        <translation>Korak nazaj</translation>
+    </message>
+    <message>
+        <source>Play</source>
+        <translation>Predvajaj</translation>
+    </message>
+    <message>
+        <source>A step forward</source>
+        <translation>Korak naprej</translation>
+    </message>
+    <message>
+        <source>Age</source>
+        <translation>Starost</translation>
+    </message>
+    <message>
+        <source>How old the tree is, or how far it has fallen</source>
+        <translation>Kako staro je drevo ali kako daleč je padlo</translation>
+    </message>
+    <message>
+        <source>Age %1 %</source>
+        <translation>Starost %1 %</translation>
+    </message>
+    <message>
+        <source>Speed</source>
+        <translation>Hitrost</translation>
+    </message>
+    <message>
+        <source>How fast it is played</source>
+        <translation>Kako hitro se predvaja</translation>
+    </message>
+    <message>
+        <source>Begin anew at the end</source>
+        <translation>Na koncu začni znova</translation>
+    </message>
+    <message>
+        <source>Save pictures or a video of it</source>
+        <translation>Shrani slike ali video</translation>
+    </message>
+    <message>
+        <source>Fall %1 s</source>
+        <translation>Padec %1 s</translation>
     </message>
 </context>
 <context>
@@ -3039,6 +3341,22 @@
     <message>
         <source>Seed %1</source>
         <translation>Seme %1</translation>
+    </message>
+    <message>
+        <source>Ages</source>
+        <translation>Starosti</translation>
+    </message>
+    <message>
+        <source>%1 %</source>
+        <translation>%1 %</translation>
+    </message>
+    <message>
+        <source>Age %1</source>
+        <translation>Starost %1</translation>
+    </message>
+    <message>
+        <source>The tree at this part of its life</source>
+        <translation>Drevo v tem delu življenja</translation>
     </message>
 </context>
 <context>
@@ -3153,6 +3471,29 @@ Na: %5, št. %6</translation>
     <message>
         <source>Picture of the tree</source>
         <translation>Slika drevesa</translation>
+    </message>
+</context>
+<context>
+    <name>stromar::CWindPanel</name>
+    <message>
+        <source>Breeze</source>
+        <translation>Sapica</translation>
+    </message>
+    <message>
+        <source>Wind</source>
+        <translation>Veter</translation>
+    </message>
+    <message>
+        <source>Gale</source>
+        <translation>Vihar</translation>
+    </message>
+    <message>
+        <source>S&amp;way in the wind</source>
+        <translation>&amp;Zibanje v vetru</translation>
+    </message>
+    <message>
+        <source>Flexibility of the tree: %1</source>
+        <translation>Prožnost drevesa: %1</translation>
     </message>
 </context>
 </TS>

@@ -416,11 +416,13 @@ std::string picturesOf(const Format& format) {
 
 void printFormatsPage(std::ostream& out) {
     out << "# Formats\n\nWritten by `stromar-cli formats --markdown`. Lengths are metres unless a scale is chosen.\n\n"
-           "| Ending | Format | Up | Pictures | Levels of detail | What is lost |\n|---|---|---|---|---|---|\n";
+           "| Ending | Format | Up | Pictures | Levels of detail | Wind | What is lost |\n|---|---|---|---|---|---|---|\n";
     for (const Format& format : formatTable())
         out << "| `" << format.ending << "` | " << format.name << " | " << format.upAxis
             << (format.anyUp ? ", or the other" : "") << " | " << picturesOf(format) << " | "
-            << (format.lods ? "in one file" : "a file for each") << " | " << format.losses << " |\n";
+            << (format.lods ? "in one file" : "a file for each") << " | " << (format.wind ? "yes" : "no") << " | " << format.losses << " |\n";
+    out << "\nWind: whether it can hold `--wind`. Attributes give the exact pose, colours what their engine makes of them; bones are stiff pieces in\n"
+           "place of arcs, and stems without one follow the nearest: [time and wind](time-and-wind.md#into-engines).\n";
 }
 } // namespace
 
@@ -434,6 +436,7 @@ void printFormats(ListStyle style, std::ostream& out) {
                             {"up_axis", format.upAxis},
                             {"pictures", picturesOf(format)},
                             {"lods_in_one_file", format.lods},
+                            {"wind", format.wind},
                             {"loses", format.losses}});
         else
             out << format.ending << std::string(7 - format.ending.size(), ' ') << format.name << ", " << format.upAxis

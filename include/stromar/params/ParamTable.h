@@ -115,6 +115,7 @@ struct DemoSettings {
     std::string_view settings{};    ///< `Key=value …` that the pictures have besides; `n` stands for the level
     std::array<double, 3> values{}; ///< all 0: spread over the useful range
     bool fromAbove = false;
+    bool inWind = false;
 };
 
 /// One row of a table of parameters: everything the program knows about one value. Files, command line, window, manual,

@@ -3,6 +3,7 @@
 #include "window/Settings.h"
 #include "stromar/app/Demonstration.h"
 #include "stromar/app/TreeCreator.h"
+#include "stromar/model/ModelSway.h"
 #include <QBuffer>
 #include <QHash>
 #include <QLocale>
@@ -83,23 +84,37 @@ QString captionOf(const ParamInfo& info, double value) {
     return QLocale().toString(value, 'g', 4) + trText(unitName(info.unit));
 }
 
+/// In a strong gale.
+Meshes blown(const std::shared_ptr<const TreeModel>& model) {
+    const auto sway = swayOf(model, nullptr, CProgress());
+    WindPose pose;
+    sway->table->pose({.strength = 1, .gusts = 0}, 0, pose, CProgress());
+    return swayedMeshes(*sway, pose, 0, 0, CProgress());
+}
+
 Picture makePicture(const ParamRef& ref, const Demonstration& shown, const QPalette& palette) {
     const bool close = ref.level == 0 && ref.group() != Group::Tree && ref.group() != Group::Pruning;
-    const TreeModel model =
-        *CTreeCreator().create(shown.params, detailOf(close ? Model::Full : Model::Simple), CProgress());
+    const auto made = CTreeCreator().create(shown.params, detailOf(close ? Model::Full : Model::Simple), CProgress());
+    const TreeModel& model = *made;
     const QColor bark =
         palette.color(QPalette::Window).lightness() < 128 ? QColor(170, 150, 128) : QColor(140, 118, 96);
     const QColor accent = palette.color(QPalette::Active, QPalette::Highlight);
     const QColor leaf(106, 158, 74);
     Picture picture;
     const bool above = ref.info->demo.fromAbove;
-    const Turn turn = above ? Turn() : widestView(model.meshes());
+    const bool inWind = ref.info->demo.inWind; // towards the right
+    const Turn turn = above || inWind ? Turn() : widestView(model.meshes());
+    picture.caption = captionOf(*ref.info, shown.value);
+    if (inWind) {
+        for (const auto& mesh : blown(made)) addFaces(picture, *mesh, mesh->surface == Surface::Bark ? bark : leaf, turn, above);
+        std::ranges::sort(picture.faces, {}, &Face::depth);
+        return picture;
+    }
     const auto concerned = ref.info->perLevel() ? std::size_t(std::min(ref.level, 1)) : model.stems.size();
     for (std::size_t level = 0; level < model.stems.size(); ++level)
         addFaces(picture, *model.stems[level], level == concerned ? accent : bark, turn, above);
     addFaces(picture, *model.leaves()->expanded(CProgress()), leaf, turn, above);
     std::ranges::sort(picture.faces, {}, &Face::depth);
-    picture.caption = captionOf(*ref.info, shown.value);
     return picture;
 }
 
