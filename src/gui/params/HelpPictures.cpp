@@ -88,7 +88,7 @@ QString captionOf(const ParamInfo& info, double value) {
 Meshes blown(const std::shared_ptr<const TreeModel>& model) {
     const auto sway = swayOf(model, nullptr, CProgress());
     WindPose pose;
-    sway->table->pose({.strength = 1, .gusts = 0}, 0, pose, CProgress());
+    sway->table->pose({.strength = 1.5, .gusts = 0}, 0, pose, CProgress());
     return swayedMeshes(*sway, pose, 0, 0, CProgress());
 }
 

@@ -94,7 +94,7 @@ constexpr ParamInfo kNumbers[] = {
     {.key = "Flexibility", .label = N_("Flexibility"), .group = Group::Tree, .section = N_("Wind"), .field = field<&CommonParams::flexibility>,
      .range = {0, 2}, .useful = {0, 2}, .step = 0.05, .decimals = 2, .defaults = {1}, .invalidates = kPictures,
      .help = N_("How far the wood bends in the wind: 0 is stiff, 2 bends twice as far. The tree in still air stays as it is."), .atRandom = false,
-     .demo = {.settings = "Leaves=12 LeafScale=0.5 Levels=2", .values = {0, 1, 2}, .inWind = true}},
+     .demo = {.settings = "Leaves=12 LeafScale=0.4 Levels=2 Ratio=0.012 Flare=0", .values = {0, 1, 2}, .inWind = true}},
     {.key = "Flare", .label = N_("Flare"), .group = Group::Trunk, .section = N_("Thickness"), .field = field<&CommonParams::flare>,
      .range = {-1, 20}, .useful = {0, 3}, .step = 0.05, .decimals = 2, .defaults = {0.5}, .invalidates = kFromTrunk,
      .help = N_("How much the trunk widens at the ground. 1 makes it twice as thick there."),
