@@ -1,7 +1,6 @@
 #include "stromar/app/Motion.h"
 #include <algorithm>
 #include <cmath>
-#include <numbers>
 #include <string>
 
 namespace stromar {
@@ -28,7 +27,8 @@ Wind Motion::loopingWind() const {
     return looping;
 }
 
-CMovingModel::CMovingModel(const std::shared_ptr<const TreeModel>& model, const Motion& motion, const CProgress& progress)
+CMovingModel::CMovingModel(const std::shared_ptr<const TreeModel>& model, const Motion& motion,
+                           const CProgress& progress)
     : m_sway(swayOf(model, nullptr, progress)), m_wind(motion.loopingWind()) {
     if (!motion.felling) return;
     m_fall.emplace(m_sway->table, *motion.felling);
@@ -49,11 +49,6 @@ std::filesystem::path framePath(const std::filesystem::path& path, std::size_t i
     std::string number = std::to_string(i + 1);
     number.insert(0, digits - number.size(), '0');
     return path.parent_path() / (path.stem().string() + "_" + number + path.extension().string());
-}
-
-glm::dvec3 windDirection(double degrees) {
-    const double a = degrees * std::numbers::pi / 180;
-    return {std::cos(a), std::sin(a), 0};
 }
 
 } // namespace stromar

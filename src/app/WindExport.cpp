@@ -9,12 +9,12 @@
 namespace stromar {
 
 namespace {
-constexpr double kSlender = 60;             // length over diameter of the softest stems
-constexpr double kClipSeconds = 5;          // of the wind, where nothing else was asked for
-constexpr double kClipStrength = 0.5;       // likewise
+constexpr double kSlender = 60;       // length over diameter of the softest stems
+constexpr double kClipSeconds = 5;    // of the wind, where nothing else was asked for
+constexpr double kClipStrength = 0.5; // likewise
 constexpr double kGrowthSeconds = 10;
 constexpr int kGrowthKeys = 60;
-constexpr float kSeed = 1e-3f;              // the scale of what is not yet there
+constexpr float kSeed = 1e-3f; // the scale of what is not yet there
 constexpr float kPhaseTurn = static_cast<float>(2 * std::numbers::pi);
 
 /// Axes of a format whose writer has y up.
@@ -33,14 +33,15 @@ struct PathRow {
     std::int32_t parent; ///< the row it grows out of; of a clone, the one it splits from
     float along;         ///< metres from that stem's base
     std::uint32_t firstNode, nodes;
-    float start;        ///< metres of the first node from the base of its stem
-    std::uint32_t own;  ///< row of the stem's path 0
+    float start;       ///< metres of the first node from the base of its stem
+    std::uint32_t own; ///< row of the stem's path 0
 };
 
 /// The wind's table path by path, with what shaders ask of places on it.
 class CPathTable {
 public:
-    explicit CPathTable(const CWindTable& table) : m_table(table), m_rowOfNode(table.nodeCount()), m_along(table.nodeCount()) {
+    explicit CPathTable(const CWindTable& table)
+        : m_table(table), m_rowOfNode(table.nodeCount()), m_along(table.nodeCount()) {
         for (std::uint32_t s = 0; s < table.stems().size(); ++s) addStem(s);
         for (const WindStem& stem : table.stems()) addBend(stem);
     }
@@ -77,8 +78,13 @@ private:
         const auto first = static_cast<std::uint32_t>(m_rows.size());
         for (std::uint32_t p = 0; p < own.pathCount; ++p) {
             const CPath& path = all.paths[own.firstPath + p];
-            PathRow row{index, -1, 0, m_table.nodeOf(stem.generation, path.firstSegment), path.segmentCount + 1,
-                        static_cast<float>(all.segments[path.firstSegment].start), first};
+            PathRow row{index,
+                        -1,
+                        0,
+                        m_table.nodeOf(stem.generation, path.firstSegment),
+                        path.segmentCount + 1,
+                        static_cast<float>(all.segments[path.firstSegment].start),
+                        first};
             if (path.source >= 0) {
                 row.parent = static_cast<std::int32_t>(first) + path.source;
                 row.along = row.start;
@@ -120,8 +126,8 @@ private:
 /// What a vertex of a swaying model is.
 struct SwayVertex {
     SwayPlace place;
-    float phase;   ///< 0..1, of its leaf or its stem
-    float flutter; ///< 0 wood and the foot of a leaf … 1 a leaf's tip
+    float phase;       ///< 0..1, of its leaf or its stem
+    float flutter;     ///< 0 wood and the foot of a leaf … 1 a leaf's tip
     std::uint8_t open; ///< 255: no occlusion
 };
 
@@ -138,7 +144,8 @@ std::uint8_t byteOf(float share) { return static_cast<std::uint8_t>(std::lround(
 float stemPhase(const WindStem& stem) { return static_cast<float>(stem.phase) / kPhaseTurn; }
 
 constexpr ChannelRow kAttributes[] = {
-    {"_STEM", VertexChannel::Type::Float, 2, [](std::string& bytes, const SwayVertex& v, const CPathTable& paths) {
+    {"_STEM", VertexChannel::Type::Float, 2,
+     [](std::string& bytes, const SwayVertex& v, const CPathTable& paths) {
          put(bytes, glm::vec2(static_cast<float>(paths.rowAt(v.place)), paths.alongAt(v.place)));
      }},
     {"_WIND", VertexChannel::Type::Float, 4, [](std::string& bytes, const SwayVertex& v, const CPathTable& paths) {
@@ -149,12 +156,16 @@ constexpr ChannelRow kAttributes[] = {
 constexpr ChannelRow kCryEngine[] = {
     {"COLOR_0", VertexChannel::Type::Byte, 4, [](std::string& bytes, const SwayVertex& v, const CPathTable& paths) {
          const auto bend = paths.bendAt(v.place);
-         for (const std::uint8_t byte : {byteOf(v.flutter), byteOf(v.phase), byteOf(bend.branches), v.open}) put(bytes, byte);
+         for (const std::uint8_t byte : {byteOf(v.flutter), byteOf(v.phase), byteOf(bend.branches), v.open})
+             put(bytes, byte);
      }}};
 // Unity's TerrainEngine.cginc: animParams = float4(color.xy, texcoord1.xy).
 constexpr ChannelRow kUnity[] = {
-    {"COLOR_0", VertexChannel::Type::Byte, 4, [](std::string& bytes, const SwayVertex& v, const CPathTable& paths) {
-         for (const std::uint8_t byte : {byteOf(stemPhase(paths.stemAt(v.place))), byteOf(v.flutter), std::uint8_t{0}, v.open}) put(bytes, byte);
+    {"COLOR_0", VertexChannel::Type::Byte, 4,
+     [](std::string& bytes, const SwayVertex& v, const CPathTable& paths) {
+         for (const std::uint8_t byte :
+              {byteOf(stemPhase(paths.stemAt(v.place))), byteOf(v.flutter), std::uint8_t{0}, v.open})
+             put(bytes, byte);
      }},
     {"TEXCOORD_1", VertexChannel::Type::Float, 2, [](std::string& bytes, const SwayVertex& v, const CPathTable& paths) {
          const auto bend = paths.bendAt(v.place);
@@ -207,17 +218,20 @@ std::vector<VertexChannels> channelsFor(const ModelSway& sway, const Meshes& mes
 }
 
 DataTable stemTable(const CWindTable& table, const CPathTable& paths, const Arrangement& to) {
-    DataTable out{"stems",
-                  {"base.x", "base.y", "base.z", "axis.x", "axis.y", "axis.z", "x.x", "x.y", "x.z", "y.x", "y.y", "y.z", "length", "diameter",
-                   "flexibility", "angularSpeed", "phase", "seed:uint32", "parent:int32", "along", "firstNode:uint32", "nodes:uint32", "start",
-                   "stem:uint32"},
-                  {}};
+    DataTable out{
+        "stems",
+        {"base.x",       "base.y",       "base.z",     "axis.x",      "axis.y",       "axis.z", "x.x",
+         "x.y",          "x.z",          "y.x",        "y.y",         "y.z",          "length", "diameter",
+         "flexibility",  "angularSpeed", "phase",      "seed:uint32", "parent:int32", "along",  "firstNode:uint32",
+         "nodes:uint32", "start",        "stem:uint32"},
+        {}};
     for (const PathRow& row : paths.rows()) {
         const WindStem& stem = table.stems()[row.stem];
-        for (const glm::vec3& v : {to.point(glm::vec3(stem.base)), to.direction(glm::vec3(stem.axis)), to.direction(glm::vec3(stem.x)),
-                                   to.direction(glm::vec3(stem.y))})
+        for (const glm::vec3& v : {to.point(glm::vec3(stem.base)), to.direction(glm::vec3(stem.axis)),
+                                   to.direction(glm::vec3(stem.x)), to.direction(glm::vec3(stem.y))})
             put(out.bytes, yUp(v));
-        for (const double number : {stem.length * to.scale, stem.diameter * to.scale, stem.flexibility, stem.angularSpeed, stem.phase})
+        for (const double number :
+             {stem.length * to.scale, stem.diameter * to.scale, stem.flexibility, stem.angularSpeed, stem.phase})
             put(out.bytes, static_cast<float>(number));
         put(out.bytes, stem.seed);
         put(out.bytes, row.parent);
@@ -248,7 +262,8 @@ public:
         const auto& stems = table.stems();
         std::vector<std::uint32_t> byThickness(stems.size());
         std::iota(byThickness.begin(), byThickness.end(), 0u);
-        std::ranges::stable_sort(byThickness, [&](std::uint32_t a, std::uint32_t b) { return stems[a].diameter > stems[b].diameter; });
+        std::ranges::stable_sort(
+            byThickness, [&](std::uint32_t a, std::uint32_t b) { return stems[a].diameter > stems[b].diameter; });
         std::vector<bool> chosen(stems.size());
         for (std::size_t i = 0; i < std::min(count, stems.size()); ++i) chosen[byThickness[i]] = true;
         for (std::uint32_t s = 0; s < stems.size(); ++s) {
@@ -274,7 +289,8 @@ public:
         if (m_fall) all.push_back({"hinge", 0, to.point(glm::vec3(m_fall->hinge()))});
         for (const Bone& bone : m_bones) {
             const WindStem& stem = m_table.stems()[bone.stem];
-            all.push_back({"stem_" + std::to_string(stem.generation) + "_" + std::to_string(stem.stem), bone.parent, to.point(glm::vec3(stem.base))});
+            all.push_back({"stem_" + std::to_string(stem.generation) + "_" + std::to_string(stem.stem), bone.parent,
+                           to.point(glm::vec3(stem.base))});
         }
         return all;
     }
@@ -288,7 +304,8 @@ public:
         for (int k = 0; k <= keys; ++k) {
             clip.seconds.push_back(static_cast<float>(wind.loop * k / keys));
             for (std::size_t b = 0; b < m_bones.size(); ++b)
-                turn(clip, b + std::size_t(m_roots), m_table.pushOn(stemOf(b), wind, wind.loop * (k % keys) / keys).turn / 2.0, to);
+                turn(clip, b + std::size_t(m_roots),
+                     m_table.pushOn(stemOf(b), wind, wind.loop * (k % keys) / keys).turn / 2.0, to);
         }
         return clip;
     }
@@ -314,7 +331,8 @@ public:
             clip.seconds.push_back(static_cast<float>(kGrowthSeconds * age));
             for (std::size_t b = 0; b < m_bones.size(); ++b) {
                 const int parent = m_bones[b].parent;
-                const float whole = parent < m_roots ? 1 : maturity(m_bones[static_cast<std::size_t>(parent - m_roots)].stem, age);
+                const float whole =
+                    parent < m_roots ? 1 : maturity(m_bones[static_cast<std::size_t>(parent - m_roots)].stem, age);
                 clip.scales[b + std::size_t(m_roots)].push_back(maturity(m_bones[b].stem, age) / whole);
             }
         }
@@ -362,8 +380,10 @@ std::vector<VertexChannels> bonesFor(const ModelSway& sway, const Meshes& meshes
         own = {{"JOINTS_0", VertexChannel::Type::Short, 4, {}}, {"WEIGHTS_0", VertexChannel::Type::Byte, 4, {}}};
     const CPathTable paths(*sway.table);
     forEachVertex(sway, meshes, paths, [&](std::size_t mesh, const SwayVertex& vertex) {
-        const auto joint = static_cast<std::uint16_t>(skeleton.jointOf(paths.rows()[paths.rowAt(vertex.place)].stem, vertex.place));
-        for (const std::uint16_t index : {joint, std::uint16_t{0}, std::uint16_t{0}, std::uint16_t{0}}) put(all[mesh][0].bytes, index);
+        const auto joint =
+            static_cast<std::uint16_t>(skeleton.jointOf(paths.rows()[paths.rowAt(vertex.place)].stem, vertex.place));
+        for (const std::uint16_t index : {joint, std::uint16_t{0}, std::uint16_t{0}, std::uint16_t{0}})
+            put(all[mesh][0].bytes, index);
         put(all[mesh][1].bytes, std::array<std::uint8_t, 4>{255, 0, 0, 0});
     });
     return all;
@@ -378,10 +398,12 @@ void addWind(ExportModel& model, std::span<const std::shared_ptr<const ModelSway
     if (motion.felling && wind == ExportedWind::Bones) fall.emplace(sways.front()->table, *motion.felling);
     const CSkeleton skeleton(table, static_cast<std::size_t>(options.bones), fall ? &*fall : nullptr);
     const auto channels = [&](std::size_t lod, const Meshes& meshes) {
-        return wind == ExportedWind::Bones ? bonesFor(*sways[lod], meshes, skeleton) : channelsFor(*sways[lod], meshes, channelsOf(wind));
+        return wind == ExportedWind::Bones ? bonesFor(*sways[lod], meshes, skeleton)
+                                           : channelsFor(*sways[lod], meshes, channelsOf(wind));
     };
     model.channels = channels(0, model.meshes);
-    for (std::size_t lod = 0; lod < model.coarser.size(); ++lod) model.coarserChannels.push_back(channels(lod + 1, model.coarser[lod]));
+    for (std::size_t lod = 0; lod < model.coarser.size(); ++lod)
+        model.coarserChannels.push_back(channels(lod + 1, model.coarser[lod]));
     if (wind == ExportedWind::Attributes) {
         const CPathTable paths(table);
         model.tables = {stemTable(table, paths, arrangement), nodeTable(table, paths, arrangement)};

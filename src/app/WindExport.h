@@ -18,8 +18,8 @@ struct Arrangement {
     glm::vec3 point(const glm::vec3& v) const { return scale * direction(v); }
 };
 
-/// Adds what the options ask for, so that a model sways elsewhere. `sways` are of its levels of detail, the finest first, whose meshes it has
-/// in the order of TreeModel::visitMeshes().
+/// Adds what the options ask for, so that a model sways elsewhere. `sways` are of its levels of detail, the finest
+/// first, whose meshes it has in the order of TreeModel::visitMeshes().
 void addWind(ExportModel& model, std::span<const std::shared_ptr<const ModelSway>> sways, const ExportOptions& options,
              const Motion& motion, const Arrangement& arrangement);
 

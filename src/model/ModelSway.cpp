@@ -23,9 +23,10 @@ public:
         addStems();
         for (std::size_t i = 0; i < kOrgans.size(); ++i) m_sway.organs[i] = ofOrgans(i);
         if (m_model.cards)
-            m_sway.cards = shared(swayOfCards(
-                *m_sway.table, twigsOfCards(m_cards, *m_model.tree, *m_model.tree->organs(Organ::Leaf), *m_model.twig, m_mesh, *m_model.detail),
-                *m_model.cards, m_progress));
+            m_sway.cards = shared(swayOfCards(*m_sway.table,
+                                              twigsOfCards(m_cards, *m_model.tree, *m_model.tree->organs(Organ::Leaf),
+                                                           *m_model.twig, m_mesh, *m_model.detail),
+                                              *m_model.cards, m_progress));
     }
 
 private:
@@ -47,9 +48,13 @@ private:
         for (std::size_t g = 0; g < m_model.stems.size(); ++g) {
             const auto& mesh = m_model.stems[g];
             StemMesh own;
-            if (g < planned) own = {planRings(*m_model.tree, static_cast<int>(g), m_mesh, *m_model.detail, g > 0 ? &below : nullptr, m_progress, m_cards), mesh};
+            if (g < planned)
+                own = {planRings(*m_model.tree, static_cast<int>(g), m_mesh, *m_model.detail, g > 0 ? &below : nullptr,
+                                 m_progress, m_cards),
+                       mesh};
             assert(g >= planned || own.plan.vertexCount == mesh->vertexCount());
-            m_sway.stems.push_back(isKnown(g) ? m_known->stems[g] : shared(swayOfStems(*m_sway.table, g, own.plan, *mesh, m_progress)));
+            m_sway.stems.push_back(isKnown(g) ? m_known->stems[g]
+                                              : shared(swayOfStems(*m_sway.table, g, own.plan, *mesh, m_progress)));
             below = std::move(own);
         }
     }
@@ -110,10 +115,13 @@ std::shared_ptr<const ModelSway> felled(const std::shared_ptr<const ModelSway>& 
     return cut;
 }
 
-Meshes swayedMeshes(const ModelSway& sway, const WindPose& pose, double seconds, double loop, const CProgress& progress) {
+Meshes swayedMeshes(const ModelSway& sway, const WindPose& pose, double seconds, double loop,
+                    const CProgress& progress) {
     Meshes all;
     sway.model->visitMeshes(
-        [&](const auto& mesh, int) { all.push_back(swayed(*mesh, *sway.placesOf(*mesh), *sway.table, pose, progress)); },
+        [&](const auto& mesh, int) {
+            all.push_back(swayed(*mesh, *sway.placesOf(*mesh), *sway.table, pose, progress));
+        },
         [&](const auto& organs, int) {
             all.push_back(swayed(*organs, *sway.placesOf(*organs), *sway.table, pose, seconds, loop, progress));
         });

@@ -38,7 +38,8 @@ int linesFor(std::size_t nodes) { return static_cast<int>((nodes + kNodesOfLine 
 } // namespace
 
 void CSwayTables::addTo(osg::StateSet* state, unsigned rowsUnit, unsigned stillUnit) {
-    for (const auto& [texture, unit, name] : {std::tuple{m_rows, rowsUnit, "swayRows"}, std::tuple{m_still, stillUnit, "swayStill"}}) {
+    for (const auto& [texture, unit, name] :
+         {std::tuple{m_rows, rowsUnit, "swayRows"}, std::tuple{m_still, stillUnit, "swayStill"}}) {
         setUp(*texture);
         state->setTextureAttribute(unit, texture);
         state->addUniform(new osg::Uniform(name, static_cast<int>(unit)));

@@ -6,7 +6,8 @@
 
 namespace stromar {
 
-/// A tree's nodes on the graphics card, as the vertices' shaders read them: where they are in still air, and where the wind has them.
+/// A tree's nodes on the graphics card, as the vertices' shaders read them: where they are in still air, and where the
+/// wind has them.
 class CSwayTables {
 public:
     /// What shaders need is added to this state; the tables take these texture units.
@@ -19,7 +20,8 @@ public:
 
 private:
     osg::ref_ptr<osg::Texture2D> m_rows = new osg::Texture2D, m_still = new osg::Texture2D;
-    osg::ref_ptr<osg::Uniform> m_on = new osg::Uniform("swaying", 0.f), m_time = new osg::Uniform("swayTime", osg::Vec2()),
+    osg::ref_ptr<osg::Uniform> m_on = new osg::Uniform("swaying", 0.f),
+                               m_time = new osg::Uniform("swayTime", osg::Vec2()),
                                m_size = new osg::Uniform("swaySize", osg::Vec3(1, 1, 1));
     std::size_t m_count = 0;
 };

@@ -17,7 +17,8 @@ std::size_t openEdges(const CMesh& mesh) {
     std::map<std::pair<Point, Point>, int> balance;
     for (std::size_t t = 0; t < mesh.indices.size(); t += 3)
         for (std::size_t c = 0; c < 3; ++c) {
-            const Point a = rounded(mesh.positions[mesh.indices[t + c]]), b = rounded(mesh.positions[mesh.indices[t + (c + 1) % 3]]);
+            const Point a = rounded(mesh.positions[mesh.indices[t + c]]),
+                        b = rounded(mesh.positions[mesh.indices[t + (c + 1) % 3]]);
             if (a < b) ++balance[{a, b}];
             if (b < a) --balance[{b, a}];
         }
@@ -36,7 +37,8 @@ double volume(const CMesh& mesh) {
 }
 
 class Fell : public ::testing::TestWithParam<const char*> {};
-INSTANTIATE_TEST_SUITE_P(Trees, Fell, ::testing::Values("quaking_aspen", "english_oak", "bamboo", "strand_birch", "abop_2_6c"));
+INSTANTIATE_TEST_SUITE_P(Trees, Fell,
+                         ::testing::Values("quaking_aspen", "english_oak", "bamboo", "strand_birch", "abop_2_6c"));
 
 TEST_P(Fell, BothPartsOfATrunkAreClosedAndItsWoodIsAllThere) {
     CTreeCreator creator;
@@ -66,7 +68,8 @@ TEST_P(Fell, BothPartsOfATrunkAreClosedAndItsWoodIsAllThere) {
 
 TEST(Fell, AtTheGroundNothingIsCut) {
     CTreeCreator creator;
-    const auto sway = swayOf(creator.create(preset("apple"), detailOf(Model::Simple), CProgress(2)), nullptr, CProgress(2));
+    const auto sway =
+        swayOf(creator.create(preset("apple"), detailOf(Model::Simple), CProgress(2)), nullptr, CProgress(2));
     EXPECT_EQ(felled(sway, CFall(sway->table, {0, 0})), sway);
     EXPECT_EQ(felled(sway, CFall(sway->table, {0, 100})), sway);
 }

@@ -53,7 +53,8 @@ TEST(Frames, InTheWindAreALoopOfOneTree) {
     std::set<std::string> contents{readFile(folder / "still.ply")};
     for (const char* name : {"w_0001.ply", "w_0002.ply", "w_0003.ply"}) {
         contents.insert(readFile(folder / name));
-        EXPECT_EQ(std::filesystem::file_size(folder / name), std::filesystem::file_size(folder / "still.ply")) << "the same vertices";
+        EXPECT_EQ(std::filesystem::file_size(folder / name), std::filesystem::file_size(folder / "still.ply"))
+            << "the same vertices";
     }
     EXPECT_EQ(contents.size(), 4u) << "each elsewhere";
     ASSERT_EQ(cli(exportTo(folder / "calm.ply", {"--frames", "1", "--wind-strength", "0"})).status, 0);
@@ -63,8 +64,12 @@ TEST(Frames, InTheWindAreALoopOfOneTree) {
 TEST(Frames, ValuesOutOfRangeAreClampedAndNoNumbersRefused) {
     const CTemporaryFolder folder;
     const auto with = [&](const Words& more) { return cli(exportTo(folder / "x.ply", more)); };
-    for (const Words& beyond : {Words{"--wind-strength", "99"}, {"--wind-strength", "-1"}, {"--gusts", "2"}, {"--fps", "0"},
-                                {"--wind-direction", "720"}, {"--age", "2"}}) {
+    for (const Words& beyond : {Words{"--wind-strength", "99"},
+                                {"--wind-strength", "-1"},
+                                {"--gusts", "2"},
+                                {"--fps", "0"},
+                                {"--wind-direction", "720"},
+                                {"--age", "2"}}) {
         const ProcessResult run = with(beyond);
         EXPECT_EQ(run.status, 0) << beyond.front() << run.err;
         EXPECT_NE(run.err.find("warning"), std::string::npos) << beyond.front();
@@ -86,14 +91,16 @@ TEST(Frames, BeforeItsLifeATreeIsAnEmptyFileOfEveryFormat) {
 TEST(Frames, AnInterruptKeepsTheFinishedOnesAndSaysHowMany) {
     const CTemporaryFolder folder;
     CProcess process(cliCommand({"export", kAspen, "-o", (folder / "x.obj").string(), "--frames", "500"}));
-    for (int i = 0; i < 10'000 && !std::filesystem::exists(folder / "x_0003.obj"); ++i) std::this_thread::sleep_for(std::chrono::milliseconds(1));
+    for (int i = 0; i < 10'000 && !std::filesystem::exists(folder / "x_0003.obj"); ++i)
+        std::this_thread::sleep_for(std::chrono::milliseconds(1));
     process.signal(SIGINT);
     const ProcessResult run = process.wait();
     EXPECT_EQ(run.status, 1);
     std::size_t models = 0;
     for (const std::string& name : folder.names()) {
         models += name.ends_with(".obj");
-        EXPECT_TRUE(name.ends_with(".obj") || name.ends_with(".mtl") || name.ends_with(".png")) << "half-written: " << name;
+        EXPECT_TRUE(name.ends_with(".obj") || name.ends_with(".mtl") || name.ends_with(".png"))
+            << "half-written: " << name;
     }
     EXPECT_GE(models, 3u);
     EXPECT_LT(models, 500u);
@@ -102,11 +109,13 @@ TEST(Frames, AnInterruptKeepsTheFinishedOnesAndSaysHowMany) {
 
 TEST(Frames, ThatCannotBeWrittenLeaveNoneHalfWritten) {
     const CTemporaryFolder folder;
-    const ProcessResult run = cli({"export", kAspen, "-o", (folder / "x.obj").string(), "--frames", "4"}, {.maxFileBytes = 6'000'000});
+    const ProcessResult run =
+        cli({"export", kAspen, "-o", (folder / "x.obj").string(), "--frames", "4"}, {.maxFileBytes = 6'000'000});
     EXPECT_EQ(run.status, 1);
     EXPECT_NE(run.err, "");
     for (const std::string& name : folder.names())
-        EXPECT_TRUE(name.ends_with(".obj") || name.ends_with(".mtl") || name.ends_with(".png")) << "half-written: " << name;
+        EXPECT_TRUE(name.ends_with(".obj") || name.ends_with(".mtl") || name.ends_with(".png"))
+            << "half-written: " << name;
     EXPECT_FALSE(std::filesystem::exists(folder / "x_0004.obj"));
 }
 

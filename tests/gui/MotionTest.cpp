@@ -43,7 +43,8 @@ protected:
 
 TEST_F(MotionTest, TheAgeOfTheSliderIsTheTreesWithTheSimpleModelFirst) {
     std::vector<Model> models;
-    QObject::connect(&window, &CMainWindow::modelShown, &window, [&] { models.push_back(window.shown()->model->detail->model); });
+    QObject::connect(&window, &CMainWindow::modelShown, &window,
+                     [&] { models.push_back(window.shown()->model->detail->model); });
     auto* age = widget<QSlider>("age");
     age->setValue(age->maximum() / 2);
     ASSERT_TRUE(showsAge(0.5, Model::Full));
@@ -201,7 +202,14 @@ private:
 class RecordTest : public MotionTest {
 protected:
     RecordedTree tree() {
-        return {window.document().params(), window.document().folder(), 1, {.strength = 1}, Felling{}, SizeLimits::none(), {}, window.viewport().camera()};
+        return {window.document().params(),
+                window.document().folder(),
+                1,
+                {.strength = 1},
+                Felling{},
+                SizeLimits::none(),
+                {},
+                window.viewport().camera()};
     }
     RecordOptions options(RecordOptions::What what, const char* name) {
         return {what, {64, 80}, 0.8, 5, false, folder.filePath(QLatin1String(name))};
@@ -213,7 +221,8 @@ protected:
 TEST_F(RecordTest, GrowthIsNumberedPicturesThatEndWithTheGrownTree) {
     window.recorder().record(tree(), options(RecordOptions::What::Growth, "t.png"));
     EXPECT_EQ(files(), QStringList({"t_0001.png", "t_0002.png", "t_0003.png", "t_0004.png"}));
-    const QImage first(folder.filePath(QStringLiteral("t_0001.png"))), last(folder.filePath(QStringLiteral("t_0004.png")));
+    const QImage first(folder.filePath(QStringLiteral("t_0001.png"))),
+        last(folder.filePath(QStringLiteral("t_0004.png")));
     EXPECT_EQ(last.size(), QSize(64, 80));
     EXPECT_NE(first, last);
     EXPECT_NE(notice().indexOf(QLatin1String("4")), -1);
@@ -222,13 +231,15 @@ TEST_F(RecordTest, GrowthIsNumberedPicturesThatEndWithTheGrownTree) {
 TEST_F(RecordTest, WindIsALoopOfPictures) {
     window.recorder().record(tree(), options(RecordOptions::What::Wind, "w.png"));
     ASSERT_EQ(files().size(), 4);
-    EXPECT_NE(QImage(folder.filePath(QStringLiteral("w_0001.png"))), QImage(folder.filePath(QStringLiteral("w_0003.png"))));
+    EXPECT_NE(QImage(folder.filePath(QStringLiteral("w_0001.png"))),
+              QImage(folder.filePath(QStringLiteral("w_0003.png"))));
 }
 
 TEST_F(RecordTest, AFallIsPicturesToo) {
     window.recorder().record(tree(), options(RecordOptions::What::Fall, "f.png"));
     ASSERT_EQ(files().size(), 4);
-    EXPECT_NE(QImage(folder.filePath(QStringLiteral("f_0001.png"))), QImage(folder.filePath(QStringLiteral("f_0004.png"))));
+    EXPECT_NE(QImage(folder.filePath(QStringLiteral("f_0001.png"))),
+              QImage(folder.filePath(QStringLiteral("f_0004.png"))));
 }
 
 TEST_F(MotionTest, AFelledTreeFallsAndStandsAgain) {
@@ -287,7 +298,8 @@ TEST_F(RecordTest, AVideoIsMadeByFfmpegAndReplacesTheOldFileOnlyWhenItIsThere) {
         EXPECT_EQ(content(), "older");
     }
     // Tells which frames it was given: the last argument is the file.
-    const FakeFfmpeg working("#!/bin/sh\nwhile [ $# -gt 1 ]; do [ \"$1\" = -i ] && frames=$2; shift; done\nls $(dirname $frames) > \"$1\"\n");
+    const FakeFfmpeg working("#!/bin/sh\nwhile [ $# -gt 1 ]; do [ \"$1\" = -i ] && frames=$2; shift; done\nls "
+                             "$(dirname $frames) > \"$1\"\n");
     window.recorder().record(tree(), video);
     EXPECT_EQ(content(), "frame_0001.png\nframe_0002.png\nframe_0003.png\nframe_0004.png\n");
     EXPECT_EQ(files(), QStringList("t.mp4"));

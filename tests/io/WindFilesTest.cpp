@@ -1,4 +1,5 @@
-// What lets a tree sway elsewhere, by the Khronos validator, three.js, Blender and a script of our own that knows the file alone.
+// What lets a tree sway elsewhere, by the Khronos validator, three.js, Blender and a script of our own that knows the
+// file alone.
 #include "cli/Process.h"
 #include "io/Tools.h"
 #include "stromar/app/Export.h"
@@ -18,7 +19,9 @@ using Json = nlohmann::json;
 const std::string kTests = STROMAR_SOURCE "/tests/io/";
 bool hasModule(const char* name) { return fs::exists(std::string(STROMAR_BIN "/../node_modules/") + name); }
 
-CParams treeOf(const char* name) { return CTreeFile::read(std::string(STROMAR_SOURCE "/presets/") + name + ".tree").params(); }
+CParams treeOf(const char* name) {
+    return CTreeFile::read(std::string(STROMAR_SOURCE "/presets/") + name + ".tree").params();
+}
 
 ExportOptions carrying(ExportedWind wind, ExportedLods lods = ExportedLods::None) {
     ExportOptions options;
@@ -43,7 +46,9 @@ class WindFiles : public ::testing::TestWithParam<ExportedWind> {
 protected:
     CTemporaryFolder m_folder;
 };
-INSTANTIATE_TEST_SUITE_P(All, WindFiles, ::testing::Values(ExportedWind::Attributes, ExportedWind::CryEngine, ExportedWind::Unity, ExportedWind::Bones));
+INSTANTIATE_TEST_SUITE_P(All, WindFiles,
+                         ::testing::Values(ExportedWind::Attributes, ExportedWind::CryEngine, ExportedWind::Unity,
+                                           ExportedWind::Bones));
 
 TEST_P(WindFiles, HaveNoErrorsOrWarnings) {
     needTool(hasModule("gltf-validator"), "the validator of glTF files (npm)");
@@ -51,7 +56,8 @@ TEST_P(WindFiles, HaveNoErrorsOrWarnings) {
     write(m_folder / "one.glb", "apple", carrying(GetParam()));
     write(m_folder / "lods.glb", "apple", carrying(GetParam(), ExportedLods::InOneFile));
     for (const char* name : {"one.glb", "lods.glb"}) {
-        const ProcessResult run = runProcess({"node", kTests + "validate-gltf.js", (m_folder / name).string()}, {.folder = STROMAR_BIN "/.."});
+        const ProcessResult run = runProcess({"node", kTests + "validate-gltf.js", (m_folder / name).string()},
+                                             {.folder = STROMAR_BIN "/.."});
         ASSERT_EQ(run.status, 0) << run.err;
         const Json issues = Json::parse(run.out).at("issues");
         EXPECT_EQ(issues.at("numErrors"), 0) << issues.dump(1);
@@ -67,9 +73,11 @@ TEST_P(WindFiles, KeepTheColoursOfATreeUnlessTheEngineReadsThem) {
         const Json file = jsonOf(m_folder / name);
         std::uint32_t size = 0;
         std::memcpy(&size, bytes.data() + 12, 4);
-        const Json& accessor = file["accessors"][file["meshes"][0]["primitives"][0]["attributes"]["COLOR_0"].get<std::size_t>()];
+        const Json& accessor =
+            file["accessors"][file["meshes"][0]["primitives"][0]["attributes"]["COLOR_0"].get<std::size_t>()];
         const Json& view = file["bufferViews"][accessor["bufferView"].get<std::size_t>()];
-        return bytes.substr(28 + size + view.value("byteOffset", std::size_t{0}), view["byteLength"].get<std::size_t>());
+        return bytes.substr(28 + size + view.value("byteOffset", std::size_t{0}),
+                            view["byteLength"].get<std::size_t>());
     };
     const bool engines = GetParam() == ExportedWind::CryEngine || GetParam() == ExportedWind::Unity;
     EXPECT_EQ(coloursOf("plain.glb") == coloursOf("wind.glb"), !engines);
@@ -79,7 +87,8 @@ TEST(WindFormats, OnesThatCannotCarryItSaySo) {
     const CTemporaryFolder folder;
     for (const Format& format : formatTable()) {
         if (format.wind) continue;
-        EXPECT_THROW(write(folder / ("x" + std::string(format.ending)), "apple", carrying(ExportedWind::Bones)), CError) << format.ending;
+        EXPECT_THROW(write(folder / ("x" + std::string(format.ending)), "apple", carrying(ExportedWind::Bones)), CError)
+            << format.ending;
         EXPECT_TRUE(folder.names().empty());
     }
 }
@@ -88,12 +97,15 @@ TEST(WindAttributes, AScriptThatKnowsTheFileAloneBendsTheTreeAsTheProgramDoes) {
     needTool(runProcess({"/usr/bin/python3", "-c", "import numpy"}).status == 0, "NumPy");
     if (::testing::Test::HasFailure() || ::testing::Test::IsSkipped()) return;
     const CTemporaryFolder folder;
-    const Motion motion{.wind = {.direction = windDirection(30), .strength = 0.8, .gusts = 0.6}, .frames = 4, .seconds = 2};
+    const Motion motion{
+        .wind = {.direction = windDirection(30), .strength = 0.8, .gusts = 0.6}, .frames = 4, .seconds = 2};
     for (const char* tree : {"quaking_aspen", "apple", "strand_birch", "abop_2_6c"}) { // with and without clones
         write(folder / "still.glb", tree, carrying(ExportedWind::Attributes));
-        exportFrames(treeOf(tree), {}, motion, 1, true, {}, {}, folder / "w.glb", [](const fs::path&) {}, CProgress(2));
-        const ProcessResult run = runProcess({"/usr/bin/python3", kTests + "wind-pose.py", (folder / "still.glb").string(),
-                                              (folder / "w_0002.glb").string(), "0.8", "30", "0.6", "0.5", "2"});
+        exportFrames(
+            treeOf(tree), {}, motion, 1, true, {}, {}, folder / "w.glb", [](const fs::path&) {}, CProgress(2));
+        const ProcessResult run =
+            runProcess({"/usr/bin/python3", kTests + "wind-pose.py", (folder / "still.glb").string(),
+                        (folder / "w_0002.glb").string(), "0.8", "30", "0.6", "0.5", "2"});
         ASSERT_EQ(run.status, 0) << run.err;
         const Json result = Json::parse(run.out);
         EXPECT_LT(result.at("worst").get<double>(), 1e-4) << tree << ": metres";
@@ -105,8 +117,10 @@ TEST(WindBones, ThreeJsPlaysTheClips) {
     needTool(hasModule("three"), "three.js (npm)");
     if (::testing::Test::HasFailure() || ::testing::Test::IsSkipped()) return;
     const CTemporaryFolder folder;
-    write(folder / "bones.glb", "quaking_aspen", carrying(ExportedWind::Bones), {.wind = {.strength = 1}, .seconds = 3});
-    const ProcessResult run = runProcess({"node", kTests + "three-clips.mjs", (folder / "bones.glb").string()}, {.folder = STROMAR_BIN "/.."});
+    write(folder / "bones.glb", "quaking_aspen", carrying(ExportedWind::Bones),
+          {.wind = {.strength = 1}, .seconds = 3});
+    const ProcessResult run = runProcess({"node", kTests + "three-clips.mjs", (folder / "bones.glb").string()},
+                                         {.folder = STROMAR_BIN "/.."});
     ASSERT_EQ(run.status, 0) << run.err;
     const Json file = Json::parse(run.out), wind = file["clips"]["wind"], growth = file["clips"]["growth"];
     EXPECT_EQ(file["bones"], 65) << "64 stems and the ground";
@@ -122,8 +136,10 @@ TEST(WindBones, AFelledTreeHasAClipInWhichItFallsAndAStumpThatStands) {
     if (::testing::Test::HasFailure() || ::testing::Test::IsSkipped()) return;
     const CTemporaryFolder folder;
     for (const double height : {0.0, 1.5}) {
-        write(folder / "fall.glb", "quaking_aspen", carrying(ExportedWind::Bones), {.wind = {.strength = 1}, .felling = Felling{30, height}});
-        const ProcessResult run = runProcess({"node", kTests + "three-clips.mjs", (folder / "fall.glb").string()}, {.folder = STROMAR_BIN "/.."});
+        write(folder / "fall.glb", "quaking_aspen", carrying(ExportedWind::Bones),
+              {.wind = {.strength = 1}, .felling = Felling{30, height}});
+        const ProcessResult run = runProcess({"node", kTests + "three-clips.mjs", (folder / "fall.glb").string()},
+                                             {.folder = STROMAR_BIN "/.."});
         ASSERT_EQ(run.status, 0) << run.err;
         const Json file = Json::parse(run.out), fall = file["clips"]["fall"];
         EXPECT_GT(fall["ends"].get<double>(), 10) << "its tip has moved by more than its height";
@@ -139,7 +155,8 @@ TEST(WindBones, BlenderHasTheArmatureAndItsActions) {
     ExportOptions options = carrying(ExportedWind::Bones);
     options.bones = 20;
     write(folder / "bones.glb", "apple", options, {.wind = {.strength = 1}});
-    const ProcessResult run = runProcess({"blender", "-b", "--factory-startup", "--python", kTests + "blender-clips.py", "--", (folder / "bones.glb").string()});
+    const ProcessResult run = runProcess({"blender", "-b", "--factory-startup", "--python", kTests + "blender-clips.py",
+                                          "--", (folder / "bones.glb").string()});
     const std::size_t at = run.out.find("STATS ");
     ASSERT_NE(at, std::string::npos) << run.out << run.err;
     const Json stats = Json::parse(run.out.substr(at + 6, run.out.find('\n', at) - at - 6));

@@ -46,15 +46,17 @@ public:
     explicit CPlacesOnCard(const Swaying& tree) : m_tree(tree) {
         const auto create = proc<PFNGLCREATESHADERPROC>("glCreateShader");
         const unsigned shader = create(GL_VERTEX_SHADER);
-        const std::string text = std::string(kPlaceFunctions) +
-                                 "varying vec3 outPlace;\nvoid main() { outPlace = placeOfVertex(); gl_Position = vec4(outPlace, 1.0); }\n";
+        const std::string text =
+            std::string(kPlaceFunctions) +
+            "varying vec3 outPlace;\nvoid main() { outPlace = placeOfVertex(); gl_Position = vec4(outPlace, 1.0); }\n";
         const char* source = text.c_str();
         proc<PFNGLSHADERSOURCEPROC>("glShaderSource")(shader, 1, &source, nullptr);
         proc<PFNGLCOMPILESHADERPROC>("glCompileShader")(shader);
         m_program = proc<PFNGLCREATEPROGRAMPROC>("glCreateProgram")();
         proc<PFNGLATTACHSHADERPROC>("glAttachShader")(m_program, shader);
         const char* captured = "outPlace";
-        proc<PFNGLTRANSFORMFEEDBACKVARYINGSPROC>("glTransformFeedbackVaryings")(m_program, 1, &captured, GL_INTERLEAVED_ATTRIBS);
+        proc<PFNGLTRANSFORMFEEDBACKVARYINGSPROC>("glTransformFeedbackVaryings")(m_program, 1, &captured,
+                                                                                GL_INTERLEAVED_ATTRIBS);
         proc<PFNGLLINKPROGRAMPROC>("glLinkProgram")(m_program);
         int linked = 0;
         proc<PFNGLGETPROGRAMIVPROC>("glGetProgramiv")(m_program, GL_LINK_STATUS, &linked);
@@ -127,7 +129,8 @@ private:
         const int place = proc<PFNGLGETATTRIBLOCATIONPROC>("glGetAttribLocation")(m_program, name);
         ASSERT_GE(place, 0) << name;
         proc<PFNGLENABLEVERTEXATTRIBARRAYPROC>("glEnableVertexAttribArray")(static_cast<unsigned>(place));
-        proc<PFNGLVERTEXATTRIBPOINTERPROC>("glVertexAttribPointer")(static_cast<unsigned>(place), size, GL_FLOAT, GL_FALSE, 0, values);
+        proc<PFNGLVERTEXATTRIBPOINTERPROC>("glVertexAttribPointer")(static_cast<unsigned>(place), size, GL_FLOAT,
+                                                                    GL_FALSE, 0, values);
     }
 
     const Swaying& m_tree;
@@ -136,7 +139,8 @@ private:
 
 double largestStep(const std::vector<glm::vec3>& card, const RawVector<glm::vec3>& processor) {
     double largest = 0;
-    for (std::size_t i = 0; i < card.size(); ++i) largest = std::max(largest, double(glm::distance(card[i], processor[i])));
+    for (std::size_t i = 0; i < card.size(); ++i)
+        largest = std::max(largest, double(glm::distance(card[i], processor[i])));
     return largest;
 }
 
@@ -155,7 +159,8 @@ TEST(Sway, TheCardPutsEveryVertexWhereTheProcessorDoes) {
                 const auto drawn = card.places({mesh->positions.begin(), mesh->positions.end()}, hang);
                 const auto computed = swayed(*mesh, places, *tree.sway->table, *tree.pose, CProgress());
                 EXPECT_LT(largestStep(drawn, computed->positions), allowed) << name << " " << mesh->name;
-                EXPECT_GT(largestStep(drawn, mesh->positions), 1e-3 * tree.model->tree->height()) << name << ": it sways";
+                EXPECT_GT(largestStep(drawn, mesh->positions), 1e-3 * tree.model->tree->height())
+                    << name << ": it sways";
             },
             [&](const std::shared_ptr<const COrganMesh>& organs, int) {
                 const SwayPlaces& places = *tree.sway->placesOf(*organs);
@@ -170,7 +175,8 @@ TEST(Sway, TheCardPutsEveryVertexWhereTheProcessorDoes) {
                         instances.push_back(organs->place(i));
                     }
                 const auto drawn = card.places(vertices, hang, instances);
-                const auto computed = swayed(*organs, places, *tree.sway->table, *tree.pose, tree.seconds, tree.loop, CProgress());
+                const auto computed =
+                    swayed(*organs, places, *tree.sway->table, *tree.pose, tree.seconds, tree.loop, CProgress());
                 EXPECT_LT(largestStep(drawn, computed->positions), allowed) << name << " " << organs->name();
             });
     }

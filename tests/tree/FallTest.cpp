@@ -1,6 +1,6 @@
 // A felled tree: the pendulum of the specification, where it comes to rest, what stands and what falls.
-#include "Support.h"
 #include "stromar/tree/Fall.h"
+#include "Support.h"
 #include <glm/geometric.hpp>
 #include <gtest/gtest.h>
 #include <numbers>
@@ -14,7 +14,13 @@ CFall felled(const TreePtr& tree, const Felling& felling) {
 
 /// A straight pole of even thickness.
 TreePtr pole() {
-    return growNeutral(with(CParams(), {{"Levels", 1}, {"Scale", 10}, {"0Taper", 0}, {"Flare", 0}, {"Ratio", 0.01}, {"0CurveRes", 20}, {"0SegSplits", 0}}));
+    return growNeutral(with(CParams(), {{"Levels", 1},
+                                        {"Scale", 10},
+                                        {"0Taper", 0},
+                                        {"Flare", 0},
+                                        {"Ratio", 0.01},
+                                        {"0CurveRes", 20},
+                                        {"0SegSplits", 0}}));
 }
 
 /// Of a uniform rod of length L from 1° to an angle: ∫ dθ / √(3g/L·(cos 1° − cos θ)).
@@ -67,7 +73,8 @@ TEST_P(Felled, StandsAtFirstAndLiesInItsDirection) {
         WindPose first, last;
         fall.pose(0, first, CProgress(2));
         fall.pose(fall.seconds(), last, CProgress(2));
-        const glm::dvec3 direction(std::cos(degrees * std::numbers::pi / 180), std::sin(degrees * std::numbers::pi / 180), 0);
+        const glm::dvec3 direction(std::cos(degrees * std::numbers::pi / 180),
+                                   std::sin(degrees * std::numbers::pi / 180), 0);
         double along = 0, height = 0;
         for (std::size_t n = 0; n < table->nodeCount(); ++n) {
             ASSERT_EQ(glm::vec3(first.rows[2 * n]), table->still()[n]);
@@ -75,7 +82,8 @@ TEST_P(Felled, StandsAtFirstAndLiesInItsDirection) {
             height += last.rows[2 * n].z;
         }
         EXPECT_GT(along / double(table->nodeCount()), 0.4 * tree->height()) << degrees;
-        EXPECT_LT(std::abs(height / double(table->nodeCount())), 0.35 * tree->height()) << "arching stems keep their tips up";
+        EXPECT_LT(std::abs(height / double(table->nodeCount())), 0.35 * tree->height())
+            << "arching stems keep their tips up";
         EXPECT_GT(fall.seconds(), 1);
         EXPECT_LT(fall.seconds(), 30);
     }
@@ -92,7 +100,8 @@ TEST_P(Felled, PiecesKeepTheirLengthsWhileItFallsAndBend) {
             for (std::uint32_t s = 0; s < tree->generation(g).segments.size(); ++s) {
                 const std::uint32_t node = table->nodeOf(g, s);
                 if (fall.falls(node) != fall.falls(node + 1)) continue; // the cut
-                ASSERT_NEAR(glm::distance(glm::dvec3(pose.rows[2 * node]), glm::dvec3(pose.rows[2 * node + 2])), tree->generation(g).segments[s].length, 2e-5);
+                ASSERT_NEAR(glm::distance(glm::dvec3(pose.rows[2 * node]), glm::dvec3(pose.rows[2 * node + 2])),
+                            tree->generation(g).segments[s].length, 2e-5);
             }
     }
 }

@@ -1,7 +1,7 @@
 // The wind pose: lengths keep, joints hold, loops close, crowns lean with the wind, still air moves nothing.
+#include "stromar/tree/Wind.h"
 #include "Support.h"
 #include "stromar/params/TreeFile.h"
-#include "stromar/tree/Wind.h"
 #include "stromar/tree/weberpenn/WeberPennBuilder.h"
 #include <glm/geometric.hpp>
 #include <gtest/gtest.h>
@@ -77,7 +77,8 @@ TEST_P(WindTest, ClonesStartWhereTheirStemForks) {
 TEST_P(WindTest, TheCrownLeansWithTheWindFromAnySide) {
     const auto tree = preset(GetParam());
     const CWindTable table = tableOf(tree);
-    for (const glm::dvec3 direction : {glm::dvec3(1, 0, 0), glm::dvec3(0, -1, 0), glm::normalize(glm::dvec3(-1, 1, 0))}) {
+    for (const glm::dvec3 direction :
+         {glm::dvec3(1, 0, 0), glm::dvec3(0, -1, 0), glm::normalize(glm::dvec3(-1, 1, 0))}) {
         double along = 0, across = 0;
         for (int second = 0; second < 60; second += 3) {
             const WindPose pose = poseOf(table, {.direction = direction, .strength = 0.6, .gusts = 0.5}, second);
@@ -96,7 +97,8 @@ TEST_P(WindTest, LoopsClose) {
     const CWindTable table = tableOf(preset(GetParam()));
     for (const double loop : {0.7, 2.0, 5.0}) {
         const Wind wind{.strength = 1, .gusts = 1, .loop = loop};
-        const WindPose first = poseOf(table, wind, 0), last = poseOf(table, wind, loop), half = poseOf(table, wind, loop / 2);
+        const WindPose first = poseOf(table, wind, 0), last = poseOf(table, wind, loop),
+                       half = poseOf(table, wind, loop / 2);
         double moved = 0;
         for (std::size_t i = 0; i < first.rows.size(); ++i) {
             ASSERT_LT(glm::distance(first.rows[i], last.rows[i]), 1e-5f);
@@ -125,7 +127,9 @@ TEST_P(WindTest, NothingJumps) {
     }
 }
 
-INSTANTIATE_TEST_SUITE_P(Trees, WindTest, ::testing::Values("quaking_aspen", "english_oak", "weeping_willow", "coconut_palm", "norway_spruce"));
+INSTANTIATE_TEST_SUITE_P(Trees, WindTest,
+                         ::testing::Values("quaking_aspen", "english_oak", "weeping_willow", "coconut_palm",
+                                           "norway_spruce"));
 
 TEST(Wind, StillAirIsTheStillTree) {
     const CWindTable table = tableOf(preset("quaking_aspen"));
@@ -139,8 +143,7 @@ TEST(Wind, StillAirIsTheStillTree) {
 TEST(Wind, NoStemTurnsFurtherThanToTheWindOrSixtyDegrees) {
     const CWindTable table = tableOf(preset("weeping_willow"), 2);
     const Wind wind{.strength = kMaxWindStrength, .gusts = 1};
-    for (const WindStem& stem : table.stems())
-        ASSERT_LE(glm::length(table.pushOn(stem, wind, 8).turn), 1.0472);
+    for (const WindStem& stem : table.stems()) ASSERT_LE(glm::length(table.pushOn(stem, wind, 8).turn), 1.0472);
     WindStem along = table.stems().front(); // a stem that lies in the wind only trembles
     along.axis = wind.direction;
     EXPECT_LE(glm::length(table.pushOn(along, {.strength = 1, .gusts = 0}, 8).turn), 2 * 0.05 * std::sqrt(2.0) + 1e-9);
@@ -162,7 +165,8 @@ TEST(Wind, FlexibilityAndStrengthBend) {
 
 TEST(Wind, YoungStemsAreAsStiffAsTheyWillBe) {
     const CParams params = CTreeFile::read(STROMAR_SOURCE "/presets/quaking_aspen.tree").params();
-    const auto grown = growTree(CWeberPennBuilder(), params, CProgress()), young = growTree(CWeberPennBuilder(), params, CProgress(), 0.6);
+    const auto grown = growTree(CWeberPennBuilder(), params, CProgress()),
+               young = growTree(CWeberPennBuilder(), params, CProgress(), 0.6);
     const CWindTable now(young, *grown, 1, 1), then(grown, *grown, 1, 1);
     EXPECT_LT(young->generation(0).stems[0].length, grown->generation(0).stems[0].length);
     EXPECT_EQ(now.stems()[0].length, then.stems()[0].length);

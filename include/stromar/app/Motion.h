@@ -13,7 +13,8 @@ struct Moment {
     double seconds; ///< since the motion began
 };
 
-/// What moves a tree while pictures or files are made of it: it is felled; or the wind, in a loop; without either it grows.
+/// What moves a tree while pictures or files are made of it: it is felled; or the wind, in a loop; without either it
+/// grows.
 struct Motion {
     Wind wind;
     int frames = 0; ///< 0: one moment alone
@@ -24,8 +25,8 @@ struct Motion {
 
     /// Whether the tree stays what it is, and its nodes move.
     bool sways() const { return felling || wind.strength > 0; }
-    /// As many as there are to be made of a tree of an age. Growth ends at that age; a loop's next moment would be its first; the last of a
-    /// fall, which takes so many seconds, shows the tree lying, as does a single one.
+    /// As many as there are to be made of a tree of an age. Growth ends at that age; a loop's next moment would be its
+    /// first; the last of a fall, which takes so many seconds, shows the tree lying, as does a single one.
     std::vector<Moment> moments(double age, double fallSeconds = 0) const;
     /// The wind that repeats with the frames.
     Wind loopingWind() const;
@@ -51,8 +52,5 @@ private:
 
 /// "oak.png" as the i-th of so many: "oak_0001.png".
 std::filesystem::path framePath(const std::filesystem::path& path, std::size_t i, std::size_t count);
-
-/// A horizontal direction: degrees from x, counter-clockwise seen from above.
-glm::dvec3 windDirection(double degrees);
 
 } // namespace stromar

@@ -9,16 +9,16 @@ namespace stromar {
 struct ModelSway {
     std::shared_ptr<const TreeModel> model;
     std::shared_ptr<const CWindTable> table;
-    std::vector<std::shared_ptr<const SwayPlaces>> stems; ///< by generation: of the vertices
+    std::vector<std::shared_ptr<const SwayPlaces>> stems;                 ///< by generation: of the vertices
     std::array<std::shared_ptr<const SwayPlaces>, kOrgans.size()> organs; ///< by Organ: of the instances
-    std::shared_ptr<const SwayPlaces> cards;                             ///< of the vertices; null without cards
+    std::shared_ptr<const SwayPlaces> cards;                              ///< of the vertices; null without cards
 
     const std::shared_ptr<const SwayPlaces>& placesOf(const CMesh& mesh) const;
     const std::shared_ptr<const SwayPlaces>& placesOf(const COrganMesh& organs) const;
 };
 
-/// Plans the model's rings once more: cheaper than to keep them. What is the same as in `known` (or null) is taken over. Throws
-/// CCancelled.
+/// Plans the model's rings once more: cheaper than to keep them. What is the same as in `known` (or null) is taken
+/// over. Throws CCancelled.
 std::shared_ptr<const ModelSway> swayOf(const std::shared_ptr<const TreeModel>& model, const ModelSway* known,
                                         const CProgress& progress);
 
@@ -26,6 +26,7 @@ std::shared_ptr<const ModelSway> swayOf(const std::shared_ptr<const TreeModel>& 
 std::shared_ptr<const ModelSway> felled(const std::shared_ptr<const ModelSway>& sway, const CFall& fall);
 
 /// The model's meshes, as TreeModel::meshes() gives them, in a pose at a time. Throws CCancelled.
-Meshes swayedMeshes(const ModelSway& sway, const WindPose& pose, double seconds, double loop, const CProgress& progress);
+Meshes swayedMeshes(const ModelSway& sway, const WindPose& pose, double seconds, double loop,
+                    const CProgress& progress);
 
 } // namespace stromar

@@ -12,8 +12,9 @@ struct Felling {
     bool operator==(const Felling&) const = default;
 };
 
-/// A tree that falls: a stiff body on a hinge at the cut, θ'' = (m·g·h/I)·sin θ from 1°, whose stems bend in the wind of their own motion.
-/// It lies when the upper half of a trunk meets the ground, after one bounce; branches may pass through it. Immutable, any thread.
+/// A tree that falls: a stiff body on a hinge at the cut, θ'' = (m·g·h/I)·sin θ from 1°, whose stems bend in the wind
+/// of their own motion. It lies when the upper half of a trunk meets the ground, after one bounce; branches may pass
+/// through it. Immutable, any thread.
 class CFall {
 public:
     CFall(std::shared_ptr<const CWindTable> table, const Felling& felling);
@@ -51,9 +52,9 @@ private:
     std::shared_ptr<const CWindTable> m_table;
     Felling m_felling;
     glm::dvec3 m_hinge{0}, m_axis, m_direction;
-    std::vector<bool> m_falls;          ///< by node
-    std::vector<SwayPlace> m_on;        ///< by stem: where it hangs on its parent, on its side of the cut
-    std::vector<TrunkCut> m_cuts;       ///< by trunk
+    std::vector<bool> m_falls;                     ///< by node
+    std::vector<SwayPlace> m_on;                   ///< by stem: where it hangs on its parent, on its side of the cut
+    std::vector<TrunkCut> m_cuts;                  ///< by trunk
     double m_mass = 0, m_lever = 0, m_inertia = 0; ///< lever: height of the middle of mass above the hinge
     std::vector<float> m_angles, m_speeds;         ///< by time step
 };

@@ -18,6 +18,9 @@ struct Wind {
 };
 constexpr double kMaxWindStrength = 3;
 
+/// A horizontal direction: degrees from x, counter-clockwise seen from above.
+glm::dvec3 windDirection(double degrees);
+
 /// How often a motion repeats in the wind: in a loop, whole times.
 struct Rhythm {
     double frequency;    ///< Hz
@@ -43,17 +46,17 @@ struct SwayPlace {
 /// What the wind knows of a stem of the still tree.
 struct WindStem {
     glm::dvec3 base;
-    glm::dvec3 axis;     ///< unit, from the base to the tip
-    glm::dvec3 x, y;     ///< of its frame at its base
-    double length;       ///< of the grown stem, metres
-    double diameter;     ///< of the grown stem at its base, metres
+    glm::dvec3 axis; ///< unit, from the base to the tip
+    glm::dvec3 x, y; ///< of its frame at its base
+    double length;   ///< of the grown stem, metres
+    double diameter; ///< of the grown stem at its base, metres
     double flexibility;
-    double angularSpeed; ///< rad/s of its own swaying
-    double phase;        ///< radians of the same
-    std::uint32_t seed;  ///< of its noises
-    std::int32_t parent; ///< in the table, −1 for a trunk
-    std::uint32_t parentNode; ///< the one below its base on the parent's axis
-    double parentPart;        ///< how far its base is from there to the next node, 0..1
+    double angularSpeed;            ///< rad/s of its own swaying
+    double phase;                   ///< radians of the same
+    std::uint32_t seed;             ///< of its noises
+    std::int32_t parent;            ///< in the table, −1 for a trunk
+    std::uint32_t parentNode;       ///< the one below its base on the parent's axis
+    double parentPart;              ///< how far its base is from there to the next node, 0..1
     std::uint32_t generation, stem; ///< in the tree
     std::uint32_t firstNode;        ///< of path 0
     std::uint32_t segments;         ///< of path 0
@@ -69,8 +72,8 @@ struct WindPose {
     std::vector<glm::vec4> rows;
 };
 
-/// The axes of a tree as the wind bends them. Nodes are the ends of segments: each path has one more than segments, they lie one after the
-/// other. Immutable, any thread.
+/// The axes of a tree as the wind bends them. Nodes are the ends of segments: each path has one more than segments,
+/// they lie one after the other. Immutable, any thread.
 class CWindTable {
 public:
     /// `grown` is the tree at the end of its life, from which stems of the same names take their stiffness.
@@ -78,7 +81,9 @@ public:
 
     const CTree& tree() const { return *m_tree; }
     const std::vector<WindStem>& stems() const { return m_stems; } ///< by generation, then as in the tree
-    const WindStem& stem(std::size_t generation, std::size_t stem) const { return m_stems[m_firstStem[generation] + stem]; }
+    const WindStem& stem(std::size_t generation, std::size_t stem) const {
+        return m_stems[m_firstStem[generation] + stem];
+    }
     std::size_t nodeCount() const { return m_still.size(); }
     /// The nodes of the still tree.
     const std::vector<glm::vec3>& still() const { return m_still; }
@@ -88,7 +93,8 @@ public:
     SwayPlace nearestOn(std::size_t generation, std::size_t stem, const glm::dvec3& point) const;
 
     /// The pose at a time, as many rows as nodes times two. Each stem turns about φ⃗·z/l at z metres from its base, in
-    /// the frame of its parent there; its pieces keep their lengths. Same result for any number of threads; 0.1 µs a node.
+    /// the frame of its parent there; its pieces keep their lengths. Same result for any number of threads; 0.1 µs a
+    /// node.
     void pose(const Wind& wind, double seconds, WindPose& pose, const CProgress& progress) const;
     /// The rotation vector of a stem in its parent's frame, and the strength of the wind where it stands.
     struct Push {
@@ -98,21 +104,23 @@ public:
     };
     Push pushOn(const WindStem& stem, const Wind& wind, double seconds) const;
 
-    /// Poses one stem whose parent, if any, is posed: it is pushed, and hangs at `on` of its parent's axis; a trunk stands where it is.
+    /// Poses one stem whose parent, if any, is posed: it is pushed, and hangs at `on` of its parent's axis; a trunk
+    /// stands where it is.
     void poseStem(const WindStem& own, const Push& push, const SwayPlace& on, std::vector<glm::vec4>& rows) const;
-    /// Poses consecutive pieces from a node on: it lies at `at`, `start` metres above where the wood is turned by `carried`, and turns further
-    /// by so much per metre.
+    /// Poses consecutive pieces from a node on: it lies at `at`, `start` metres above where the wood is turned by
+    /// `carried`, and turns further by so much per metre.
     void posePath(std::uint32_t first, std::uint32_t segments, double start, glm::dvec3 at, const glm::dquat& carried,
                   const glm::dvec3& perMetre, float strength, std::vector<glm::vec4>& rows) const;
 
 private:
     void addStems(std::size_t generation, const CTree& grown, double flexibility, int seed);
-    void poseClones(const WindStem& own, const Push& push, const glm::dquat& carried, std::vector<glm::vec4>& rows) const;
+    void poseClones(const WindStem& own, const Push& push, const glm::dquat& carried,
+                    std::vector<glm::vec4>& rows) const;
 
     std::shared_ptr<const CTree> m_tree;
     std::vector<WindStem> m_stems;
-    std::vector<std::size_t> m_firstStem;              ///< by generation
-    std::vector<std::vector<std::uint32_t>> m_nodeOf;  ///< by generation and segment
+    std::vector<std::size_t> m_firstStem;             ///< by generation
+    std::vector<std::vector<std::uint32_t>> m_nodeOf; ///< by generation and segment
     std::vector<glm::vec3> m_still;
     std::vector<glm::vec4> m_pieces; ///< by node: unit vector to the next one, and how far it is, metres
 };

@@ -1,8 +1,8 @@
 #include "motion/FallController.h"
 #include "motion/Timeline.h"
 #include "view/Viewport.h"
-#include "work/GrowthController.h"
 #include "window/QtText.h"
+#include "work/GrowthController.h"
 #include <QDialog>
 #include <QDialogButtonBox>
 #include <QDoubleSpinBox>
@@ -43,7 +43,8 @@ bool CFallController::askAndFell(QWidget* parent) {
     connect(buttons, &QDialogButtonBox::accepted, &dialog, &QDialog::accept);
     connect(buttons, &QDialogButtonBox::rejected, &dialog, &QDialog::reject);
     if (dialog.exec() != QDialog::Accepted) return false;
-    for (const QDoubleSpinBox* box : {direction, height}) QSettings().setValue(QStringLiteral("fell/") + box->objectName(), box->value());
+    for (const QDoubleSpinBox* box : {direction, height})
+        QSettings().setValue(QStringLiteral("fell/") + box->objectName(), box->value());
     fell({direction->value(), height->value()});
     return true;
 }

@@ -14,8 +14,8 @@ class CViewport;
 struct ModelSway;
 struct ViewModel;
 
-/// Fells the tree in the viewport: asks where to and where it is cut, shows it falling, and lets the timeline run over the fall. Values may
-/// change meanwhile; every new model is felled likewise.
+/// Fells the tree in the viewport: asks where to and where it is cut, shows it falling, and lets the timeline run over
+/// the fall. Values may change meanwhile; every new model is felled likewise.
 class CFallController : public QObject {
     Q_OBJECT
 public:

@@ -36,11 +36,14 @@ QString videoProgram() { return QStandardPaths::findExecutable(QStringLiteral("f
 int RecordOptions::frames() const { return std::max(1, static_cast<int>(std::lround(seconds * fps))); }
 
 QString RecordOptions::fileOf(int frame) const {
-    return video ? path : fromPath(framePath(toPath(path), static_cast<std::size_t>(frame), static_cast<std::size_t>(frames())));
+    return video
+               ? path
+               : fromPath(framePath(toPath(path), static_cast<std::size_t>(frame), static_cast<std::size_t>(frames())));
 }
 
 CRecordDialog::CRecordDialog(const QSize& windowSize, bool windBlows, bool felled, QWidget* parent)
-    : QDialog(parent), m_what(new QComboBox), m_width(makeNumber<QSpinBox>("width", 16, kMaxPixels, windowSize.width(), tr(" px"))),
+    : QDialog(parent), m_what(new QComboBox),
+      m_width(makeNumber<QSpinBox>("width", 16, kMaxPixels, windowSize.width(), tr(" px"))),
       m_height(makeNumber<QSpinBox>("height", 16, kMaxPixels, windowSize.height(), tr(" px"))),
       m_fps(makeNumber<QSpinBox>("fps", 1, 120, 25, QString())),
       m_seconds(makeNumber<QDoubleSpinBox>("seconds", 0.1, 600.0, 6.0, tr(" s"))), m_kind(new QComboBox) {

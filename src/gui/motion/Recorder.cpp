@@ -1,7 +1,7 @@
 #include "motion/Recorder.h"
+#include "stromar/app/Pictures.h"
 #include "view/ImageFile.h"
 #include "window/QtText.h"
-#include "stromar/app/Pictures.h"
 #include <QCoreApplication>
 #include <QFile>
 #include <QMessageBox>
@@ -27,8 +27,7 @@ auto whileAlive(Work&& work) {
 /// Makes the views of a motion, one after the other.
 class CRecorder::CFrames {
 public:
-    CFrames(const RecordedTree& tree, const RecordOptions& options)
-        : m_tree(tree), m_creator(true, tree.limits) {
+    CFrames(const RecordedTree& tree, const RecordOptions& options) : m_tree(tree), m_creator(true, tree.limits) {
         m_motion.frames = options.frames();
         m_motion.fps = options.fps;
         if (options.what == RecordOptions::What::Wind) m_motion.wind = tree.wind;
@@ -91,12 +90,15 @@ void CRecorder::record(const RecordedTree& tree, const RecordOptions& options) {
     progress.setValue(0);
     try {
         const QTemporaryDir folder;
-        const int written = writeFrames(tree, options, options.video ? folder.filePath(QStringLiteral("frame.png")) : options.path, progress);
+        const int written = writeFrames(
+            tree, options, options.video ? folder.filePath(QStringLiteral("frame.png")) : options.path, progress);
         const bool cancelled = progress.wasCanceled();
-        if (options.video && !cancelled) makeVideo(folder.filePath(QStringLiteral("frame_%0%1d.png")), options, progress);
+        if (options.video && !cancelled)
+            makeVideo(folder.filePath(QStringLiteral("frame_%0%1d.png")), options, progress);
         if (cancelled)
-            emit notice(options.video ? tr("Recording cancelled; no file was changed")
-                                      : tr("Recording cancelled: %1 of %n frame(s) are saved", nullptr, frames).arg(written));
+            emit notice(options.video
+                            ? tr("Recording cancelled; no file was changed")
+                            : tr("Recording cancelled: %1 of %n frame(s) are saved", nullptr, frames).arg(written));
         else
             emit notice(options.video ? tr("Saved %1").arg(options.path) : tr("Saved %n frame(s)", nullptr, written));
     } catch (const std::exception& e) {
@@ -106,7 +108,8 @@ void CRecorder::record(const RecordedTree& tree, const RecordOptions& options) {
     m_busy = false;
 }
 
-int CRecorder::writeFrames(const RecordedTree& tree, const RecordOptions& options, const QString& path, QProgressDialog& progress) {
+int CRecorder::writeFrames(const RecordedTree& tree, const RecordOptions& options, const QString& path,
+                           QProgressDialog& progress) {
     CFrames frames(tree, options);
     const QObject listener; // goes before the frames do
     connect(&progress, &QProgressDialog::canceled, &listener, [&frames] { frames.cancel(); });
@@ -117,8 +120,10 @@ int CRecorder::writeFrames(const RecordedTree& tree, const RecordOptions& option
     int written = 0;
     try {
         for (; written < options.frames() && !progress.wasCanceled(); ++written) {
-            const auto frame = whileAlive([&frames, written] { return frames.make(static_cast<std::size_t>(written)); });
-            const QImage image = painter.paint(*frame.view, options.size, tree.look, tree.camera, frame.pose, frame.seconds, frame.loop);
+            const auto frame =
+                whileAlive([&frames, written] { return frames.make(static_cast<std::size_t>(written)); });
+            const QImage image =
+                painter.paint(*frame.view, options.size, tree.look, tree.camera, frame.pose, frame.seconds, frame.loop);
             const QString file = pictures.fileOf(written);
             if (image.isNull()) throw CError("there is no OpenGL to draw it");
             if (!writeImage(image, file)) throw CError(tr("%1 cannot be written.").arg(file).toStdString());
@@ -136,9 +141,11 @@ void CRecorder::makeVideo(const QString& frames, const RecordOptions& options, Q
     const QString made = options.path + QStringLiteral(".part.mp4");
     const std::size_t width = std::max<std::size_t>(4, std::to_string(options.frames()).size());
     QProcess ffmpeg;
-    ffmpeg.start(videoProgram(), {QStringLiteral("-y"), QStringLiteral("-loglevel"), QStringLiteral("error"), QStringLiteral("-framerate"),
-                                  QString::number(options.fps), QStringLiteral("-i"), frames.arg(width), QStringLiteral("-vf"),
-                                  QStringLiteral("pad=ceil(iw/2)*2:ceil(ih/2)*2"), QStringLiteral("-pix_fmt"), QStringLiteral("yuv420p"), made});
+    ffmpeg.start(videoProgram(),
+                 {QStringLiteral("-y"), QStringLiteral("-loglevel"), QStringLiteral("error"),
+                  QStringLiteral("-framerate"), QString::number(options.fps), QStringLiteral("-i"), frames.arg(width),
+                  QStringLiteral("-vf"), QStringLiteral("pad=ceil(iw/2)*2:ceil(ih/2)*2"), QStringLiteral("-pix_fmt"),
+                  QStringLiteral("yuv420p"), made});
     while (!ffmpeg.waitForFinished(20)) {
         QCoreApplication::processEvents();
         if (progress.wasCanceled()) ffmpeg.kill();

@@ -1,9 +1,9 @@
 #pragma once
 #include "motion/PoseThread.h"
 #include "motion/RecordDialog.h"
-#include "view/OffscreenPainter.h"
 #include "stromar/app/Motion.h"
 #include "stromar/scene/Camera.h"
+#include "view/OffscreenPainter.h"
 #include <QWidget>
 
 class QProgressDialog;
@@ -22,8 +22,8 @@ struct RecordedTree {
     CCamera camera;
 };
 
-/// Saves what moves as numbered pictures, or as a video. Each frame is grown on a thread and drawn on the GUI thread, which stays alive; one
-/// recording at a time.
+/// Saves what moves as numbered pictures, or as a video. Each frame is grown on a thread and drawn on the GUI thread,
+/// which stays alive; one recording at a time.
 class CRecorder : public QObject {
     Q_OBJECT
 public:
@@ -40,7 +40,8 @@ private:
     class CFrames;
 
     /// How many frames were written; throws CError.
-    int writeFrames(const RecordedTree& tree, const RecordOptions& options, const QString& path, QProgressDialog& progress);
+    int writeFrames(const RecordedTree& tree, const RecordOptions& options, const QString& path,
+                    QProgressDialog& progress);
     void makeVideo(const QString& frames, const RecordOptions& options, QProgressDialog& progress);
 
     QWidget& m_window;

@@ -13,7 +13,7 @@
 namespace stromar {
 
 namespace {
-constexpr int kSteps = 200; // of the slider
+constexpr int kSteps = 200;    // of the slider
 constexpr double kStep = 0.02; // of a button
 constexpr int kTickMs = 16;
 constexpr int kPatienceMs = 3000; // for a tree that does not come
@@ -23,7 +23,8 @@ constexpr int kUsualSpeed = 2;
 int positionOf(double age) { return static_cast<int>(std::lround(age * kSteps * CParamSlider::kFinePerStep)); }
 } // namespace
 
-CTimeline::CTimeline(QWidget* parent) : QWidget(parent), m_slider(new CParamSlider(kSteps)), m_label(new QLabel), m_speed(new QComboBox) {
+CTimeline::CTimeline(QWidget* parent)
+    : QWidget(parent), m_slider(new CParamSlider(kSteps)), m_label(new QLabel), m_speed(new QComboBox) {
     auto* row = new QHBoxLayout(this);
     row->setContentsMargins(6, 2, 6, 2);
     row->setSpacing(2);
@@ -39,7 +40,8 @@ CTimeline::CTimeline(QWidget* parent) : QWidget(parent), m_slider(new CParamSlid
     row->addWidget(m_slider, 1);
     row->addWidget(m_label);
     m_label->setObjectName(QStringLiteral("ageText"));
-    m_label->setMinimumWidth(m_label->fontMetrics().horizontalAdvance(tr("Age %1 %").arg(QLocale().toString(100.0, 'f', 1))) + 6);
+    m_label->setMinimumWidth(
+        m_label->fontMetrics().horizontalAdvance(tr("Age %1 %").arg(QLocale().toString(100.0, 'f', 1))) + 6);
     m_speed->setObjectName(QStringLiteral("timelineSpeed"));
     m_speed->setAccessibleName(tr("Speed"));
     m_speed->setToolTip(tr("How fast it is played"));

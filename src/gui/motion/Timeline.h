@@ -11,7 +11,8 @@ namespace stromar {
 
 class CParamSlider;
 
-/// The life of the tree under its picture, or its fall: how old it is, or how long it has fallen; played, stepped or dragged.
+/// The life of the tree under its picture, or its fall: how old it is, or how long it has fallen; played, stepped or
+/// dragged.
 class CTimeline : public QWidget {
     Q_OBJECT
 public:
@@ -20,7 +21,8 @@ public:
     explicit CTimeline(QWidget* parent = nullptr);
 
     double age() const { return m_life.at; } ///< 0..1
-    /// From now on it runs over a fall of so many seconds, from its beginning; one that is shown already goes on where it is.
+    /// From now on it runs over a fall of so many seconds, from its beginning; one that is shown already goes on where
+    /// it is.
     void showFall(double seconds);
     void showLife();
     double fallSeconds() const { return m_fall.at * m_fall.seconds; }
@@ -62,8 +64,8 @@ private:
     QToolButton* m_loop;
     QComboBox* m_speed;
     QTimer m_timer;
-    QElapsedTimer m_clock;  ///< since the last step of playing
-    QElapsedTimer m_asked;  ///< since the last age was told of
+    QElapsedTimer m_clock; ///< since the last step of playing
+    QElapsedTimer m_asked; ///< since the last age was told of
     Track m_life{1, kLifeSeconds}, m_fall{0, 1};
     Track* m_track = &m_life;
     bool m_waiting = false; ///< for the tree of the last age

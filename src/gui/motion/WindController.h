@@ -38,8 +38,9 @@ private:
     QElapsedTimer m_clock;
     bool m_paused = false;
     bool m_waiting = false; ///< for a pose
-    std::optional<std::pair<SwayMoment, std::shared_ptr<const WindPose>>> m_ready; ///< it is worked out while a picture is drawn
-    CPoseThread m_poses;    ///< last: it stops before anything it reports to is gone
+    std::optional<std::pair<SwayMoment, std::shared_ptr<const WindPose>>>
+        m_ready;         ///< it is worked out while a picture is drawn
+    CPoseThread m_poses; ///< last: it stops before anything it reports to is gone
 };
 
 } // namespace stromar

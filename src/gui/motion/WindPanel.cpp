@@ -1,10 +1,10 @@
 #include "motion/WindPanel.h"
 #include "document/Gesture.h"
 #include "params/ParamSlider.h"
-#include "window/QtText.h"
-#include "stromar/params/ParamText.h"
 #include "stromar/app/Motion.h"
+#include "stromar/params/ParamText.h"
 #include "stromar/util/Translatable.h"
+#include "window/QtText.h"
 #include <QCheckBox>
 #include <QHBoxLayout>
 #include <QLabel>
@@ -35,8 +35,10 @@ struct CWindPanel::Row {
     QString (*text)(double);
 };
 const CWindPanel::Row CWindPanel::kRows[] = {
-    {"windStrength", N_("Strength"), N_("1 is a strong gale, 22 m/s; beyond it is a storm."), 0, 2, 0.02, 0.45, numberOf},
-    {"windDirection", N_("Direction"), N_("Where it blows to; the arrow in the picture can be dragged too."), -180, 180, 5, 0, degreesOf},
+    {"windStrength", N_("Strength"), N_("1 is a strong gale, 22 m/s; beyond it is a storm."), 0, 2, 0.02, 0.45,
+     numberOf},
+    {"windDirection", N_("Direction"), N_("Where it blows to; the arrow in the picture can be dragged too."), -180, 180,
+     5, 0, degreesOf},
     {"windGusts", N_("Gusts"), N_("How much of the strength comes and goes."), 0, 1, 0.05, 0.4, percentOf},
 };
 
@@ -78,9 +80,12 @@ void CWindPanel::addRow(const Row& row) {
     m_sliders.push_back(slider);
     slider->setObjectName(QLatin1String(row.key));
     slider->setAccessibleName(trText(row.label));
-    for (QWidget* widget : {static_cast<QWidget*>(label), static_cast<QWidget*>(slider)}) widget->setToolTip(trText(row.help));
+    for (QWidget* widget : {static_cast<QWidget*>(label), static_cast<QWidget*>(slider)})
+        widget->setToolTip(trText(row.help));
     const QString key = QStringLiteral("view/") + QLatin1String(row.key);
-    const auto tell = [this, label, index, &row] { label->setText(QStringLiteral("%1: %2").arg(trText(row.label), row.text(value(index)))); };
+    const auto tell = [this, label, index, &row] {
+        label->setText(QStringLiteral("%1: %2").arg(trText(row.label), row.text(value(index))));
+    };
     setValue(index, QSettings().value(key, row.standard).toDouble());
     tell();
     connect(slider, &QSlider::valueChanged, this, [this, tell, key, index] {
@@ -95,7 +100,8 @@ void CWindPanel::addRow(const Row& row) {
 void CWindPanel::addFlexibility() {
     const ParamRef ref = *findParam("Flexibility");
     m_flexibilityLabel = new QLabel;
-    m_flexibility = new CParamSlider(static_cast<int>(std::lround((ref.info->range.max - ref.info->range.min) / kFlexibilityStep)));
+    m_flexibility =
+        new CParamSlider(static_cast<int>(std::lround((ref.info->range.max - ref.info->range.min) / kFlexibilityStep)));
     m_flexibility->setObjectName(QStringLiteral("windFlexibility"));
     m_flexibility->setAccessibleName(trText(ref.info->label));
     for (QWidget* widget : {static_cast<QWidget*>(m_flexibilityLabel), static_cast<QWidget*>(m_flexibility)})
@@ -125,7 +131,8 @@ double CWindPanel::value(std::size_t row) const {
 }
 
 void CWindPanel::setValue(std::size_t row, double value) {
-    m_sliders[row]->setValue(static_cast<int>(std::lround((value - kRows[row].min) / kRows[row].step * CParamSlider::kFinePerStep)));
+    m_sliders[row]->setValue(
+        static_cast<int>(std::lround((value - kRows[row].min) / kRows[row].step * CParamSlider::kFinePerStep)));
 }
 
 bool CWindPanel::blowing() const { return m_switch->isChecked(); }

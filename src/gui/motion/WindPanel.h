@@ -11,8 +11,8 @@ namespace stromar {
 
 class CParamSlider;
 
-/// The wind over the tree in the window: a switch, presets, a slider for each row of a table; and the tree's own flexibility. The wind
-/// belongs to the view and is kept between runs; the flexibility belongs to the tree.
+/// The wind over the tree in the window: a switch, presets, a slider for each row of a table; and the tree's own
+/// flexibility. The wind belongs to the view and is kept between runs; the flexibility belongs to the tree.
 class CWindPanel : public QWidget {
     Q_OBJECT
 public:

@@ -20,9 +20,11 @@ bool before(const glm::vec3& a, const glm::vec3& b) { return std::tie(a.x, a.y, 
 class CCutter {
 public:
     CCutter(const CMesh& mesh, const SwayPlaces& places, const CWindTable& table, const CFall& fall)
-        : m_fall(fall), m_mesh(std::make_shared<CMesh>(mesh)), m_source(mesh), m_places(places), m_above(places.size()) {
+        : m_fall(fall), m_mesh(std::make_shared<CMesh>(mesh)), m_source(mesh), m_places(places),
+          m_above(places.size()) {
         m_mesh->indices.clear();
-        for (const CPath& path : table.tree().generation(0).paths) m_pathStarts.push_back(table.nodeOf(0, path.firstSegment));
+        for (const CPath& path : table.tree().generation(0).paths)
+            m_pathStarts.push_back(table.nodeOf(0, path.firstSegment));
         std::ranges::sort(m_pathStarts);
         for (std::size_t v = 0; v < places.size(); ++v) {
             m_above[v] = isAbove(places[v], mesh.positions[v].z, fall);
@@ -55,7 +57,8 @@ private:
         for (int i = 0; i < 3; ++i) {
             const std::uint32_t a = corner[i], b = corner[(i + 1) % 3], c = corner[(i + 2) % 3];
             if (m_above[b] != m_above[c] || m_above[a] == m_above[b]) continue;
-            const std::uint32_t p = between(a, b, a), q = between(a, c, a), p2 = between(a, b, b), q2 = between(a, c, b);
+            const std::uint32_t p = between(a, b, a), q = between(a, c, a), p2 = between(a, b, b),
+                                q2 = between(a, c, b);
             add(a, p, q);
             add(p2, b, c);
             add(p2, c, q2);
@@ -69,14 +72,19 @@ private:
 
     /// A new vertex on the edge from a to b, at the cut, that belongs to the side of `side`.
     std::uint32_t between(std::uint32_t a, std::uint32_t b, std::uint32_t side) {
-        if (before(m_mesh->positions[b], m_mesh->positions[a])) std::swap(a, b); // the same point from both sides of the edge
-        const float height = static_cast<float>(m_fall.felling().height), da = m_mesh->positions[a].z - height, db = m_mesh->positions[b].z - height;
+        if (before(m_mesh->positions[b], m_mesh->positions[a]))
+            std::swap(a, b); // the same point from both sides of the edge
+        const float height = static_cast<float>(m_fall.felling().height), da = m_mesh->positions[a].z - height,
+                    db = m_mesh->positions[b].z - height;
         const float t = da * db < 0 ? da / (da - db) : 0.5f;
-        return append(glm::mix(m_mesh->positions[a], m_mesh->positions[b], t), glm::normalize(glm::mix(m_mesh->normals[a], m_mesh->normals[b], t)),
-                      glm::mix(m_mesh->texCoords[a], m_mesh->texCoords[b], t), m_mesh->skyVisibility[a], m_places[side], m_above[side]);
+        return append(glm::mix(m_mesh->positions[a], m_mesh->positions[b], t),
+                      glm::normalize(glm::mix(m_mesh->normals[a], m_mesh->normals[b], t)),
+                      glm::mix(m_mesh->texCoords[a], m_mesh->texCoords[b], t), m_mesh->skyVisibility[a], m_places[side],
+                      m_above[side]);
     }
 
-    std::uint32_t append(const glm::vec3& place, const glm::vec3& normal, const glm::vec2& texCoord, std::uint8_t open, const SwayPlace& hang, bool above) {
+    std::uint32_t append(const glm::vec3& place, const glm::vec3& normal, const glm::vec2& texCoord, std::uint8_t open,
+                         const SwayPlace& hang, bool above) {
         m_mesh->positions.push_back(place);
         m_mesh->normals.push_back(normal);
         m_mesh->texCoords.push_back(texCoord);

@@ -13,9 +13,10 @@ constexpr std::size_t kTubeGrain = 256, kLeafGrain = 4096, kVertexGrain = 16384;
 /// Writes where the vertices of one tube hang, in the order of TubeWriter.
 class CTubePlaces {
 public:
-    CTubePlaces(const CWindTable& table, std::size_t generation, const MeshPlan& plan, const CMesh& mesh, SwayPlaces& places)
-        : m_table(table), m_tree(table.tree()), m_all(m_tree.generation(generation)), m_generation(generation), m_plan(plan), m_mesh(mesh),
-          m_places(places) {}
+    CTubePlaces(const CWindTable& table, std::size_t generation, const MeshPlan& plan, const CMesh& mesh,
+                SwayPlaces& places)
+        : m_table(table), m_tree(table.tree()), m_all(m_tree.generation(generation)), m_generation(generation),
+          m_plan(plan), m_mesh(mesh), m_places(places) {}
 
     void write(const Tube& tube) {
         const Ring* rings = m_plan.ringsOf(tube);
@@ -52,12 +53,15 @@ private:
         std::uint32_t at = stem.position - path.firstPosition;
         const auto along = [&] {
             const CSegment& segment = before.segments[path.firstSegment + at];
-            return segment.length > 0 ? glm::dot(glm::dvec3(point) - segment.position, segment.frame[2]) / segment.length : 0;
+            return segment.length > 0
+                       ? glm::dot(glm::dvec3(point) - segment.position, segment.frame[2]) / segment.length
+                       : 0;
         };
         double t = along();
         for (; t > 1 && at + 1 < path.segmentCount; t = along()) ++at;
         for (; t < 0 && at > 0; t = along()) --at;
-        return {static_cast<float>(m_table.nodeOf(m_generation - 1, path.firstSegment + at)), static_cast<float>(glm::clamp(t, 0.0, 1.0))};
+        return {static_cast<float>(m_table.nodeOf(m_generation - 1, path.firstSegment + at)),
+                static_cast<float>(glm::clamp(t, 0.0, 1.0))};
     }
 
     const CWindTable& m_table;
@@ -109,7 +113,8 @@ SwayPlaces swayOfCards(const CWindTable& table, const std::vector<TwigPlace>& tw
         twigs.size(), kTubeGrain,
         [&](std::size_t begin, std::size_t end) {
             for (std::size_t v = begin * each; v < end * each; ++v)
-                places[v] = table.nearestOn(twigs[v / each].generation, twigs[v / each].stem, glm::dvec3(cards.positions[v]));
+                places[v] =
+                    table.nearestOn(twigs[v / each].generation, twigs[v / each].stem, glm::dvec3(cards.positions[v]));
         },
         progress);
     return places;
@@ -146,7 +151,8 @@ std::shared_ptr<const CMesh> swayed(const COrganMesh& organs, const SwayPlaces& 
             for (std::size_t i = begin; i < end; ++i) {
                 const CLeaf& leaf = organs.leaf(i);
                 const Swayed here(table.still(), pose, places[i]);
-                const glm::quat flutter = glm::angleAxis(flutterOf(table.tree(), leaf).angle(here.strength, seconds, loop), leaf.axis);
+                const glm::quat flutter =
+                    glm::angleAxis(flutterOf(table.tree(), leaf).angle(here.strength, seconds, loop), leaf.axis);
                 for (std::size_t v = i * each; v < (i + 1) * each; ++v) {
                     moved->positions[v] = here.point(leaf.position + flutter * (moved->positions[v] - leaf.position));
                     moved->normals[v] = here.direction(flutter * moved->normals[v]);

@@ -13,20 +13,15 @@ constexpr double kLongest = 120; // seconds
 constexpr double kGale = 22;     // m/s of strength 1
 constexpr std::size_t kStemGrain = 256;
 
-glm::dvec3 directionOf(double degrees) {
-    const double a = degrees * std::numbers::pi / 180;
-    return {std::cos(a), std::sin(a), 0};
-}
-
-glm::dquat turnAbout(const glm::dvec3& axis, double angle) { return glm::angleAxis(angle, axis); }
-
 double volumeOf(const CSegment& s) {
-    return std::numbers::pi / 3 * s.length * (s.radiusBase * s.radiusBase + s.radiusBase * s.radiusEnd + s.radiusEnd * s.radiusEnd);
+    return std::numbers::pi / 3 * s.length *
+           (s.radiusBase * s.radiusBase + s.radiusBase * s.radiusEnd + s.radiusEnd * s.radiusEnd);
 }
 } // namespace
 
 CFall::CFall(std::shared_ptr<const CWindTable> table, const Felling& felling)
-    : m_table(std::move(table)), m_felling(felling), m_direction(directionOf(felling.direction)), m_falls(m_table->nodeCount()) {
+    : m_table(std::move(table)), m_felling(felling), m_direction(windDirection(felling.direction)),
+      m_falls(m_table->nodeCount()) {
     m_axis = glm::cross(glm::dvec3(0, 0, 1), m_direction);
     const std::size_t trunks = m_table->tree().generationCount() > 0 ? m_table->tree().generation(0).stems.size() : 0;
     m_cuts.resize(trunks);
@@ -46,7 +41,8 @@ void CFall::cutTrunk(std::size_t index) {
         const CSegment* below = all.segmentBelow(stem, path);
         double cut = std::numeric_limits<double>::infinity();
         glm::dvec3 at(0);
-        if (m_felling.height <= 0 || (below && m_falls[m_table->nodeOf(0, static_cast<std::uint32_t>(below - all.segments.data())) + 1]))
+        if (m_felling.height <= 0 ||
+            (below && m_falls[m_table->nodeOf(0, static_cast<std::uint32_t>(below - all.segments.data())) + 1]))
             cut = 0;
         for (const CSegment& segment : all.segmentsOf(path)) {
             const double low = segment.position.z, high = segment.axisPoint(1).z;
@@ -81,7 +77,8 @@ void CFall::hangBranches() {
         m_on[s] = onOneSide(m_on[s], above);
         const CGeneration& all = m_table->tree().generation(stem.generation);
         const CStem& own = all.stems[stem.stem];
-        for (std::uint32_t n = stem.firstNode; n < stem.firstNode + own.segmentCount + own.pathCount; ++n) m_falls[n] = above;
+        for (std::uint32_t n = stem.firstNode; n < stem.firstNode + own.segmentCount + own.pathCount; ++n)
+            m_falls[n] = above;
     }
 }
 
@@ -94,7 +91,9 @@ void CFall::weigh() {
             const CSegment& segment = all.segments[s];
             const double mass = volumeOf(segment);
             const glm::dvec3 r = segment.axisPoint(0.5) - m_hinge, along = segment.frame[2];
-            const auto off = [&](const glm::dvec3& v) { return glm::dot(v, v) - glm::dot(v, m_axis) * glm::dot(v, m_axis); };
+            const auto off = [&](const glm::dvec3& v) {
+                return glm::dot(v, v) - glm::dot(v, m_axis) * glm::dot(v, m_axis);
+            };
             m_mass += mass;
             m_lever += mass * r.z;
             m_inertia += mass * (off(r) + segment.length * segment.length / 12 * off(along));
@@ -143,6 +142,7 @@ void CFall::simulate() {
 }
 
 namespace {
+/// Between two time steps.
 double valueAt(const std::vector<float>& steps, double seconds) {
     const double at = std::clamp(seconds / kStep, 0.0, double(steps.size() - 1));
     const auto low = static_cast<std::size_t>(at), high = std::min(low + 1, steps.size() - 1);
@@ -159,13 +159,15 @@ CWindTable::Push CFall::pushOn(const WindStem& stem, double speed) const {
     const glm::dvec3 way = speed * glm::cross(m_axis, stem.base + stem.axis * (stem.length / 2) - m_hinge);
     const double fast = glm::length(way);
     if (fast < 1e-9) return {glm::dvec3(0), 0, 0};
-    return m_table->pushOn(stem, {.direction = -way / fast, .strength = std::min(kMaxWindStrength, fast / kGale), .gusts = 0}, 0);
+    return m_table->pushOn(
+        stem, {.direction = -way / fast, .strength = std::min(kMaxWindStrength, fast / kGale), .gusts = 0}, 0);
 }
 
-void CFall::poseTrunk(const WindStem& own, const CWindTable::Push& push, double angle, std::vector<glm::vec4>& rows) const {
+void CFall::poseTrunk(const WindStem& own, const CWindTable::Push& push, double angle,
+                      std::vector<glm::vec4>& rows) const {
     const CGeneration& all = m_table->tree().generation(0);
     const CStem& stem = all.stems[own.stem];
-    const glm::dquat turn = turnAbout(m_axis, angle);
+    const glm::dquat turn = glm::angleAxis(angle, m_axis);
     const TrunkCut& cut = m_cuts[own.stem];
     for (std::uint32_t p = 0; p < stem.pathCount; ++p) {
         const CPath& path = all.paths[stem.firstPath + p];
@@ -176,12 +178,17 @@ void CFall::poseTrunk(const WindStem& own, const CWindTable::Push& push, double 
         const CSegment* below = all.segmentBelow(stem, path);
         const bool onClone = below && skipped == 0;
         const glm::dvec3 foot(m_table->still()[first + skipped]);
-        const glm::dvec3 at = onClone ? glm::dvec3(rows[2 * std::size_t{m_table->nodeOf(0, static_cast<std::uint32_t>(below - all.segments.data())) + 1}])
-                                      : m_hinge + turn * (foot - m_hinge);
+        const glm::dvec3 at =
+            onClone
+                ? glm::dvec3(
+                      rows[2 * std::size_t{m_table->nodeOf(0, static_cast<std::uint32_t>(below - all.segments.data())) +
+                                           1}])
+                : m_hinge + turn * (foot - m_hinge);
         const auto segments = all.segmentsOf(path);
         const double along = skipped < path.segmentCount ? segments[skipped].start : all.lengthOf(path);
-        m_table->posePath(first + skipped, path.segmentCount - skipped, std::max(0.0, along - (cut.none() ? along : cut.along)), at, turn,
-                          push.turn / own.length, static_cast<float>(push.strength), rows);
+        m_table->posePath(first + skipped, path.segmentCount - skipped,
+                          std::max(0.0, along - (cut.none() ? along : cut.along)), at, turn, push.turn / own.length,
+                          static_cast<float>(push.strength), rows);
     }
 }
 

@@ -13,11 +13,11 @@ namespace stromar {
 namespace {
 constexpr std::size_t kStemGrain = 256;
 constexpr double kMaxTurn = std::numbers::pi / 3;
-constexpr double kBend = 0.35;        // radians of a slender stem across a strong gale
-constexpr double kSlender = 60;       // length over diameter that bends so far
-constexpr double kSway = 0.35;        // how much of the bend comes and goes
-constexpr double kTremble = 0.05;     // radians
-constexpr double kGustLength = 12;    // metres
+constexpr double kBend = 0.35;         // radians of a slender stem across a strong gale
+constexpr double kSlender = 60;        // length over diameter that bends so far
+constexpr double kSway = 0.35;         // how much of the bend comes and goes
+constexpr double kTremble = 0.05;      // radians
+constexpr double kGustLength = 12;     // metres
 constexpr double kGustFrequency = 0.8; // Hz
 constexpr std::uint32_t kGustSeed = 0x51ed270bu;
 constexpr std::uint64_t kPhase = 1, kNoise = 2; // what a number of a stem's name is for
@@ -27,9 +27,11 @@ struct Stiffness {
 };
 
 /// Of grown stems by name; empty where the tree is grown itself.
-std::unordered_map<std::uint64_t, Stiffness> stiffnessOf(const CTree& tree, const CTree& grown, std::size_t generation) {
+std::unordered_map<std::uint64_t, Stiffness> stiffnessOf(const CTree& tree, const CTree& grown,
+                                                         std::size_t generation) {
     std::unordered_map<std::uint64_t, Stiffness> all;
-    if (generation >= grown.generationCount() || tree.generations()[generation] == grown.generations()[generation]) return all;
+    if (generation >= grown.generationCount() || tree.generations()[generation] == grown.generations()[generation])
+        return all;
     for (const CStem& stem : grown.generation(generation).stems) all[stem.id] = {stem.length, 2 * stem.radius};
     return all;
 }
@@ -137,17 +139,21 @@ CWindTable::Push CWindTable::pushOn(const WindStem& stem, const Wind& wind, doub
         const double slender = stem.diameter > 0 ? std::min(stem.length / stem.diameter, kSlender) / kSlender : 1;
         const double sway = 1 + kSway * std::sin(2 * std::numbers::pi * own.frequency * seconds + stem.phase);
         double bend = kBend * give * slender * sine * sway;
-        if (bend > sine) bend = std::min(bend, std::atan2(sine, glm::dot(stem.axis, wind.direction))); // an angle is more than its sine
+        if (bend > sine)
+            bend =
+                std::min(bend, std::atan2(sine, glm::dot(stem.axis, wind.direction))); // an angle is more than its sine
         turn = bend / sine * across;
     }
     const double beat = own.frequency * seconds;
-    turn += kTremble * give * (windNoise(beat, stem.seed, own.steps) * stem.x + windNoise(beat, ~stem.seed, own.steps) * stem.y);
+    turn += kTremble * give *
+            (windNoise(beat, stem.seed, own.steps) * stem.x + windNoise(beat, ~stem.seed, own.steps) * stem.y);
     const double size = glm::length(turn);
     if (size > kMaxTurn) turn *= kMaxTurn / size;
     return {turn, s, size};
 }
 
-void CWindTable::poseStem(const WindStem& own, const Push& push, const SwayPlace& on, std::vector<glm::vec4>& rows) const {
+void CWindTable::poseStem(const WindStem& own, const Push& push, const SwayPlace& on,
+                          std::vector<glm::vec4>& rows) const {
     glm::dquat carried(1, 0, 0, 0);
     glm::dvec3 base = own.base;
     if (own.parent >= 0) {
@@ -160,11 +166,13 @@ void CWindTable::poseStem(const WindStem& own, const Push& push, const SwayPlace
         const glm::dvec3 axis = glm::mix(glm::dvec3(m_still[node]), glm::dvec3(m_still[node + 1]), part);
         base = glm::dvec3(p) + carried * (own.base - axis);
     }
-    posePath(own.firstNode, own.segments, 0, base, carried, push.turn / own.length, static_cast<float>(push.strength), rows);
+    posePath(own.firstNode, own.segments, 0, base, carried, push.turn / own.length, static_cast<float>(push.strength),
+             rows);
     if (own.forks) poseClones(own, push, carried, rows);
 }
 
-void CWindTable::poseClones(const WindStem& own, const Push& push, const glm::dquat& carried, std::vector<glm::vec4>& rows) const {
+void CWindTable::poseClones(const WindStem& own, const Push& push, const glm::dquat& carried,
+                            std::vector<glm::vec4>& rows) const {
     const CGeneration& all = m_tree->generation(own.generation);
     const CStem& stem = all.stems[own.stem];
     for (std::uint32_t p = 1; p < stem.pathCount; ++p) {
@@ -172,13 +180,15 @@ void CWindTable::poseClones(const WindStem& own, const Push& push, const glm::dq
         const CSegment* below = all.segmentBelow(stem, path);
         const std::uint32_t fork = m_nodeOf[own.generation][static_cast<std::size_t>(below - all.segments.data())] + 1;
         posePath(m_nodeOf[own.generation][path.firstSegment], path.segmentCount, all.segments[path.firstSegment].start,
-                 glm::dvec3(rows[2 * std::size_t{fork}]), carried, push.turn / own.length, static_cast<float>(push.strength), rows);
+                 glm::dvec3(rows[2 * std::size_t{fork}]), carried, push.turn / own.length,
+                 static_cast<float>(push.strength), rows);
     }
 }
 
 /// Half a piece turns as far as the next half: their quaternion is worked out once for all pieces of a length.
-void CWindTable::posePath(std::uint32_t first, std::uint32_t segments, double start, glm::dvec3 at, const glm::dquat& carried,
-                          const glm::dvec3& perMetre, float strength, std::vector<glm::vec4>& rows) const {
+void CWindTable::posePath(std::uint32_t first, std::uint32_t segments, double start, glm::dvec3 at,
+                          const glm::dquat& carried, const glm::dvec3& perMetre, float strength,
+                          std::vector<glm::vec4>& rows) const {
     glm::dquat turn = carried * turnBy(start * perMetre), half(1, 0, 0, 0);
     double known = 0;
     glm::vec4* row = &rows[2 * std::size_t{first}];
@@ -203,7 +213,8 @@ void CWindTable::pose(const Wind& wind, double seconds, WindPose& pose, const CP
         parallelFor(
             m_tree->generation(g).stems.size(), kStemGrain,
             [&](std::size_t begin, std::size_t end) {
-                for (std::size_t i = begin; i < end; ++i) poseStem(stems[i], pushOn(stems[i], wind, seconds), stems[i].on(), pose.rows);
+                for (std::size_t i = begin; i < end; ++i)
+                    poseStem(stems[i], pushOn(stems[i], wind, seconds), stems[i].on(), pose.rows);
             },
             progress);
     }
@@ -213,7 +224,8 @@ Swayed::Swayed(const std::vector<glm::vec3>& still, const WindPose& pose, const 
     const std::size_t node = place.index();
     const glm::vec4* rows = &pose.rows[2 * node];
     const glm::vec4 point = glm::mix(rows[0], rows[2], place.part);
-    const glm::vec4 q = glm::normalize(glm::mix(rows[1], glm::dot(rows[1], rows[3]) < 0 ? -rows[3] : rows[3], place.part));
+    const glm::vec4 q =
+        glm::normalize(glm::mix(rows[1], glm::dot(rows[1], rows[3]) < 0 ? -rows[3] : rows[3], place.part));
     turn = glm::quat(q.w, q.x, q.y, q.z);
     from = glm::mix(still[node], still[node + 1], place.part);
     to = glm::vec3(point);
@@ -227,7 +239,8 @@ Flutter::Flutter(std::uint64_t id, float widthOverLength)
 
 float Flutter::angle(float strength, double seconds, double loop) const {
     constexpr double kWide = 25 * std::numbers::pi / 180, kGolden = 1.618, kTurn = 2 * std::numbers::pi;
-    const double slow = kTurn * Rhythm(hertz, loop).frequency * seconds, fast = kTurn * Rhythm(kGolden * hertz, loop).frequency * seconds;
+    const double slow = kTurn * Rhythm(hertz, loop).frequency * seconds,
+                 fast = kTurn * Rhythm(kGolden * hertz, loop).frequency * seconds;
     const double wave = 0.6 * std::sin(slow + phase) + 0.4 * std::sin(fast + 2.4 * phase);
     return static_cast<float>(std::min(kMaxTurn, kWide * strength) * amount * wave);
 }

@@ -1,8 +1,14 @@
 #include "stromar/tree/Wind.h"
 #include <algorithm>
 #include <cmath>
+#include <numbers>
 
 namespace stromar {
+
+glm::dvec3 windDirection(double degrees) {
+    const double a = degrees * std::numbers::pi / 180;
+    return {std::cos(a), std::sin(a), 0};
+}
 
 Rhythm::Rhythm(double hertz, double loop) : frequency(hertz), steps(0) {
     if (loop <= 0) return;
@@ -25,7 +31,8 @@ double windNoise(double at, std::uint32_t seed, std::uint32_t steps) {
         below = wrapped(below);
         above = wrapped(above);
     }
-    const double low = windLattice(static_cast<std::uint32_t>(below), seed), high = windLattice(static_cast<std::uint32_t>(above), seed);
+    const double low = windLattice(static_cast<std::uint32_t>(below), seed),
+                 high = windLattice(static_cast<std::uint32_t>(above), seed);
     return low + (high - low) * f * f * f * (f * (6 * f - 15) + 10);
 }
 
