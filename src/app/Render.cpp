@@ -33,7 +33,7 @@ CCamera cameraOf(const RenderView& view, const osg::BoundingBox& all, double asp
 class CTreePainter {
 public:
     CTreePainter(const std::filesystem::path& treeFolder, const RenderOptions& options)
-        : m_folder(treeFolder), m_options(options), m_painter(m_scene, options.samples) {
+        : m_folder(treeFolder), m_options(options) {
         ViewLook look;
         look.hour = options.hour;
         if (options.transparent) look.backdrop = Backdrop::Nothing;
@@ -71,13 +71,16 @@ public:
     void move(const CMovingModel& moving, double seconds, const CProgress& progress) {
         m_scene.setPose(moving.sway(), moving.poseAt(seconds, progress), seconds, moving.loop());
     }
-    Pixels paint() { return m_painter.paint(m_camera, m_options.width, m_options.height); }
+    Pixels paint() {
+        if (!m_painter) m_painter.emplace(m_scene, m_options.samples);
+        return m_painter->paint(m_camera, m_options.width, m_options.height);
+    }
 
 private:
     const std::filesystem::path& m_folder;
     const RenderOptions& m_options;
     CViewScene m_scene;
-    CHeadlessPainter m_painter;
+    std::optional<CHeadlessPainter> m_painter; ///< from the first picture on, when there is something to be drawn
     CCamera m_camera;
     std::vector<ViewPart> m_parts;
     std::array<std::string, kSurfaces.size()> m_shown; ///< the files of surfaces

@@ -423,7 +423,7 @@ TEST_F(DeskTest, ATreeThatIsDroppedIsOpened) {
 
 TEST_F(DeskTest, ClosedDocksComeBackWithTheLayout) {
     const auto docks = window.findChildren<QDockWidget*>();
-    ASSERT_EQ(docks.size(), 6);
+    ASSERT_EQ(docks.size(), 7);
     for (QDockWidget* dock : docks) dock->close();
     for (QDockWidget* dock : docks) EXPECT_FALSE(dock->isVisible());
     EXPECT_FALSE(picture().isNull());

@@ -19,6 +19,7 @@ constexpr int kTickMs = 16;
 constexpr int kPatienceMs = 3000; // for a tree that does not come
 constexpr double kSpeeds[] = {0.25, 0.5, 1, 2, 4};
 constexpr int kUsualSpeed = 2;
+constexpr int kNarrow = 160, kMiddling = 270, kWide = 400; // pixels
 
 int positionOf(double age) { return static_cast<int>(std::lround(age * kSteps * CParamSlider::kFinePerStep)); }
 } // namespace
@@ -28,6 +29,8 @@ CTimeline::CTimeline(QWidget* parent)
     auto* row = new QHBoxLayout(this);
     row->setContentsMargins(6, 2, 6, 2);
     row->setSpacing(2);
+    setMinimumWidth(kNarrow); // the picture says how narrow the window may be
+    m_slider->setMinimumWidth(20);
     const auto icon = [this](QStyle::StandardPixmap which) { return style()->standardIcon(which, nullptr, this); };
     auto* back = addButton("timelineBack", icon(QStyle::SP_MediaSeekBackward), tr("A step back"));
     m_play = addButton("timelinePlay", icon(QStyle::SP_MediaPlay), tr("Play"));
@@ -79,6 +82,13 @@ QToolButton* CTimeline::addButton(const char* name, const QIcon& icon, const QSt
 }
 
 double CTimeline::speed() const { return m_speed->currentData().toDouble(); }
+
+/// A narrow picture keeps the slider and the buttons that play it.
+void CTimeline::resizeEvent(QResizeEvent* event) {
+    QWidget::resizeEvent(event);
+    for (QWidget* widget : {static_cast<QWidget*>(m_speed), static_cast<QWidget*>(m_loop)}) widget->setVisible(width() >= kWide);
+    m_label->setVisible(width() >= kMiddling);
+}
 
 bool CTimeline::held() const { return m_slider->isSliderDown(); }
 

@@ -44,6 +44,9 @@ signals:
     void released();
     void recordWanted();
 
+protected:
+    void resizeEvent(QResizeEvent* event) override;
+
 private:
     void advance();
     /// What the slider runs over.

@@ -171,17 +171,21 @@ void checkCollar(const CTree& tree, int generation, const StemMesh& stems, const
     const Tube& trunk = parents.plan.tubes[static_cast<std::size_t>(wood)];
     const auto near = walls.of(wood).between(stem.offset - reach, stem.offset + reach);
     const std::pair lids(walls.of(wood).end(), trunk.firstIndex + trunk.indexCount());
-    double highest = 0, deepest = 0;
-    for (std::uint32_t i = 0; i < tube.points; ++i) {
-        const double height = heightAbove(*parents.mesh, {near, lids},
-                                          glm::dvec3(stems.mesh->positions[tube.firstVertex + i]));
-        highest = std::max(highest, height);
-        deepest = std::min(deepest, height);
-    }
+    const std::pair all(trunk.firstIndex, trunk.firstIndex + trunk.indexCount());
     const glm::dvec3 at = glm::abs(glm::dvec3(stems.mesh->positions[tube.firstVertex]));
     const double rounding = 1e-6 * std::max({at.x, at.y, at.z});
-    if (highest > kMaxFloating * stem.radius + rounding) ++faults.floating;
-    if (deepest < -kMaxBuried * stem.radius - rounding) ++faults.buried;
+    const auto floats = [&](double height) { return height > kMaxFloating * stem.radius + rounding; };
+    const auto sinks = [&](double height) { return height < -kMaxBuried * stem.radius - rounding; };
+    bool floating = false, buried = false;
+    for (std::uint32_t i = 0; i < tube.points; ++i) {
+        const glm::dvec3 point(stems.mesh->positions[tube.firstVertex + i]);
+        double height = heightAbove(*parents.mesh, {near, lids}, point);
+        if (floats(height) || sinks(height)) height = heightAbove(*parents.mesh, {all}, point); // of wood that winds, other parts lie nearer
+        floating = floating || floats(height);
+        buried = buried || sinks(height);
+    }
+    faults.floating += floating;
+    faults.buried += buried;
 }
 } // namespace
 
