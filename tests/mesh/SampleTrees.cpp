@@ -81,10 +81,16 @@ CParams preset(const std::string& name) {
     return found->params;
 }
 
+/// Values that nothing of the shape hangs on stay as they are.
+void drawShape(CParams& params, std::mt19937_64& random) {
+    for (const ParamRef& ref : numberParams())
+        if (ref.info->invalidates.stage != Stage::Material) ref.set(params, drawn(ref, random));
+}
+
 CParams randomParams(std::uint64_t number, const Caps& caps) {
     std::mt19937_64 random(number);
     CParams params;
-    for (const ParamRef& ref : numberParams()) ref.set(params, drawn(ref, random));
+    drawShape(params, random);
     makeExtreme(params, number);
     cap(params, caps);
     return params;
@@ -93,7 +99,7 @@ CParams randomParams(std::uint64_t number, const Caps& caps) {
 CParams gentleParams(std::uint64_t number, const Caps& caps) {
     std::mt19937_64 random(1000 + number);
     CParams params;
-    for (const ParamRef& ref : numberParams()) ref.set(params, drawn(ref, random));
+    drawShape(params, random);
     cap(params, caps);
     WeberPennParams& g = weberPenn(params);
     g.scale = std::max(g.scale, 2.0);
