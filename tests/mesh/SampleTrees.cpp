@@ -59,6 +59,11 @@ void makeExtreme(CParams& params, std::uint64_t number) {
     weberPenn(params).level[number % 4].taper = 0.25 * static_cast<double>(number % 13);
     if (number % 3 == 0) weberPenn(params).level[number / 3 % 4].curveV = -40;
 }
+/// Values that nothing of the shape hangs on stay as they are.
+void drawShape(CParams& params, std::mt19937_64& random) {
+    for (const ParamRef& ref : numberParams())
+        if (ref.info->invalidates.stage != Stage::Material) ref.set(params, drawn(ref, random));
+}
 } // namespace
 
 const std::vector<Sample>& presets() {
@@ -79,12 +84,6 @@ CParams preset(const std::string& name) {
     const auto found = std::ranges::find(presets(), name, &Sample::name);
     if (found == presets().end()) throw std::runtime_error("no preset " + name);
     return found->params;
-}
-
-/// Values that nothing of the shape hangs on stay as they are.
-void drawShape(CParams& params, std::mt19937_64& random) {
-    for (const ParamRef& ref : numberParams())
-        if (ref.info->invalidates.stage != Stage::Material) ref.set(params, drawn(ref, random));
 }
 
 CParams randomParams(std::uint64_t number, const Caps& caps) {
