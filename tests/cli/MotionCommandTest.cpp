@@ -102,7 +102,7 @@ TEST(Frames, AnInterruptKeepsTheFinishedOnesAndSaysHowMany) {
         EXPECT_TRUE(name.ends_with(".obj") || name.ends_with(".mtl") || name.ends_with(".png"))
             << "half-written: " << name;
     }
-    EXPECT_GE(models, 3u);
+    EXPECT_GE(models, 2u) << "the second may still be under way when the third is there";
     EXPECT_LT(models, 500u);
     EXPECT_NE(run.err.find(std::to_string(models) + " of 500 files"), std::string::npos) << run.err;
 }
