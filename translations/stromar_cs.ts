@@ -2315,10 +2315,6 @@
         <translation>Vítr</translation>
     </message>
     <message>
-        <source>What lets the tree sway in another program: vertex attributes and a table for a shader, vertex colours as an engine reads them (COLOR_0 then tints the tree where they are not read), or bones with clips of wind and growth.</source>
-        <translation>Co rozkývá strom v jiném programu: atributy vrcholů a tabulka pro shader, barvy vrcholů, jak je čte engine (COLOR_0 pak strom tam, kde se nečtou, obarví), nebo kosti s klipy větru a růstu.</translation>
-    </message>
-    <message>
         <source>Bones</source>
         <translation>Kosti</translation>
     </message>
@@ -2353,6 +2349,14 @@
     <message>
         <source>How far the wood bends in the wind: 0 is stiff, 2 bends twice as far. The tree in still air stays as it is.</source>
         <translation>Jak moc se dřevo ohýbá ve větru: 0 je tuhé, 2 se ohýbá dvakrát víc. Strom v klidu zůstává, jaký je.</translation>
+    </message>
+    <message>
+        <source>Unreal Pivot Painter 2 pictures</source>
+        <translation>Obrázky pro Pivot Painter 2 (Unreal)</translation>
+    </message>
+    <message>
+        <source>What lets the tree sway in another program: vertex attributes and a table for a shader, vertex colours as an engine reads them (COLOR_0 then tints the tree where they are not read), pictures of pivots for Unreal, or bones with clips of wind and growth.</source>
+        <translation>Co strom rozhoupe v jiném programu: atributy vrcholů a tabulka pro shader, barvy vrcholů, jak je čte engine (COLOR_0 strom obarví tam, kde se nečtou), obrázky otočných bodů pro Unreal, nebo kosti s klipy větru a růstu.</translation>
     </message>
 </context>
 <context>

@@ -2315,10 +2315,6 @@
         <translation>Ветер</translation>
     </message>
     <message>
-        <source>What lets the tree sway in another program: vertex attributes and a table for a shader, vertex colours as an engine reads them (COLOR_0 then tints the tree where they are not read), or bones with clips of wind and growth.</source>
-        <translation>Что качает дерево в другой программе: атрибуты вершин и таблица для шейдера, цвета вершин, как их читает движок (где их не читают, COLOR_0 окрасит дерево), или кости с клипами ветра и роста.</translation>
-    </message>
-    <message>
         <source>Bones</source>
         <translation>Кости</translation>
     </message>
@@ -2353,6 +2349,14 @@
     <message>
         <source>How far the wood bends in the wind: 0 is stiff, 2 bends twice as far. The tree in still air stays as it is.</source>
         <translation>Насколько дерево гнётся на ветру: 0 — жёсткое, 2 — вдвое сильнее. В тихую погоду оно не меняется.</translation>
+    </message>
+    <message>
+        <source>Unreal Pivot Painter 2 pictures</source>
+        <translation>Картинки для Pivot Painter 2 (Unreal)</translation>
+    </message>
+    <message>
+        <source>What lets the tree sway in another program: vertex attributes and a table for a shader, vertex colours as an engine reads them (COLOR_0 then tints the tree where they are not read), pictures of pivots for Unreal, or bones with clips of wind and growth.</source>
+        <translation>Что качает дерево в другой программе: атрибуты вершин и таблица для шейдера, цвета вершин, как их читает движок (COLOR_0 окрашивает дерево там, где их не читают), картинки точек вращения для Unreal или кости с клипами ветра и роста.</translation>
     </message>
 </context>
 <context>

@@ -2315,10 +2315,6 @@
         <translation>Veter</translation>
     </message>
     <message>
-        <source>What lets the tree sway in another program: vertex attributes and a table for a shader, vertex colours as an engine reads them (COLOR_0 then tints the tree where they are not read), or bones with clips of wind and growth.</source>
-        <translation>Kaj drevo zaziblje v drugem programu: atributi oglišč in tabela za senčilnik, barve oglišč, kot jih bere pogon (COLOR_0 drevo obarva tam, kjer jih ne bere), ali kosti s posnetki vetra in rasti.</translation>
-    </message>
-    <message>
         <source>Bones</source>
         <translation>Kosti</translation>
     </message>
@@ -2353,6 +2349,14 @@
     <message>
         <source>How far the wood bends in the wind: 0 is stiff, 2 bends twice as far. The tree in still air stays as it is.</source>
         <translation>Kako močno se les upogne v vetru: 0 je tog, 2 se upogne dvakrat bolj. Drevo v mirnem zraku ostane, kakršno je.</translation>
+    </message>
+    <message>
+        <source>Unreal Pivot Painter 2 pictures</source>
+        <translation>Slike za Pivot Painter 2 (Unreal)</translation>
+    </message>
+    <message>
+        <source>What lets the tree sway in another program: vertex attributes and a table for a shader, vertex colours as an engine reads them (COLOR_0 then tints the tree where they are not read), pictures of pivots for Unreal, or bones with clips of wind and growth.</source>
+        <translation>Kaj drevo zaziblje v drugem programu: atributi oglišč in tabela za senčilnik, barve oglišč, kot jih bere pogon (COLOR_0 drevo obarva tam, kjer jih ne bere), slike vrtišč za Unreal ali kosti s posnetki vetra in rasti.</translation>
     </message>
 </context>
 <context>

@@ -1,5 +1,5 @@
 #include "stromar/app/Export.h"
-#include "WindExport.h"
+#include "wind/WindExport.h"
 #include "stromar/app/Formats.h"
 #include "stromar/params/ParamTable.h"
 #include "stromar/model/ModelSway.h"
@@ -142,6 +142,8 @@ void writePose(const Pose& pose, const ExportOptions& options, const fs::path& t
         for (std::size_t i = 0; i < pose.lods.size(); ++i) write("_LOD" + std::to_string(i), i, 1);
     else
         write("", 0, pose.lods.size());
+    if (!pose.sways.empty())
+        addWindPictures(*pose.sways.front(), options, arrangement, to.path.parent_path() / plainName(to.path), files);
     files.commit();
 }
 

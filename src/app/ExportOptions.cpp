@@ -11,7 +11,7 @@ constexpr string_view kLods[] = {"none", "one-file", "file-each"};
 constexpr string_view kUps[] = {"format", "y", "z"};
 constexpr string_view kTextures[] = {"format", "embed", "copy", "refer"};
 
-constexpr string_view kWinds[] = {"none", "attributes", "cryengine", "unity", "bones"};
+constexpr string_view kWinds[] = {"none", "attributes", "cryengine", "unity", "pivot-painter", "bones"};
 
 constexpr string_view kModelNames[] = {N_("Full model"), N_("Simple model")};
 constexpr string_view kLodNames[] = {N_("No"), N_("In one file"), N_("A file for each")};
@@ -20,7 +20,8 @@ constexpr string_view kTextureNames[] = {N_("As usual in the format"), N_("Insid
                                          N_("Where they are")};
 
 constexpr string_view kWindNames[] = {N_("None"), N_("Attributes for a shader"), N_("CryEngine vertex colours"),
-                                      N_("Unity Tree Creator colours"), N_("Bones with clips")};
+                                      N_("Unity Tree Creator colours"), N_("Unreal Pivot Painter 2 pictures"),
+                                      N_("Bones with clips")};
 constexpr int kMaxBones = 256;
 
 constexpr ExportChoice kChoices[] = {
@@ -61,7 +62,8 @@ constexpr ExportChoice kChoices[] = {
     {.key = "wind",
      .label = N_("Wind"),
      .help = N_("What lets the tree sway in another program: vertex attributes and a table for a shader, vertex colours as an engine "
-                "reads them (COLOR_0 then tints the tree where they are not read), or bones with clips of wind and growth."),
+                "reads them (COLOR_0 then tints the tree where they are not read), pictures of pivots for Unreal, or bones "
+                "with clips of wind and growth."),
      .words = kWinds,
      .names = kWindNames,
      .field = &ExportOptions::wind},

@@ -72,15 +72,14 @@ public:
         m_scene.setPose(moving.sway(), moving.poseAt(seconds, progress), seconds, moving.loop());
     }
     Pixels paint() {
-        if (!m_painter) m_painter.emplace(m_scene, m_options.samples);
-        return m_painter->paint(m_camera, m_options.width, m_options.height);
+        return m_painter.paint(m_camera, m_options.width, m_options.height);
     }
 
 private:
     const std::filesystem::path& m_folder;
     const RenderOptions& m_options;
     CViewScene m_scene;
-    std::optional<CHeadlessPainter> m_painter; ///< from the first picture on, when there is something to be drawn
+    CHeadlessPainter m_painter{m_scene, m_options.samples};
     CCamera m_camera;
     std::vector<ViewPart> m_parts;
     std::array<std::string, kSurfaces.size()> m_shown; ///< the files of surfaces

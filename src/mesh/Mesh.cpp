@@ -31,12 +31,12 @@ std::optional<double> meetTriangle(const glm::dvec3& from, const glm::dvec3& dir
     return glm::dot(ac, q) / volume;
 }
 
-std::optional<double> meetMesh(const CMesh& mesh, const glm::dvec3& from, const glm::dvec3& direction) {
-    std::optional<double> nearest;
+std::optional<TriangleHit> meetMesh(const CMesh& mesh, const glm::dvec3& from, const glm::dvec3& direction) {
+    std::optional<TriangleHit> nearest;
     for (std::size_t t = 0; t < mesh.indices.size(); t += 3) {
         const auto corner = [&](std::size_t c) { return glm::dvec3(mesh.positions[mesh.indices[t + c]]); };
         const auto met = meetTriangle(from, direction, corner(0), corner(1), corner(2));
-        if (met && *met > 0 && (!nearest || *met < *nearest)) nearest = met;
+        if (met && *met > 0 && (!nearest || *met < nearest->distance)) nearest = TriangleHit{t, *met};
     }
     return nearest;
 }

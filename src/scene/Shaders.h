@@ -57,7 +57,7 @@ attribute vec4 instancePlace, instanceTurn; // foot and length; quaternion
 attribute float instanceWidth;
 uniform float swaying; // 0: the air is still
 uniform vec2 swayTime; // seconds; after how many all repeats, 0: never
-uniform vec3 swaySize; // of the table's pictures: nodes in a line, lines, 1 where leaves flutter
+uniform vec2 swaySize; // of the table's pictures: nodes in a line, lines
 uniform sampler2D swayRows, swayStill; // two texels a node: point and strength, quaternion; one: its point in still air
 attribute vec4 swayPlace; // node, part of the way to the next; of an instance also phase and frequency
 vec3 turned(vec4 q, vec3 v) { return v + 2.0 * cross(q.xyz, cross(q.xyz, v) + q.w * v); }
@@ -67,7 +67,7 @@ vec3 swayFrom, swayTo;
 float swayAngle; // of the blade about its stalk
 vec2 texelOf(float node) { // the middle of a texel of swayStill
     float line = floor((node + 0.5) / swaySize.x);
-    return (vec2(node - line * swaySize.x, line) + 0.5) / swaySize.xy;
+    return (vec2(node - line * swaySize.x, line) + 0.5) / swaySize;
 }
 float rhythm(float hertz) {
     return swayTime.y > 0.0 ? max(1.0, floor(hertz * swayTime.y + 0.5)) / swayTime.y : hertz;
@@ -83,7 +83,7 @@ void findSway() {
     swayTurn = normalize(mix(a, dot(a, b) < 0.0 ? -b : b, swayPlace.y));
     swayFrom = mix(texture2DLod(swayStill, low, 0.0).xyz, texture2DLod(swayStill, high, 0.0).xyz, swayPlace.y);
     swayTo = point.xyz;
-    if (instanced < 0.5 || swaySize.z < 0.5) return;
+    if (instanced < 0.5) return;
     float slow = rhythm(swayPlace.w), fast = rhythm(1.618 * swayPlace.w);
     float wave = 0.6 * sin(6.2831853 * fract(slow * swayTime.x) + swayPlace.z) +
                  0.4 * sin(6.2831853 * fract(fast * swayTime.x) + 2.4 * swayPlace.z);

@@ -55,6 +55,17 @@ void CShadowMap::resize() {
     m_depth->dirtyTextureObject();
     m_camera->setViewport(0, 0, side, side);
     m_camera->dirtyAttachmentMap();
+    lift();
+}
+
+void CShadowMap::lift() {
+    m_offset->set(static_cast<float>(kOffset * 2 * m_aimed.radius() / std::max(1, m_size)));
+}
+
+bool CShadowMap::covers(const osg::BoundingBox& box) const {
+    for (unsigned corner = 0; corner < 8; ++corner)
+        if (!m_aimed.contains(osg::Vec3d(box.corner(corner)))) return false;
+    return true;
 }
 
 void CShadowMap::setSize(int size) {
@@ -70,6 +81,7 @@ void CShadowMap::aim(const osg::BoundingBox& box, const osg::Vec3& sun) {
     towards.normalize();
     const osg::Vec3d centre(box.center());
     const double radius = std::max(1e-3, double(box.radius()));
+    m_aimed.set(centre, radius * (1 + 1e-6)); // its own corners are in it
     const osg::Vec3d up = std::abs(towards.z()) > 0.99 ? osg::Vec3d(0, 1, 0) : osg::Vec3d(0, 0, 1);
     const osg::Matrixd view = osg::Matrixd::lookAt(centre + towards * (2 * radius), centre, up);
     const osg::Matrixd projection = osg::Matrixd::ortho(-radius, radius, -radius, radius, 0.5 * radius, 6 * radius);
@@ -77,7 +89,7 @@ void CShadowMap::aim(const osg::BoundingBox& box, const osg::Vec3& sun) {
     m_camera->setProjectionMatrix(projection);
     m_matrix->set(
         osg::Matrixf(view * projection * osg::Matrixd::translate(1, 1, 1) * osg::Matrixd::scale(0.5, 0.5, 0.5)));
-    m_offset->set(static_cast<float>(kOffset * 2 * radius / std::max(1, m_size)));
+    lift();
     setStale();
 }
 

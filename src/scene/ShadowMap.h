@@ -1,5 +1,6 @@
 #pragma once
 #include <osg/BoundingBox>
+#include <osg/BoundingSphere>
 #include <osg/Camera>
 #include <osg/Texture2D>
 #include <osg/Uniform>
@@ -17,6 +18,8 @@ public:
     /// What shaders need is added to this state. The map takes this texture unit.
     void addTo(osg::StateSet* state, unsigned unit) const;
     void aim(const osg::BoundingBox& box, const osg::Vec3& sun);
+    /// Whether all of a box lies where it is aimed at.
+    bool covers(const osg::BoundingBox& box) const;
     /// Pixels of a side; 0 for no shadows.
     void setSize(int size);
     void setStale();
@@ -25,10 +28,12 @@ public:
 
 private:
     void resize();
+    void lift();
 
     osg::ref_ptr<osg::Camera> m_camera;
     osg::ref_ptr<osg::Texture2D> m_depth;
     osg::ref_ptr<osg::Uniform> m_texel, m_matrix, m_offset;
+    osg::BoundingSphered m_aimed;
     int m_size = 2048;
 };
 

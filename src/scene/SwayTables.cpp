@@ -56,7 +56,7 @@ void CSwayTables::setStill(const std::vector<glm::vec3>& nodes) {
     auto* texel = reinterpret_cast<glm::vec4*>(still.data());
     for (const glm::vec3& node : nodes) *texel++ = glm::vec4(node, 0);
     still.dirty();
-    m_size->set(osg::Vec3(static_cast<float>(kNodesOfLine), static_cast<float>(still.t()), 1));
+    m_size->set(osg::Vec2(static_cast<float>(kNodesOfLine), static_cast<float>(still.t())));
 }
 
 void CSwayTables::setPose(const WindPose& pose, double seconds, double loop) {

@@ -22,7 +22,7 @@ private:
     osg::ref_ptr<osg::Texture2D> m_rows = new osg::Texture2D, m_still = new osg::Texture2D;
     osg::ref_ptr<osg::Uniform> m_on = new osg::Uniform("swaying", 0.f),
                                m_time = new osg::Uniform("swayTime", osg::Vec2()),
-                               m_size = new osg::Uniform("swaySize", osg::Vec3(1, 1, 1));
+                               m_size = new osg::Uniform("swaySize", osg::Vec2(1, 1));
     std::size_t m_count = 0;
 };
 

@@ -22,6 +22,7 @@ namespace {
 constexpr unsigned GL_SAMPLE_ALPHA_TO_COVERAGE = 0x809E, GL_SAMPLE_ALPHA_TO_ONE = 0x809F;
 #endif
 
+constexpr float kShadowRoom = 0.1f; // about a moving tree, of its size
 constexpr int kBestShadow = 2048, kFastShadow = 1024; // pixels of a side
 
 template <typename Value>
@@ -154,7 +155,21 @@ void CViewScene::setPose(const std::shared_ptr<const ModelSway>& sway, const std
     }
     m_pose = {pose, seconds, loop};
     m_swayTables->setPose(*pose, seconds, loop);
-    if (shadows == Shadows::New) m_shadows->setStale();
+    if (shadows == Shadows::Kept) return;
+    aimAtPose();
+    m_shadows->setStale();
+}
+
+/// Only where the tree has left what the shadows cover: an aim that moves with each pose makes their edges crawl.
+void CViewScene::aimAtPose() {
+    osg::BoundingBox box = bounds();
+    for (std::size_t n = 0; n < m_pose.rows->rows.size(); n += 2) {
+        const glm::vec4& node = m_pose.rows->rows[n];
+        box.expandBy(node.x, node.y, std::max(0.f, node.z));
+    }
+    if (m_shadows->covers(box)) return;
+    const osg::Vec3 room = (box._max - box._min) * kShadowRoom;
+    m_shadows->aim(osg::BoundingBox(box._min - room, box._max + room), daylightAt(m_look.hour, m_look.sunTurn).sun);
 }
 
 void CViewScene::endSway() {
@@ -163,7 +178,7 @@ void CViewScene::endSway() {
     m_pose = {};
     hangParts();
     m_swayTables->setOff();
-    m_shadows->setStale();
+    updateLight();
 }
 
 std::vector<ViewPart> viewPartsOf(const TreeModel& model, const std::vector<ViewPart>& known,
@@ -217,9 +232,11 @@ std::optional<ViewHit> CViewScene::pickSwayed(const osg::Vec3d& from, const osg:
         if (part.surface != Surface::Bark && !m_look.leaves) continue;
         const auto mesh = swayedMesh(part);
         const auto met = meetMesh(*mesh, start, ray);
-        if (!met || (nearest && *met >= distance)) continue;
-        nearest = ViewHit{part.generation, from + direction * *met};
-        distance = *met;
+        if (!met || (nearest && met->distance >= distance)) continue;
+        distance = met->distance;
+        const Swayed there(m_sway->table->still(), *m_pose.rows, placeOf(part, mesh->indices[met->first]));
+        const glm::vec3 point = there.stillPoint(glm::vec3(start + distance * ray));
+        nearest = ViewHit{part.generation, osg::Vec3d(point.x, point.y, point.z)};
     }
     return nearest;
 }
@@ -228,6 +245,12 @@ std::shared_ptr<const CMesh> CViewScene::swayedMesh(const ViewPart& part) const 
     const CProgress progress;
     if (part.mesh) return swayed(*part.mesh, *m_sway->placesOf(*part.mesh), *m_sway->table, *m_pose.rows, progress);
     return swayed(*part.organs, *m_sway->placesOf(*part.organs), *m_sway->table, *m_pose.rows, m_pose.seconds, m_pose.loop, progress);
+}
+
+/// Of a vertex of its swayedMesh().
+SwayPlace CViewScene::placeOf(const ViewPart& part, std::uint32_t vertex) const {
+    if (part.mesh) return (*m_sway->placesOf(*part.mesh))[vertex];
+    return (*m_sway->placesOf(*part.organs))[vertex / part.organs->blade().points.size()];
 }
 
 std::optional<ViewHit> CViewScene::pick(const osg::Vec3d& from, const osg::Vec3d& direction) const {

@@ -56,7 +56,7 @@ TEST_F(DeskTest, AClickOnTheTrunkTellsAboutItAndOpensItsTab) {
     QTest::mouseClick(&window.viewport(), Qt::LeftButton, {}, trunk.toPoint());
     EXPECT_EQ(window.panel().tabs().currentIndex(), window.panel().tabOf(Group::Trunk));
     EXPECT_TRUE(selection().startsWith(QLatin1String("Trunk, stem 1 of 1\nLength 1"))) << selection().toStdString();
-    EXPECT_EQ(window.viewport().overlay().model().selection.size(), 1u);
+    EXPECT_EQ(window.viewport().overlay().model().selection.lines.size(), 1u);
     window.document().setValue(paramRef("Seed"), 14, 0);
     ASSERT_TRUE(showsNow(Model::Full));
     EXPECT_TRUE(selection().startsWith(QLatin1String("Trunk"))) << "the trunk of the next tree";

@@ -152,8 +152,8 @@ TEST_F(GrammarEditor, TheStepsOfTheWordAreShown) {
 TEST_F(GrammarEditor, APickedBranchMarksItsLineAndALineItsBranches) {
     putCursorBehind(QStringLiteral("p3: C(l,w)"));
     auto& model = window.viewport().overlay().model();
-    ASSERT_TRUE(waitFor([&] { return !model.selection.empty(); }));
-    EXPECT_GT(model.selection.size(), 100u);
+    ASSERT_TRUE(waitFor([&] { return !model.selection.lines.empty(); }));
+    EXPECT_GT(model.selection.lines.size(), 100u);
     EXPECT_TRUE(model.selectionText.startsWith(QStringLiteral("Line 10 wrote")));
     window.panel().tabs().setCurrentIndex(1);
     emit window.viewport().picked(ViewHit{0, osg::Vec3d(0, 0, 0.5)});

@@ -273,6 +273,27 @@ TEST_F(MotionTest, AFelledTreeFallsAndStandsAgain) {
     EXPECT_FALSE(window.fall().felling()) << "another tree stands";
 }
 
+TEST_F(MotionTest, TheLineOfASelectedStemFallsWithIt) {
+    QTest::mouseClick(&window.viewport(), Qt::LeftButton, {},
+                      window.viewport().overlay().toWidget({0, 0, 2})->toPoint());
+    const auto orange = [&] { // pixels of the line, left and right of the trunk's place
+        const QImage seen = window.viewport().overlay().grab().toImage();
+        const double middle = window.viewport().overlay().toWidget({0, 0, 2})->x();
+        int beside = 0;
+        for (int y = 0; y < seen.height(); ++y)
+            for (int x = 0; x < seen.width(); ++x)
+                beside += std::abs(x - middle) > 60 && seen.pixelColor(x, y) == QColor(255, 150, 40);
+        return beside;
+    };
+    EXPECT_EQ(orange(), 0) << "it stands";
+    window.fall().fell({0, 0});
+    ASSERT_TRUE(waitFor([&] { return window.timeline().playing(); }));
+    ASSERT_TRUE(waitFor([&] { return !window.timeline().playing(); }, 60000));
+    EXPECT_GT(orange(), 100) << "it lies";
+    action("fell")->setChecked(false);
+    EXPECT_EQ(orange(), 0) << "it stands again";
+}
+
 TEST_F(MotionTest, PicturesOfAgesChooseThem) {
     widget<QToolButton>("age1")->click();
     EXPECT_TRUE(showsAge(0.4, Model::Full));

@@ -59,15 +59,15 @@ TEST_F(StrandCurves, APointThatIsHeldLightsUpWhatItTouches) {
     CCurveEditor& angle = curve("SplitAngleG"); // points at 0, 2 and 5
     const QPoint middle = angle.placeOf(angle.curve().points()[1]).toPoint();
     QTest::mousePress(&angle, Qt::LeftButton, {}, middle);
-    EXPECT_EQ(overlay().selection.size(), branchesOfOrders(1, 4)) << "between its neighbours";
+    EXPECT_EQ(overlay().selection.lines.size(), branchesOfOrders(1, 4)) << "between its neighbours";
     EXPECT_TRUE(overlay().selectionText.contains(QStringLiteral("touches")));
     const auto before = window.shown()->model;
     QTest::mouseMove(&angle, middle - QPoint(0, 20));
     EXPECT_GT(strands(window.document().params()).splitAngleG.at(2), 72);
     ASSERT_TRUE(waitFor([&] { return window.shown()->model != before; })) << "it regrows while the hand moves";
-    EXPECT_EQ(overlay().selection.size(), branchesOfOrders(1, 4));
+    EXPECT_EQ(overlay().selection.lines.size(), branchesOfOrders(1, 4));
     QTest::mouseRelease(&angle, Qt::LeftButton, {}, middle - QPoint(0, 20));
-    EXPECT_TRUE(overlay().selection.empty());
+    EXPECT_TRUE(overlay().selection.lines.empty());
     window.document().history().undo();
     EXPECT_EQ(strands(window.document().params()).splitAngleG.at(2), 72) << "one step";
 }

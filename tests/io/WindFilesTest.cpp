@@ -5,8 +5,11 @@
 #include "stromar/app/Export.h"
 #include "stromar/params/TreeFile.h"
 #include "stromar/util/FileSet.h"
+#include "stromar/texture/TextureMaps.h"
+#include <ImfRgbaFile.h>
 #include <cstring>
 #include <filesystem>
+#include <glm/glm.hpp>
 #include <gtest/gtest.h>
 #include <nlohmann/json.hpp>
 
@@ -48,7 +51,7 @@ protected:
 };
 INSTANTIATE_TEST_SUITE_P(All, WindFiles,
                          ::testing::Values(ExportedWind::Attributes, ExportedWind::CryEngine, ExportedWind::Unity,
-                                           ExportedWind::Bones));
+                                           ExportedWind::PivotPainter, ExportedWind::Bones));
 
 TEST_P(WindFiles, HaveNoErrorsOrWarnings) {
     needTool(hasModule("gltf-validator"), "the validator of glTF files (npm)");
@@ -110,6 +113,76 @@ TEST(WindAttributes, AScriptThatKnowsTheFileAloneBendsTheTreeAsTheProgramDoes) {
         const Json result = Json::parse(run.out);
         EXPECT_LT(result.at("worst").get<double>(), 1e-4) << tree << ": metres";
         EXPECT_GT(result.at("moved").get<double>(), 0.02) << tree;
+    }
+}
+
+/// Floats of an attribute of the first mesh.
+std::vector<float> floatsOf(const fs::path& glb, const char* attribute) {
+    const std::string bytes = readFile(glb);
+    const Json file = jsonOf(glb);
+    std::uint32_t size = 0;
+    std::memcpy(&size, bytes.data() + 12, 4);
+    const Json& accessor =
+        file["accessors"][file["meshes"][0]["primitives"][0]["attributes"][attribute].get<std::size_t>()];
+    const Json& view = file["bufferViews"][accessor["bufferView"].get<std::size_t>()];
+    std::vector<float> all(view["byteLength"].get<std::size_t>() / sizeof(float));
+    std::memcpy(all.data(), bytes.data() + 28 + size + view.value("byteOffset", std::size_t{0}),
+                all.size() * sizeof(float));
+    return all;
+}
+
+struct HalfPicture {
+    std::vector<Imf::Rgba> pixels;
+    std::size_t width, height;
+};
+HalfPicture readExr(const fs::path& path) {
+    Imf::RgbaInputFile file(path.c_str());
+    const Imath::Box2i window = file.dataWindow();
+    HalfPicture picture{{}, std::size_t(window.max.x + 1), std::size_t(window.max.y + 1)};
+    picture.pixels.resize(picture.width * picture.height);
+    file.setFrameBuffer(picture.pixels.data(), 1, picture.width);
+    file.readPixels(0, window.max.y);
+    return picture;
+}
+
+/// Epic's unpacking of the index.
+std::size_t unpacked(Imath::half index) { return std::size_t(index.bits()) - 1024; }
+
+TEST(WindPivotPainter, EveryVertexFindsItsPivotAndAWayToTheRoot) {
+    const CTemporaryFolder folder;
+    for (const char* tree : {"apple", "strand_birch"}) {
+        write(folder / "a.glb", tree, carrying(ExportedWind::PivotPainter));
+        const HalfPicture pivots = readExr(folder / "a_PivotPos_Index.exr");
+        const TextureMaps axes = readPngs(folder / "a_XVector_Extent.png");
+        ASSERT_EQ(axes.width, int(pivots.width));
+        ASSERT_EQ(axes.height, int(pivots.height));
+        const auto uvs = floatsOf(folder / "a.glb", "TEXCOORD_1"), places = floatsOf(folder / "a.glb", "POSITION");
+        ASSERT_EQ(uvs.size() / 2, places.size() / 3);
+        double farthest = 0; // from the line that the pictures tell of
+        for (std::size_t v = 0; v < uvs.size() / 2; ++v) {
+            const double x = uvs[2 * v] * double(pivots.width), y = uvs[2 * v + 1] * double(pivots.height);
+            ASSERT_NEAR(x - std::floor(x), 0.5, 1e-3);
+            ASSERT_NEAR(y - std::floor(y), 0.5, 1e-3);
+            std::size_t texel = std::size_t(y) * pivots.width + std::size_t(x);
+            // Unreal's place of the vertex: x, z and y of the file, in centimetres.
+            const glm::dvec3 at = 100.0 * glm::dvec3(places[3 * v], places[3 * v + 2], places[3 * v + 1]);
+            const Imf::Rgba& pivot = pivots.pixels[texel];
+            const auto& packedAxis = axes.albedo[texel];
+            const glm::dvec3 axis = glm::dvec3(packedAxis[0], packedAxis[1], packedAxis[2]) / 127.5 - 1.0;
+            ASSERT_NEAR(glm::length(axis), 1, 0.02);
+            const double extent = packedAxis[3] / 255.0 * 2048;
+            const double along = glm::dot(at - glm::dvec3(pivot.r, pivot.g, pivot.b), axis);
+            ASSERT_LT(along, extent + 40) << "the stem, and stems that follow it";
+            const double on = std::clamp(along, 0.0, extent);
+            farthest = std::max(farthest, glm::distance(at, glm::dvec3(pivot.r, pivot.g, pivot.b) + on * axis));
+            int steps = 0;
+            for (; unpacked(pivots.pixels[texel].a) != texel; ++steps) {
+                ASSERT_LT(unpacked(pivots.pixels[texel].a), texel) << "parents come first";
+                texel = unpacked(pivots.pixels[texel].a);
+            }
+            ASSERT_LT(steps, 4);
+        }
+        EXPECT_LT(farthest, 250) << "centimetres; stems bend, an axis does not";
     }
 }
 

@@ -71,7 +71,7 @@ public:
         upload(1, "swayStill", points, kNodesOfLine, lines);
         const auto uniform2 = proc<PFNGLUNIFORM2FPROC>("glUniform2f");
         proc<PFNGLUNIFORM1FPROC>("glUniform1f")(at("swaying"), 1);
-        proc<PFNGLUNIFORM3FPROC>("glUniform3f")(at("swaySize"), kNodesOfLine, static_cast<float>(lines), 1);
+        proc<PFNGLUNIFORM2FPROC>("glUniform2f")(at("swaySize"), kNodesOfLine, static_cast<float>(lines));
         uniform2(at("swayTime"), static_cast<float>(tree.seconds), static_cast<float>(tree.loop));
     }
 
@@ -221,6 +221,45 @@ TEST(Sway, PicturesOfASwayingTreeShowIt) {
     EXPECT_EQ(difference(painted(onCard), calm), 0) << "still air is the still tree";
 }
 
+TEST(ViewScene, APictureIsTheSameWhetherTheTreeOrItsPainterComesFirst) {
+    const Swaying tree = swaying("quaking_aspen", detailOf(Model::Simple));
+    const std::vector<ViewPart> parts = viewPartsOf(*tree.model, {}, CProgress());
+    CCamera camera;
+    camera.frame(osg::BoundingBoxd(-5, -5, 0, 5, 5, 13), 1);
+    CViewScene before, after;
+    before.show(parts);
+    CHeadlessPainter one(before, 4), other(after, 4);
+    after.show(viewPartsOf(*tree.model, {}, CProgress()));
+    EXPECT_EQ(difference(one.paint(camera, 200, 200), other.paint(camera, 200, 200)), 0);
+}
+
+/// Of the ground beside a felled tree, where its crown lies.
+TEST(Sway, AFallenTreeThrowsAShadowWhereItLies) {
+    const Swaying tree = swaying("quaking_aspen", detailOf(Model::Simple));
+    const CFall fall(tree.sway->table, {.direction = 0, .height = 0});
+    const auto pose = std::make_shared<WindPose>();
+    fall.pose(fall.seconds(), *pose, CProgress());
+    CViewScene scene;
+    scene.show(viewPartsOf(*tree.model, {}, CProgress()));
+    scene.setPose(tree.sway, pose, 0, 0);
+    CHeadlessPainter painter(scene, 1);
+    CCamera camera;
+    camera.lookFrom(0, 60);
+    camera.frame(osg::BoundingBoxd(-2, -6, 0, 16, 6, 3), 1);
+    const Pixels shaded = painter.paint(camera, 200, 200);
+    ViewLook none = scene.look();
+    none.leaves = false; // and their shadows
+    scene.setLook(none);
+    const Pixels bare = painter.paint(camera, 200, 200);
+    none.leaves = true;
+    scene.setLook(none);
+    std::size_t darker = 0;
+    const auto ground = [](const auto& pixel) { return std::abs(int(pixel[0]) - int(pixel[1])) < 30; };
+    for (std::size_t i = 0; i < bare.size(); ++i)
+        darker += ground(bare[i]) && ground(shaded[i]) && bare[i][1] > shaded[i][1] + 25;
+    EXPECT_GT(darker, bare.size() / 200);
+}
+
 TEST(Sway, ARayMeetsTheTreeWhereItIsSeen) {
     const Swaying tree = swaying("quaking_aspen", detailOf(Model::Simple));
     CViewScene scene;
@@ -243,6 +282,9 @@ TEST(Sway, ARayMeetsTheTreeWhereItIsSeen) {
     scene.setPose(tree.sway, tree.pose, tree.seconds, tree.loop);
     EXPECT_TRUE(meets(blown));
     EXPECT_FALSE(meets(calm));
+    const auto hit = scene.pick({blown.x, blown.y - 30, blown.z}, {0, 1, 0});
+    const osg::Vec3d still(calm.x, calm.y, calm.z);
+    EXPECT_LT((hit->point - still).length(), 0.1) << "what was hit, where it is in still air";
     scene.endSway();
     EXPECT_TRUE(meets(calm));
 }

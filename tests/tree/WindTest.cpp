@@ -51,7 +51,7 @@ TEST_P(WindTest, BranchesStayWhereTheySitOnTheirParents) {
             ASSERT_EQ(nodeAt(pose, stem.firstNode), glm::dvec3(glm::vec3(stem.base)));
             continue;
         }
-        const Swayed parent(table.still(), pose, stem.on());
+        const Swayed parent(table.still(), pose, stem.on);
         ASSERT_LT(glm::distance(glm::dvec3(parent.point(glm::vec3(stem.base))), nodeAt(pose, stem.firstNode)), 1e-5);
         ++branches;
     }

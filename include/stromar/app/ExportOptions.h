@@ -22,7 +22,7 @@ enum class ExportedModel { Full, Simple };
 enum class ExportedLods { None, InOneFile, FileEach };
 enum class ExportedUp { Format, Y, Z };
 enum class ExportedTextures { Format, Embed, Copy, Refer };
-enum class ExportedWind { None, Attributes, CryEngine, Unity, Bones };
+enum class ExportedWind { None, Attributes, CryEngine, Unity, PivotPainter, Bones };
 
 /// One row of the table of choices: the flags of the command line and the rows of the dialog are loops over it.
 struct ExportChoice {

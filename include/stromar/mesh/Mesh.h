@@ -46,8 +46,13 @@ using Meshes = std::vector<std::shared_ptr<const CMesh>>;
 /// How far along a ray it meets a triangle, in lengths of `direction` (Möller & Trumbore 1997), else nothing. May be behind.
 std::optional<double> meetTriangle(const glm::dvec3& from, const glm::dvec3& direction, const glm::dvec3& a, const glm::dvec3& b,
                                    const glm::dvec3& c);
+/// A triangle on a ray.
+struct TriangleHit {
+    std::size_t first; ///< of its three indices
+    double distance;   ///< in lengths of the ray's direction
+};
 /// The nearest triangle of a mesh in front. Linear in the triangles.
-std::optional<double> meetMesh(const CMesh& mesh, const glm::dvec3& from, const glm::dvec3& direction);
+std::optional<TriangleHit> meetMesh(const CMesh& mesh, const glm::dvec3& from, const glm::dvec3& direction);
 
 /// A mesh with so many vertices and indices, their values not yet set.
 std::shared_ptr<CMesh> allocateMesh(std::string name, Surface surface, std::size_t vertices, std::size_t indices);

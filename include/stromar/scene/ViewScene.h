@@ -50,7 +50,7 @@ struct ViewLook {
 /// Where a ray meets the tree.
 struct ViewHit {
     int generation; ///< kLeaves for leaves
-    osg::Vec3d point;
+    osg::Vec3d point; ///< of the tree in still air
 };
 
 /// What the viewport shows: the tree, the ground it stands on, the sky. All members: the thread that draws.
@@ -97,7 +97,9 @@ private:
     void updateCrown();
     void updateLight();
     void hangParts();
+    void aimAtPose();
     std::shared_ptr<const CMesh> swayedMesh(const ViewPart& part) const;
+    SwayPlace placeOf(const ViewPart& part, std::uint32_t vertex) const;
     std::optional<ViewHit> pickSwayed(const osg::Vec3d& from, const osg::Vec3d& direction) const;
 
     osg::ref_ptr<osg::Group> m_root, m_tree, m_wireframe, m_person, m_surfaceGroup;

@@ -39,6 +39,7 @@ public:
 private:
     struct TrunkCut {
         double along = std::numeric_limits<double>::infinity(); ///< from the stem's base; above it falls
+        glm::dvec3 at{0};
         bool none() const { return along == std::numeric_limits<double>::infinity(); }
     };
     void cutTrunk(std::size_t stem);

@@ -55,15 +55,14 @@ struct WindStem {
     double phase;                   ///< radians of the same
     std::uint32_t seed;             ///< of its noises
     std::int32_t parent;            ///< in the table, −1 for a trunk
-    std::uint32_t parentNode;       ///< the one below its base on the parent's axis
-    double parentPart;              ///< how far its base is from there to the next node, 0..1
+    SwayPlace on;                   ///< where it sits on its parent
     std::uint32_t generation, stem; ///< in the tree
     std::uint32_t firstNode;        ///< of path 0
     std::uint32_t segments;         ///< of path 0
     bool forks;                     ///< has other paths
 
-    /// Where it sits on its parent.
-    SwayPlace on() const { return {static_cast<float>(parentNode), static_cast<float>(parentPart)}; }
+    /// How far it can bend: 1 as far as the most slender stems, 0 not at all.
+    double slenderness() const;
 };
 
 /// A tree bent by the wind, or fallen. Two rows for each node: its point and the strength of the wind at its stem; the
@@ -134,6 +133,8 @@ struct Swayed {
     Swayed(const std::vector<glm::vec3>& still, const WindPose& pose, const SwayPlace& place);
     glm::vec3 point(const glm::vec3& p) const { return to + turn * (p - from); }
     glm::vec3 direction(const glm::vec3& v) const { return turn * v; }
+    /// Where a point of the pose comes from.
+    glm::vec3 stillPoint(const glm::vec3& p) const { return from + glm::conjugate(turn) * (p - to); }
 };
 
 /// A leaf's own motion about its stalk: radians.

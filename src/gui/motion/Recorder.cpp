@@ -42,8 +42,8 @@ public:
         double seconds, loop;
     };
     Frame make(std::size_t i) {
-        if (!m_view) grow(m_motion.moments(m_tree.age).front().age);
-        const Moment moment = m_motion.moments(m_tree.age, m_moving ? m_moving->fallSeconds() : 0)[i];
+        if (!m_view) begin();
+        const Moment& moment = m_moments[i];
         if (m_view->model->age != moment.age) grow(moment.age);
         Frame frame{m_view, nullptr, moment.seconds, m_motion.loopingWind().loop};
         if (m_moving) frame.pose = m_moving->poseAt(moment.seconds, m_progress);
@@ -51,6 +51,11 @@ public:
     }
 
 private:
+    void begin() {
+        grow(m_motion.sways() ? m_tree.age : m_motion.moments(m_tree.age).front().age);
+        m_moments = m_motion.moments(m_tree.age, m_moving ? m_moving->fallSeconds() : 0);
+    }
+
     void grow(double age) {
         m_creator.setAge(age);
         auto view = std::make_shared<ViewModel>();
@@ -73,6 +78,7 @@ private:
     const RecordedTree& m_tree;
     Motion m_motion;
     std::optional<CMovingModel> m_moving; ///< null while it grows
+    std::vector<Moment> m_moments;        ///< of the frames
     CTreeCreator m_creator;
     CProgress m_progress;
     std::vector<ViewPart> m_parts;

@@ -43,7 +43,9 @@ void CWindController::setPaused(bool paused) {
 
 void CWindController::show(const std::shared_ptr<const ViewModel>& view) {
     m_sway = view->sway;
-    if (m_sway && blowing()) m_viewport.setPose(m_sway, now().pose(), now().seconds, kLoop);
+    if (!m_sway || !blowing()) return;
+    const SwayMoment moment = now();
+    m_viewport.setPose(m_sway, moment.pose(), moment.seconds, kLoop);
 }
 
 SwayMoment CWindController::now() const {

@@ -25,16 +25,21 @@ constexpr std::size_t kMaxLines = 40000; // that are drawn of what a line of a t
 osg::Vec3d toOsg(const glm::dvec3& v) { return {v.x, v.y, v.z}; }
 
 /// The centre line of every path of a stem.
-std::vector<std::vector<osg::Vec3d>> linesOf(const CGeneration& all, const CStem& stem) {
-    std::vector<std::vector<osg::Vec3d>> lines;
+std::vector<std::vector<CViewOverlay::TreePoint>> linesOf(const CTree& tree, std::size_t generation, const CStem& stem) {
+    const CGeneration& all = tree.generation(generation);
+    std::vector<std::vector<CViewOverlay::TreePoint>> lines;
+    const auto pointOf = [&](std::uint32_t s, double part) {
+        return CViewOverlay::TreePoint{toOsg(all.segments[s].centre(part)), static_cast<std::uint32_t>(generation), s,
+                                       static_cast<float>(part)};
+    };
     for (std::uint32_t p = stem.firstPath; p < stem.firstPath + stem.pathCount; ++p) {
         const CPath& path = all.paths[p];
-        std::vector<osg::Vec3d>& line = lines.emplace_back();
+        auto& line = lines.emplace_back();
         for (std::uint32_t s = path.firstSegment; s < path.firstSegment + path.segmentCount; ++s) {
             const int steps = all.segments[s].helixRadius != 0 ? kTurnPoints : 1;
-            for (int i = 0; i < steps; ++i) line.push_back(toOsg(all.segments[s].centre(double(i) / steps)));
+            for (int i = 0; i < steps; ++i) line.push_back(pointOf(s, double(i) / steps));
         }
-        line.push_back(toOsg(all.segments[path.firstSegment + path.segmentCount - 1].centre(1)));
+        line.push_back(pointOf(path.firstSegment + path.segmentCount - 1, 1));
     }
     return lines;
 }
@@ -143,7 +148,7 @@ void CViewController::onLineTouched(const ParamRef& ref, int line) {
     const TextLanguage* language = languageOf(*ref.info);
     CViewOverlay::Model& model = m_viewport.overlay().model();
     m_selected.reset();
-    model.selection.clear();
+    model.selection = {};
     model.selectionText.clear();
     if (const CTree* tree = treeOfDocument(); tree && line > 0 && language) {
         const auto written = language->writtenBy(m_view->model->params, *tree, line);
@@ -162,12 +167,14 @@ const CTree* CViewController::treeOfDocument() const {
 
 /// By generation.
 void CViewController::selectSegments(const std::vector<std::vector<std::uint32_t>>& segments) {
-    auto& lines = m_viewport.overlay().model().selection;
+    auto& [tree, lines] = m_viewport.overlay().model().selection;
+    tree = m_view->model->tree;
     for (std::size_t g = 0; g < segments.size(); ++g)
         for (const std::uint32_t s : segments[g]) {
             if (lines.size() == kMaxLines) return;
-            const CSegment& segment = m_view->model->tree->generation(g).segments[s];
-            lines.push_back({toOsg(segment.position), toOsg(segment.axisPoint(1))});
+            const CSegment& segment = tree->generation(g).segments[s];
+            const auto generation = static_cast<std::uint32_t>(g);
+            lines.push_back({{toOsg(segment.position), generation, s, 0}, {toOsg(segment.axisPoint(1)), generation, s, 1}});
         }
 }
 
@@ -246,7 +253,7 @@ void CViewController::clearSelection() {
 
 void CViewController::updateSelection() {
     CViewOverlay::Model& model = m_viewport.overlay().model();
-    model.selection.clear();
+    model.selection = {};
     model.selectionText.clear();
     if (m_range) {
         selectHeldRange();
@@ -269,7 +276,7 @@ void CViewController::describeStem(std::size_t generation, const CStem& stem, st
     const CTree& tree = *m_view->model->tree;
     const CGeneration& all = tree.generation(generation);
     CViewOverlay::Model& model = m_viewport.overlay().model();
-    model.selection = linesOf(all, stem);
+    model.selection = {m_view->model->tree, linesOf(tree, generation, stem)};
     QStringList rows{
         tr("%1, stem %2 of %3").arg(levelTitle(int(generation))).arg(number + 1).arg(all.stems.size()),
         tr("Length %1, radius %2").arg(lengthText(stem.length), lengthText(stem.radius))};
@@ -285,7 +292,10 @@ void CViewController::describeStem(std::size_t generation, const CStem& stem, st
 
 void CViewController::describeLeaf(const CLeaf& leaf) {
     CViewOverlay::Model& model = m_viewport.overlay().model();
-    model.selection = {{toOsg(glm::dvec3(leaf.position)), toOsg(glm::dvec3(leaf.position + leaf.length * leaf.axis))}};
+    const CTree& tree = *m_view->model->tree;
+    const glm::dvec3 foot(leaf.position), tip(leaf.position + leaf.length * leaf.axis);
+    const std::uint32_t segment = nearestSegment(tree, leaf.generation, leaf.stem, foot);
+    model.selection = {m_view->model->tree, {{{toOsg(foot), leaf.generation, segment, 0}, {toOsg(tip), leaf.generation, segment, 0}}}};
     model.selectionText =
         tr("Leaf %1 of %2\nLength %3, width %4\nOn %5, stem %6")
             .arg(leaf.number + 1)

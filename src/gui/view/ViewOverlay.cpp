@@ -186,18 +186,44 @@ void CViewOverlay::paintHandles(QPainter& painter) const {
     }
 }
 
+void CViewOverlay::setPose(const std::shared_ptr<const CWindTable>& table,
+                           const std::shared_ptr<const WindPose>& pose) {
+    m_table = table;
+    m_pose = pose;
+    if (!m_model.selection.lines.empty()) update();
+}
+
+/// Where they are seen.
+std::vector<std::vector<osg::Vec3d>> CViewOverlay::selectedLines() const {
+    const bool sways = m_pose && &m_table->tree() == m_model.selection.tree.get();
+    std::vector<std::vector<osg::Vec3d>> lines;
+    for (const auto& line : m_model.selection.lines) {
+        std::vector<osg::Vec3d>& seen = lines.emplace_back();
+        for (const TreePoint& point : line) {
+            seen.push_back(point.at);
+            if (!sways) continue;
+            const SwayPlace place{static_cast<float>(m_table->nodeOf(point.generation, point.segment)), point.part};
+            const glm::vec3 moved = Swayed(m_table->still(), *m_pose, place)
+                                        .point({float(point.at.x()), float(point.at.y()), float(point.at.z())});
+            seen.back() = osg::Vec3d(moved.x, moved.y, moved.z);
+        }
+    }
+    return lines;
+}
+
 /// Thousands of lines are thin and without a rim: a hand waits for them.
 void CViewOverlay::paintSelection(QPainter& painter) const {
-    if (m_model.selection.size() > kManyLines) {
+    const auto lines = selectedLines();
+    if (lines.size() > kManyLines) {
         painter.setRenderHint(QPainter::Antialiasing, false);
         painter.setPen(QPen(kAccent, 1));
-        for (const auto& line : m_model.selection) drawLine(painter, line);
+        for (const auto& line : lines) drawLine(painter, line);
         painter.setRenderHint(QPainter::Antialiasing);
         return;
     }
     for (const auto& [colour, wide] : {std::pair(QColor(0, 0, 0, 120), 5.0), {kAccent, 2.6}}) {
         painter.setPen(QPen(colour, wide, Qt::SolidLine, Qt::RoundCap, Qt::RoundJoin));
-        for (const auto& line : m_model.selection) drawLine(painter, line);
+        for (const auto& line : lines) drawLine(painter, line);
     }
 }
 

@@ -1,6 +1,7 @@
 #pragma once
 #include "stromar/app/Methods.h"
 #include "stromar/scene/Camera.h"
+#include "stromar/tree/Wind.h"
 #include <QStringList>
 #include <QWidget>
 #include <optional>
@@ -12,12 +13,23 @@ namespace stromar {
 class CViewOverlay : public QWidget {
     Q_OBJECT
 public:
+    /// A point on a segment of a tree in still air.
+    struct TreePoint {
+        osg::Vec3d at;
+        std::uint32_t generation, segment;
+        float part; ///< of the way along the segment, 0..1
+    };
+    /// Lines on a tree.
+    struct Selection {
+        std::shared_ptr<const CTree> tree;
+        std::vector<std::vector<TreePoint>> lines;
+    };
     /// Everything it draws.
     struct Model {
         CParams params;
         double scaleTree = 10; ///< metres
         const Guide* guide = nullptr; ///< null: none
-        std::vector<std::vector<osg::Vec3d>> selection; ///< lines to emphasise
+        Selection selection; ///< lines to emphasise
         QString selectionText;
         QStringList statistics;
         std::optional<osg::Vec3d> person; ///< top of the head
@@ -29,6 +41,8 @@ public:
     explicit CViewOverlay(const CCamera& camera, QWidget* parent);
 
     Model& model() { return m_model; }
+    /// The selection follows a pose of its tree; null: still air.
+    void setPose(const std::shared_ptr<const CWindTable>& table, const std::shared_ptr<const WindPose>& pose);
     /// The handle under a place of the widget.
     std::optional<std::size_t> handleAt(const QPointF& at) const;
     /// Where a handle is drawn.
@@ -63,9 +77,12 @@ private:
     std::optional<std::pair<QPointF, QPointF>> windArrow() const;
     void paintWords(QPainter& painter) const;
     void drawLine(QPainter& painter, const std::vector<osg::Vec3d>& points) const;
+    std::vector<std::vector<osg::Vec3d>> selectedLines() const;
 
     const CCamera& m_camera;
     Model m_model;
+    std::shared_ptr<const CWindTable> m_table;
+    std::shared_ptr<const WindPose> m_pose;
     std::optional<std::size_t> m_hot;
 };
 

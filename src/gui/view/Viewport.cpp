@@ -76,6 +76,7 @@ void CViewport::changed() {
 
 void CViewport::show(const std::vector<ViewPart>& parts) {
     m_scene.show(parts, m_settle.isActive() ? CViewScene::Shadows::Kept : CViewScene::Shadows::New);
+    m_overlay->setPose(nullptr, nullptr); // until the next one
     m_settle.start(kSettle);
     changed();
 }
@@ -85,11 +86,13 @@ void CViewport::setPose(const std::shared_ptr<const ModelSway>& sway, const std:
     const bool behind = m_frameNs > kQuickNs && ++m_posesSinceShadows < kShadowEvery;
     if (!behind) m_posesSinceShadows = 0;
     m_scene.setPose(sway, pose, seconds, loop, behind ? CViewScene::Shadows::Kept : CViewScene::Shadows::New);
+    m_overlay->setPose(sway->table, pose);
     update();
 }
 
 void CViewport::endSway() {
     m_scene.endSway();
+    m_overlay->setPose(nullptr, nullptr);
     update();
 }
 

@@ -26,6 +26,8 @@ CFall::CFall(std::shared_ptr<const CWindTable> table, const Felling& felling)
     const std::size_t trunks = m_table->tree().generationCount() > 0 ? m_table->tree().generation(0).stems.size() : 0;
     m_cuts.resize(trunks);
     for (std::size_t s = 0; s < trunks; ++s) cutTrunk(s);
+    if (const auto first = std::ranges::find_if_not(m_cuts, &TrunkCut::none); first != m_cuts.end())
+        m_hinge = first->at;
     hangBranches();
     weigh();
     simulate();
@@ -56,7 +58,7 @@ void CFall::cutTrunk(std::size_t index) {
             m_falls[first + n] = (n < path.segmentCount ? segments[n].start : segments[n - 1].end()) >= cut;
         if (p > 0) continue;
         m_cuts[index].along = cut;
-        if (index == 0) m_hinge = m_felling.height <= 0 ? all.segments[path.firstSegment].position : at;
+        m_cuts[index].at = m_felling.height <= 0 ? all.segments[path.firstSegment].position : at;
     }
 }
 
@@ -71,9 +73,9 @@ void CFall::hangBranches() {
     for (std::size_t s = 0; s < m_on.size(); ++s) {
         const WindStem& stem = m_table->stems()[s];
         if (stem.parent < 0) continue;
-        m_on[s] = stem.on();
-        bool above = m_falls[stem.parentNode];
-        if (stem.generation == 1 && above != m_falls[stem.parentNode + 1]) above = stem.base.z >= m_felling.height;
+        m_on[s] = stem.on;
+        bool above = m_falls[stem.on.index()];
+        if (stem.generation == 1 && above != m_falls[stem.on.index() + 1]) above = stem.base.z >= m_felling.height;
         m_on[s] = onOneSide(m_on[s], above);
         const CGeneration& all = m_table->tree().generation(stem.generation);
         const CStem& own = all.stems[stem.stem];
@@ -103,6 +105,16 @@ void CFall::weigh() {
     if (m_lever <= 0) m_inertia = 0; // nothing that could fall
 }
 
+namespace {
+/// The first angle at which z·cos θ − p·sin θ comes down to `height`; a half turn where it never does.
+double angleDown(double z, double p, double height) {
+    const double reach = std::hypot(z, p);
+    if (z <= height) return kFirstAngle;
+    if (-reach > height) return std::numbers::pi;
+    return std::clamp(std::acos(height / reach) - std::atan2(p, z), kFirstAngle, std::numbers::pi);
+}
+} // namespace
+
 /// Where the surface of a trunk's upper half meets the ground.
 double CFall::restAngle() const {
     double rest = std::numbers::pi;
@@ -113,8 +125,7 @@ double CFall::restAngle() const {
             if (!m_falls[m_table->nodeOf(0, s)] || segment.end() < 0.5 * stem.length) continue;
             const glm::dvec3 tip = segment.axisPoint(1) - m_hinge;
             const double p = glm::dot(tip, m_direction);
-            for (double angle = kFirstAngle; angle < rest; angle += kFirstAngle / 20)
-                if (m_hinge.z + tip.z * std::cos(angle) - p * std::sin(angle) <= segment.radiusEnd) rest = angle;
+            rest = std::min(rest, angleDown(tip.z, p, segment.radiusEnd - m_hinge.z));
         }
     return rest;
 }

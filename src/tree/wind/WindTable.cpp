@@ -3,7 +3,6 @@
 #include "stromar/util/Random.h"
 #include <algorithm>
 #include <cmath>
-#include <glm/gtc/constants.hpp>
 #include <limits>
 #include <numbers>
 #include <unordered_map>
@@ -55,6 +54,10 @@ std::pair<double, double> projected(const CSegment& segment, const glm::dvec3& p
 }
 } // namespace
 
+double WindStem::slenderness() const {
+    return diameter > 0 ? std::min(1.0, length / diameter / kSlender) : 1;
+}
+
 CWindTable::CWindTable(std::shared_ptr<const CTree> tree, const CTree& grown, double flexibility, int seed)
     : m_tree(std::move(tree)) {
     for (std::size_t g = 0; g < m_tree->generationCount(); ++g) addStems(g, grown, flexibility, seed);
@@ -94,8 +97,7 @@ void CWindTable::addStems(std::size_t generation, const CTree& grown, double fle
                      .phase = 2 * std::numbers::pi * unitOf(hashCombine(name, kPhase)),
                      .seed = static_cast<std::uint32_t>(hashCombine(name, kNoise)),
                      .parent = -1,
-                     .parentNode = 0,
-                     .parentPart = 0,
+                     .on = {0, 0},
                      .generation = static_cast<std::uint32_t>(generation),
                      .stem = static_cast<std::uint32_t>(&stem - all.stems.data()),
                      .firstNode = firstNode,
@@ -106,8 +108,9 @@ void CWindTable::addStems(std::size_t generation, const CTree& grown, double fle
             const CStem& parent = before.stems[static_cast<std::size_t>(stem.parent)];
             const CSegment& below = before.segmentAt(parent, stem.path, stem.position);
             row.parent = static_cast<std::int32_t>(m_firstStem[generation - 1]) + stem.parent;
-            row.parentNode = m_nodeOf[generation - 1][static_cast<std::size_t>(&below - before.segments.data())];
-            row.parentPart = below.length > 0 ? glm::clamp((stem.offset - below.start) / below.length, 0.0, 1.0) : 0;
+            const std::uint32_t node = m_nodeOf[generation - 1][static_cast<std::size_t>(&below - before.segments.data())];
+            const double part = below.length > 0 ? glm::clamp((stem.offset - below.start) / below.length, 0.0, 1.0) : 0;
+            row.on = {static_cast<float>(node), static_cast<float>(part)};
         }
         m_stems.push_back(row);
     }
@@ -136,9 +139,8 @@ CWindTable::Push CWindTable::pushOn(const WindStem& stem, const Wind& wind, doub
     const double sine = glm::length(across);
     glm::dvec3 turn(0);
     if (sine > 1e-9) {
-        const double slender = stem.diameter > 0 ? std::min(stem.length / stem.diameter, kSlender) / kSlender : 1;
         const double sway = 1 + kSway * std::sin(2 * std::numbers::pi * own.frequency * seconds + stem.phase);
-        double bend = kBend * give * slender * sine * sway;
+        double bend = kBend * give * stem.slenderness() * sine * sway;
         if (bend > sine)
             bend =
                 std::min(bend, std::atan2(sine, glm::dot(stem.axis, wind.direction))); // an angle is more than its sine
@@ -214,7 +216,7 @@ void CWindTable::pose(const Wind& wind, double seconds, WindPose& pose, const CP
             m_tree->generation(g).stems.size(), kStemGrain,
             [&](std::size_t begin, std::size_t end) {
                 for (std::size_t i = begin; i < end; ++i)
-                    poseStem(stems[i], pushOn(stems[i], wind, seconds), stems[i].on(), pose.rows);
+                    poseStem(stems[i], pushOn(stems[i], wind, seconds), stems[i].on, pose.rows);
             },
             progress);
     }
