@@ -318,9 +318,10 @@ TEST_F(RecordTest, AVideoIsMadeByFfmpegAndReplacesTheOldFileOnlyWhenItIsThere) {
         EXPECT_NE(question.indexOf(QLatin1String("no codec")), -1) << question.toStdString();
         EXPECT_EQ(content(), "older");
     }
-    // Tells which frames it was given: the last argument is the file.
-    const FakeFfmpeg working("#!/bin/sh\nwhile [ $# -gt 1 ]; do [ \"$1\" = -i ] && frames=$2; shift; done\nls "
-                             "$(dirname $frames) > \"$1\"\n");
+    // Tells which frames it finds by the name with a number in it; the last argument is the file.
+    const FakeFfmpeg working("#!/bin/sh\nwhile [ $# -gt 1 ]; do [ \"$1\" = -i ] && frames=$2; shift; done\n"
+                             "i=1; while f=$(printf \"$frames\" $i); [ -e \"$f\" ]; do basename \"$f\"; i=$((i+1)); "
+                             "done > \"$1\"\n");
     window.recorder().record(tree(), video);
     EXPECT_EQ(content(), "frame_0001.png\nframe_0002.png\nframe_0003.png\nframe_0004.png\n");
     EXPECT_EQ(files(), QStringList("t.mp4"));

@@ -100,7 +100,7 @@ void CRecorder::record(const RecordedTree& tree, const RecordOptions& options) {
             tree, options, options.video ? folder.filePath(QStringLiteral("frame.png")) : options.path, progress);
         const bool cancelled = progress.wasCanceled();
         if (options.video && !cancelled)
-            makeVideo(folder.filePath(QStringLiteral("frame_%0%1d.png")), options, progress);
+            makeVideo(folder.filePath(QStringLiteral("frame_")), options, progress);
         if (cancelled)
             emit notice(options.video
                             ? tr("Recording cancelled; no file was changed")
@@ -142,14 +142,15 @@ int CRecorder::writeFrames(const RecordedTree& tree, const RecordOptions& option
 }
 
 /// Into a file beside the wanted one, which it replaces when all went well.
-void CRecorder::makeVideo(const QString& frames, const RecordOptions& options, QProgressDialog& progress) {
+void CRecorder::makeVideo(const QString& namesBegin, const RecordOptions& options, QProgressDialog& progress) {
     progress.setLabelText(tr("Making the video"));
     const QString made = options.path + QStringLiteral(".part.mp4");
-    const std::size_t width = std::max<std::size_t>(4, std::to_string(options.frames()).size());
+    const qsizetype width = std::max<qsizetype>(4, QString::number(options.frames()).size());
+    const QString pattern = namesBegin + QStringLiteral("%0") + QString::number(width) + QStringLiteral("d.png");
     QProcess ffmpeg;
     ffmpeg.start(videoProgram(),
                  {QStringLiteral("-y"), QStringLiteral("-loglevel"), QStringLiteral("error"),
-                  QStringLiteral("-framerate"), QString::number(options.fps), QStringLiteral("-i"), frames.arg(width),
+                  QStringLiteral("-framerate"), QString::number(options.fps), QStringLiteral("-i"), pattern,
                   QStringLiteral("-vf"), QStringLiteral("pad=ceil(iw/2)*2:ceil(ih/2)*2"), QStringLiteral("-pix_fmt"),
                   QStringLiteral("yuv420p"), made});
     while (!ffmpeg.waitForFinished(20)) {

@@ -42,7 +42,7 @@ private:
     /// How many frames were written; throws CError.
     int writeFrames(const RecordedTree& tree, const RecordOptions& options, const QString& path,
                     QProgressDialog& progress);
-    void makeVideo(const QString& frames, const RecordOptions& options, QProgressDialog& progress);
+    void makeVideo(const QString& namesBegin, const RecordOptions& options, QProgressDialog& progress);
 
     QWidget& m_window;
     bool m_busy = false;
