@@ -2358,6 +2358,26 @@
         <source>What lets the tree sway in another program: vertex attributes and a table for a shader, vertex colours as an engine reads them (COLOR_0 then tints the tree where they are not read), pictures of pivots for Unreal, or bones with clips of wind and growth.</source>
         <translation>Co strom rozhoupe v jiném programu: atributy vrcholů a tabulka pro shader, barvy vrcholů, jak je čte engine (COLOR_0 strom obarví tam, kde se nečtou), obrázky otočných bodů pro Unreal, nebo kosti s klipy větru a růstu.</translation>
     </message>
+    <message>
+        <source>stem</source>
+        <translation>větev</translation>
+    </message>
+    <message>
+        <source>horizontal</source>
+        <translation>vodorovně</translation>
+    </message>
+    <message>
+        <source>Nothing attracts the branches: Attraction up is 0.</source>
+        <translation>Větve nic nevzpřimuje: Vzpřimování je 0.</translation>
+    </message>
+    <message>
+        <source>Attraction axis</source>
+        <translation>Osa vzpřimování</translation>
+    </message>
+    <message>
+        <source>What attraction turns a branch about. &apos;stem&apos;, as the paper prints it: its own axis, so that one that lies on its side stays. &apos;horizontal&apos;: all hang, or reach up, alike.</source>
+        <translation>Kolem čeho vzpřimování otáčí větev. „větev“, jak je vytištěno v článku: kolem vlastní osy, takže ta, která leží na boku, zůstane. „vodorovně“: všechny visí nebo se zvedají stejně.</translation>
+    </message>
 </context>
 <context>
     <name>stromar::CCurveEditor</name>

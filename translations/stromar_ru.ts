@@ -2358,6 +2358,26 @@
         <source>What lets the tree sway in another program: vertex attributes and a table for a shader, vertex colours as an engine reads them (COLOR_0 then tints the tree where they are not read), pictures of pivots for Unreal, or bones with clips of wind and growth.</source>
         <translation>Что качает дерево в другой программе: атрибуты вершин и таблица для шейдера, цвета вершин, как их читает движок (COLOR_0 окрашивает дерево там, где их не читают), картинки точек вращения для Unreal или кости с клипами ветра и роста.</translation>
     </message>
+    <message>
+        <source>stem</source>
+        <translation>ветвь</translation>
+    </message>
+    <message>
+        <source>horizontal</source>
+        <translation>горизонталь</translation>
+    </message>
+    <message>
+        <source>Nothing attracts the branches: Attraction up is 0.</source>
+        <translation>Ветви никуда не стремятся: Стремление вверх равно 0.</translation>
+    </message>
+    <message>
+        <source>Attraction axis</source>
+        <translation>Ось стремления вверх</translation>
+    </message>
+    <message>
+        <source>What attraction turns a branch about. &apos;stem&apos;, as the paper prints it: its own axis, so that one that lies on its side stays. &apos;horizontal&apos;: all hang, or reach up, alike.</source>
+        <translation>Вокруг чего стремление вверх поворачивает ветвь. «ветвь», как напечатано в статье: вокруг своей оси, так что лежащая на боку остаётся. «горизонталь»: все свисают или тянутся вверх одинаково.</translation>
+    </message>
 </context>
 <context>
     <name>stromar::CCurveEditor</name>

@@ -2358,6 +2358,26 @@
         <source>What lets the tree sway in another program: vertex attributes and a table for a shader, vertex colours as an engine reads them (COLOR_0 then tints the tree where they are not read), pictures of pivots for Unreal, or bones with clips of wind and growth.</source>
         <translation>Kaj drevo zaziblje v drugem programu: atributi oglišč in tabela za senčilnik, barve oglišč, kot jih bere pogon (COLOR_0 drevo obarva tam, kjer jih ne bere), slike vrtišč za Unreal ali kosti s posnetki vetra in rasti.</translation>
     </message>
+    <message>
+        <source>stem</source>
+        <translation>veja</translation>
+    </message>
+    <message>
+        <source>horizontal</source>
+        <translation>vodoravno</translation>
+    </message>
+    <message>
+        <source>Nothing attracts the branches: Attraction up is 0.</source>
+        <translation>Vej nič ne vzravnava: Vzravnavanje je 0.</translation>
+    </message>
+    <message>
+        <source>Attraction axis</source>
+        <translation>Os vzravnavanja</translation>
+    </message>
+    <message>
+        <source>What attraction turns a branch about. &apos;stem&apos;, as the paper prints it: its own axis, so that one that lies on its side stays. &apos;horizontal&apos;: all hang, or reach up, alike.</source>
+        <translation>Okrog česa vzravnavanje obrača vejo. »veja«, kot je natisnjeno v članku: okrog lastne osi, zato tista, ki leži na boku, ostane. »vodoravno«: vse visijo ali se vzpenjajo enako.</translation>
+    </message>
 </context>
 <context>
     <name>stromar::CCurveEditor</name>

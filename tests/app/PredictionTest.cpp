@@ -96,7 +96,8 @@ TEST(Prediction, BoundsThePresets) {
 TEST(Prediction, IsNearForThePresets) {
     for (const Sample& sample : presets())
         for (const Detail& detail : detailTable())
-            expectWithin(sample.params, detail, true, sample.name + ", " + std::string(detail.name), 4);
+            expectWithin(sample.params, detail, true, sample.name + ", " + std::string(detail.name),
+                         detail.share < 1 ? 6 : 4); // how much of straight stems is left out nobody knows before
 }
 
 TEST(Prediction, BoundsRandomTrees) {

@@ -21,7 +21,7 @@ const std::map<std::string, double>& specified() {
                                           {"Levels", 3},          {"Ratio", 0.05},
                                           {"RatioPower", 1},      {"Lobes", 0},
                                           {"LobeDepth", 0},       {"Flare", 0.5},
-                                          {"AttractionUp", 0},    {"0Scale", 1},
+                                          {"AttractionUp", 0},    {"AttractionAxis", 0}, {"0Scale", 1},
                                           {"0ScaleV", 0},         {"0BaseSplits", 0},
                                           {"Leaves", 0},          {"LeafShape", 0},
                                           {"LeafForm", 0},        {"LeafStalk", 0},
@@ -150,7 +150,7 @@ TEST(ParamTable, IntegersAreRounded) {
         EXPECT_FALSE(ref.set(params, ref.info->range.min + 0.7)) << ref.key();
         EXPECT_EQ(ref.get(params), ref.info->range.min + 1) << ref.key();
     }
-    EXPECT_EQ(integers, 17 + 4 + 3 + 3); // whole tree, nCurveRes, nBranches, nWhorl
+    EXPECT_EQ(integers, 18 + 4 + 3 + 3); // whole tree, nCurveRes, nBranches, nWhorl
 }
 
 TEST(ParamTable, KeysAreFound) {

@@ -58,7 +58,7 @@ TEST(ParamText, EveryWordOfAnEnumIsItsNumber) {
             EXPECT_EQ(ref.get(params), double(i)) << ref.info->words[i];
             EXPECT_EQ(valueText(params, ref), std::to_string(i)) << "files have numbers";
         }
-    EXPECT_EQ(words, 9 + 13 + 2 + 2 + 2); // crown shapes, leaf shapes, leaf forms, two switches
+    EXPECT_EQ(words, 9 + 13 + 2 + 2 + 2 + 2); // crown shapes, leaf shapes, leaf forms, two switches
 }
 
 TEST(ParamText, WordsIgnoreCase) {

@@ -151,6 +151,27 @@ TEST(AttractionUp, RaisesAndLowersByTheFormula) {
     }
 }
 
+/// d' = d − A·d·|sin d|/N, whatever way a branch has rolled; never beyond the vertical.
+TEST(AttractionUp, AboutTheHorizontalAllBranchesFollow) {
+    for (const double attraction : {0.7, -0.7, 9.0, -9.0})
+        for (const double roll : {0.0, 40.0, 90.0}) {
+            const auto tree = growNeutral(with(levelTwigs(70, attraction), {{"2Rotate", roll},
+                                                                           {"1DownAngle", 50},
+                                                                           {"2CurveRes", 5},
+                                                                           {"AttractionAxis", 1}}));
+            const CGeneration& twigs = tree->generation(2);
+            ASSERT_GT(twigs.stems.size(), 4u);
+            for (const CStem& stem : twigs.stems)
+                for (std::uint32_t k = 0; k + 1 < 5; ++k) {
+                    const double before = declinationOf(segmentOf(twigs, stem, 0, k)) * kRadiansPerDegree;
+                    const double expected = before - attraction * before * std::sin(before) / 5;
+                    EXPECT_NEAR(declinationOf(segmentOf(twigs, stem, 0, k + 1)) * kRadiansPerDegree,
+                                std::clamp(expected, 0.0, std::numbers::pi), 1e-6)
+                        << attraction << ", " << roll;
+                }
+        }
+}
+
 TEST(AttractionUp, MovesNeitherTrunkNorFirstBranches) {
     const auto plain = grow(with(richTree(), {{"AttractionUp", 0}, {"PruneRatio", 0}}));
     for (const double attraction : {-5.0, 3.0}) {

@@ -71,8 +71,16 @@ void CAxisGrower::bend(std::size_t p, int k, const StemAxis& axis) {
 void CAxisGrower::attractUp(Frame& frame) const {
     const double attraction = m_params.tree().attractionUp;
     if (attraction == 0) return;
-    const double up = attraction * declination(frame) * frame[1].z / m_params.level().curveRes;
-    frame = rotatedX(frame, -up);
+    const double dec = declination(frame);
+    if (m_params.tree().attractionAxis == static_cast<int>(AttractionAxis::Stem)) {
+        frame = rotatedX(frame, -attraction * dec * frame[1].z / m_params.level().curveRes);
+        return;
+    }
+    const glm::dvec3 level = glm::cross(frame[2], glm::dvec3(0, 0, 1));
+    const double sine = glm::length(level);
+    if (sine < 1e-12) return;
+    const double up = attraction * dec * sine / m_params.level().curveRes;
+    frame = rotatedAbout(frame, level / sine, std::clamp(up, dec - std::numbers::pi, dec)); // not beyond the vertical
 }
 
 void CAxisGrower::split(std::size_t p, int k, StemAxis& axis) {

@@ -11,6 +11,7 @@ using std::string_view;
 
 constexpr string_view kShapes[] = {N_("conical"), N_("spherical"),       N_("hemispherical"), N_("cylindrical"), N_("tapered-cylindrical"),
                                    N_("flame"),   N_("inverse-conical"), N_("tend-flame"),    N_("envelope")};
+constexpr string_view kAxes[] = {N_("stem"), N_("horizontal")};
 constexpr string_view kSwitch[] = {N_("off"), N_("on")};
 
 constexpr string_view kBaseSplitsAliases[] = {"BaseSplits", "nBaseSplits", "0BaseSplit"};
@@ -32,6 +33,10 @@ constexpr Inactive kNeedsBranches = [](const CParams& p, int) -> string_view {
 };
 constexpr Inactive kNeedsTwigs = [](const CParams& p, int) -> string_view {
     return weberPenn(p).levels > 2 ? "" : N_("It acts on stems of level 2 and deeper, and there are none.");
+};
+constexpr Inactive kNeedsAttraction = [](const CParams& p, int level) -> string_view {
+    if (const string_view why = kNeedsTwigs(p, level); !why.empty()) return why;
+    return weberPenn(p).attractionUp != 0 ? "" : N_("Nothing attracts the branches: Attraction up is 0.");
 };
 constexpr Inactive kNeedsJoint = [](const CParams& p, int) -> string_view {
     return weberPenn(p).level[0].curveRes > 1 ? "" : N_("The trunk has only one segment, so there is no joint to split at.");
@@ -99,6 +104,12 @@ constexpr ParamInfo kRows[] = {
      .range = {-100, 100}, .useful = {-10, 10}, .step = 0.1, .decimals = 2, .defaults = {0}, .invalidates = kFromTwigs,
      .help = N_("How strongly branches of level 2 and deeper bend up to the light. Negative values let them hang."),
      .inactive = kNeedsTwigs, .demo = {"2CurveRes=6 2Length=0.8 2Branches=5 1Branches=10", {-4, 0, 4}}},
+    {.key = "AttractionAxis", .label = N_("Attraction axis"), .group = Group::Tree, .section = N_("Growth"), .field = field<&WeberPennParams::attractionAxis>,
+     .range = {0, 1}, .useful = {0, 1}, .step = 1, .defaults = {0}, .invalidates = kFromTwigs,
+     .help = N_("What attraction turns a branch about. 'stem', as the paper prints it: its own axis, so that one that lies on its side stays. "
+             "'horizontal': all hang, or reach up, alike."),
+     .words = kAxes, .inactive = kNeedsAttraction,
+     .demo = {"AttractionUp=-4 2CurveRes=6 2Length=0.8 2Branches=5 1Branches=10"}},
     {.key = "CloneHalving", .label = N_("Halve splitting"), .group = Group::Tree, .section = N_("Growth"), .field = field<&WeberPennParams::cloneHalving>,
      .range = {0, 1}, .useful = {0, 1}, .step = 1, .defaults = {1}, .invalidates = kFromTrunk,
      .help = N_("On: a stem that has split, and its clones, split half as often from then on."), .words = kSwitch,

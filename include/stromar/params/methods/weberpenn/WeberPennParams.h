@@ -4,6 +4,9 @@
 
 namespace stromar {
 
+/// What AttractionUp turns a stem about, by the words of its table row.
+enum class AttractionAxis { Stem, Horizontal };
+
 /// Values of one level: 0 the trunk, 1 the branches on it, …
 struct LevelParams {
     double length, lengthV, taper, segSplits, branchDist, branchDistV;
@@ -19,7 +22,7 @@ struct WeberPennParams {
     double trunkScale, trunkScaleV, trunksSpread;
     Degrees trunksLean;
     double pruneRatio, pruneWidth, pruneWidthPeak, prunePowerLow, prunePowerHigh;
-    int shape, levels, baseSplits, leaves, cloneHalving, trunks;
+    int shape, levels, baseSplits, leaves, cloneHalving, trunks, attractionAxis;
     std::array<LevelParams, kParamLevels> level;
 
     bool operator==(const WeberPennParams&) const = default;
