@@ -2378,6 +2378,46 @@
         <source>What attraction turns a branch about. &apos;stem&apos;, as the paper prints it: its own axis, so that one that lies on its side stays. &apos;horizontal&apos;: all hang, or reach up, alike.</source>
         <translation>Kolem čeho vzpřimování otáčí větev. „větev“, jak je vytištěno v článku: kolem vlastní osy, takže ta, která leží na boku, zůstane. „vodorovně“: všechny visí nebo se zvedají stejně.</translation>
     </message>
+    <message>
+        <source>Sun strength</source>
+        <translation>Síla slunce</translation>
+    </message>
+    <message>
+        <source>0 is an overcast day without shadows, 1 a clear one.</source>
+        <translation>0 je zatažený den beze stínů, 1 jasný.</translation>
+    </message>
+    <message>
+        <source>Sun temperature</source>
+        <translation>Teplota slunce</translation>
+    </message>
+    <message>
+        <source>The colour of its light: low is warm and red, high is cold and blue.</source>
+        <translation>Barva jeho světla: nízká je teplá a červená, vysoká studená a modrá.</translation>
+    </message>
+    <message>
+        <source>Sky strength</source>
+        <translation>Síla oblohy</translation>
+    </message>
+    <message>
+        <source>How bright the sky is: what lights the shadows.</source>
+        <translation>Jak jasná je obloha: co osvětluje stíny.</translation>
+    </message>
+    <message>
+        <source>Sky temperature</source>
+        <translation>Teplota oblohy</translation>
+    </message>
+    <message>
+        <source>The colour of the sky: low is warm, high is blue.</source>
+        <translation>Barva oblohy: nízká je teplá, vysoká modrá.</translation>
+    </message>
+    <message>
+        <source>Exposure</source>
+        <translation>Expozice</translation>
+    </message>
+    <message>
+        <source>Makes the whole picture brighter or darker: each stop doubles the light.</source>
+        <translation>Celý obraz zesvětlí nebo ztmaví: každý stupeň světlo zdvojnásobí.</translation>
+    </message>
 </context>
 <context>
     <name>stromar::CCurveEditor</name>
@@ -2749,6 +2789,10 @@
     <message>
         <source>Usual light</source>
         <translation>Obvyklé světlo</translation>
+    </message>
+    <message>
+        <source>%1 stops</source>
+        <translation>%1 stupňů</translation>
     </message>
 </context>
 <context>

@@ -2378,6 +2378,46 @@
         <source>What attraction turns a branch about. &apos;stem&apos;, as the paper prints it: its own axis, so that one that lies on its side stays. &apos;horizontal&apos;: all hang, or reach up, alike.</source>
         <translation>Вокруг чего стремление вверх поворачивает ветвь. «ветвь», как напечатано в статье: вокруг своей оси, так что лежащая на боку остаётся. «горизонталь»: все свисают или тянутся вверх одинаково.</translation>
     </message>
+    <message>
+        <source>Sun strength</source>
+        <translation>Сила солнца</translation>
+    </message>
+    <message>
+        <source>0 is an overcast day without shadows, 1 a clear one.</source>
+        <translation>0 — пасмурный день без теней, 1 — ясный.</translation>
+    </message>
+    <message>
+        <source>Sun temperature</source>
+        <translation>Температура солнца</translation>
+    </message>
+    <message>
+        <source>The colour of its light: low is warm and red, high is cold and blue.</source>
+        <translation>Цвет его света: низкая — тёплый и красный, высокая — холодный и синий.</translation>
+    </message>
+    <message>
+        <source>Sky strength</source>
+        <translation>Сила неба</translation>
+    </message>
+    <message>
+        <source>How bright the sky is: what lights the shadows.</source>
+        <translation>Насколько ярко небо: оно освещает тени.</translation>
+    </message>
+    <message>
+        <source>Sky temperature</source>
+        <translation>Температура неба</translation>
+    </message>
+    <message>
+        <source>The colour of the sky: low is warm, high is blue.</source>
+        <translation>Цвет неба: низкая — тёплый, высокая — синий.</translation>
+    </message>
+    <message>
+        <source>Exposure</source>
+        <translation>Экспозиция</translation>
+    </message>
+    <message>
+        <source>Makes the whole picture brighter or darker: each stop doubles the light.</source>
+        <translation>Делает всю картинку ярче или темнее: каждая ступень удваивает свет.</translation>
+    </message>
 </context>
 <context>
     <name>stromar::CCurveEditor</name>
@@ -2749,6 +2789,10 @@
     <message>
         <source>Usual light</source>
         <translation>Обычный свет</translation>
+    </message>
+    <message>
+        <source>%1 stops</source>
+        <translation>%1 ступени</translation>
     </message>
 </context>
 <context>

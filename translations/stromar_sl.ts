@@ -2378,6 +2378,46 @@
         <source>What attraction turns a branch about. &apos;stem&apos;, as the paper prints it: its own axis, so that one that lies on its side stays. &apos;horizontal&apos;: all hang, or reach up, alike.</source>
         <translation>Okrog česa vzravnavanje obrača vejo. »veja«, kot je natisnjeno v članku: okrog lastne osi, zato tista, ki leži na boku, ostane. »vodoravno«: vse visijo ali se vzpenjajo enako.</translation>
     </message>
+    <message>
+        <source>Sun strength</source>
+        <translation>Moč sonca</translation>
+    </message>
+    <message>
+        <source>0 is an overcast day without shadows, 1 a clear one.</source>
+        <translation>0 je oblačen dan brez senc, 1 jasen.</translation>
+    </message>
+    <message>
+        <source>Sun temperature</source>
+        <translation>Temperatura sonca</translation>
+    </message>
+    <message>
+        <source>The colour of its light: low is warm and red, high is cold and blue.</source>
+        <translation>Barva njegove svetlobe: nizka je topla in rdeča, visoka hladna in modra.</translation>
+    </message>
+    <message>
+        <source>Sky strength</source>
+        <translation>Moč neba</translation>
+    </message>
+    <message>
+        <source>How bright the sky is: what lights the shadows.</source>
+        <translation>Kako svetlo je nebo: kar osvetljuje sence.</translation>
+    </message>
+    <message>
+        <source>Sky temperature</source>
+        <translation>Temperatura neba</translation>
+    </message>
+    <message>
+        <source>The colour of the sky: low is warm, high is blue.</source>
+        <translation>Barva neba: nizka je topla, visoka modra.</translation>
+    </message>
+    <message>
+        <source>Exposure</source>
+        <translation>Osvetlitev</translation>
+    </message>
+    <message>
+        <source>Makes the whole picture brighter or darker: each stop doubles the light.</source>
+        <translation>Celo sliko posvetli ali potemni: vsaka zaslonka svetlobo podvoji.</translation>
+    </message>
 </context>
 <context>
     <name>stromar::CCurveEditor</name>
@@ -2749,6 +2789,10 @@
     <message>
         <source>Usual light</source>
         <translation>Običajna svetloba</translation>
+    </message>
+    <message>
+        <source>%1 stops</source>
+        <translation>%1 zaslonk</translation>
     </message>
 </context>
 <context>

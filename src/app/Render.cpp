@@ -3,6 +3,7 @@
 #ifdef STROMAR_WITH_OSG
 #include "stromar/model/ModelSway.h"
 #include "stromar/scene/Headless.h"
+#include <cmath>
 #endif
 
 namespace stromar {
@@ -11,22 +12,52 @@ namespace {
 constexpr RenderView kViews[] = {
     {"front", 0, 4, 1, 0.5}, {"side", 90, 4, 1, 0.5}, {"top", 0, 90, 1, 0.5}, {"closeup", 25, 6, 0.28, 0.62}};
 constexpr SeasonName kSeasons[] = {{"spring", 4.6}, {"summer", 7}, {"autumn", 10.1}, {"winter", 1}};
+constexpr std::string_view kBackdrops[] = {"sky", "light", "dark", "none"}; // as Backdrop
 } // namespace
 
+std::span<const std::string_view> backdropNames() { return kBackdrops; }
 std::span<const RenderView> renderViews() { return kViews; }
 std::span<const SeasonName> seasonNames() { return kSeasons; }
 
 #ifdef STROMAR_WITH_OSG
 namespace {
-CCamera cameraOf(const RenderView& view, const osg::BoundingBox& all, double aspect) {
+constexpr double kFilmHeight = 24; // millimetres
+
+/// Corners of the box, or all that is drawn, as the options frame it.
+CCamera cameraOf(const RenderOptions& options, const osg::BoundingBox& all, const std::vector<osg::Vec3f>& points) {
+    const RenderView& view = kViews[options.view];
+    const double aspect = double(options.width) / options.height;
+    CCamera camera;
+    camera.lookFrom(options.from ? options.from->first : view.yaw, options.from ? options.from->second : view.pitch);
+    if (options.focalLength > 0)
+        camera.setFieldOfView(osg::RadiansToDegrees(2 * std::atan(kFilmHeight / 2 / options.focalLength)));
+    if (options.fit && !points.empty()) {
+        camera.fit(points, aspect);
+        return camera;
+    }
     const osg::Vec3d low(all._min), high(all._max);
     const osg::Vec3d half = (high - low) * (0.5 * view.part);
     const osg::Vec3d middle((low.x() + high.x()) / 2, (low.y() + high.y()) / 2,
                             low.z() + (high.z() - low.z()) * view.from);
-    CCamera camera;
-    camera.lookFrom(view.yaw, view.pitch);
     camera.frame(osg::BoundingBoxd(middle - half, middle + half), aspect);
     return camera;
+}
+
+/// Where the parts have vertices; of leaves feet and tips.
+std::vector<osg::Vec3f> pointsOf(const std::vector<ViewPart>& parts) {
+    std::vector<osg::Vec3f> points;
+    for (const ViewPart& part : parts) {
+        if (part.mesh)
+            for (const glm::vec3& p : part.mesh->positions) points.emplace_back(p.x, p.y, p.z);
+        for (std::size_t i = 0; part.organs && i < part.organs->count(); ++i) {
+            const CLeaf leaf = part.organs->leaf(i);
+            for (const float along : {0.f, static_cast<float>(leaf.length)}) {
+                const glm::vec3 p = glm::vec3(leaf.position) + along * glm::vec3(leaf.axis);
+                points.emplace_back(p.x, p.y, p.z);
+            }
+        }
+    }
+    return points;
 }
 
 /// Paints one model after the other, from one place.
@@ -35,8 +66,8 @@ public:
     CTreePainter(const std::filesystem::path& treeFolder, const RenderOptions& options)
         : m_folder(treeFolder), m_options(options) {
         ViewLook look;
-        look.hour = options.hour;
-        if (options.transparent) look.backdrop = Backdrop::Nothing;
+        look.light = options.light;
+        look.backdrop = static_cast<Backdrop>(options.backdrop);
         m_scene.setLook(look);
     }
 
@@ -56,17 +87,21 @@ public:
         }
     }
     void frame() {
-        const osg::BoundingBox all = m_parts.empty() ? osg::BoundingBox(-1, -1, 0, 1, 1, 2) : m_scene.bounds(); // before its life there is air
-        m_camera = cameraOf(kViews[m_options.view], all, double(m_options.width) / m_options.height);
+        const osg::BoundingBox air(-1, -1, 0, 1, 1, 2); // before the tree's life
+        m_camera = cameraOf(m_options, m_parts.empty() ? air : m_scene.bounds(), pointsOf(m_parts));
     }
     /// With room for a tree that falls.
     void frame(const CMovingModel& moving, const CProgress& progress) {
         osg::BoundingBox all = m_scene.bounds();
+        std::vector<osg::Vec3f> points = pointsOf(m_parts);
         if (moving.fallSeconds() > 0) {
             const auto last = moving.poseAt(moving.fallSeconds(), progress);
-            for (std::size_t n = 0; n < last->rows.size(); n += 2) all.expandBy(last->rows[n].x, last->rows[n].y, std::max(0.f, last->rows[n].z));
+            for (std::size_t n = 0; n < last->rows.size(); n += 2) {
+                points.emplace_back(last->rows[n].x, last->rows[n].y, std::max(0.f, last->rows[n].z));
+                all.expandBy(points.back());
+            }
         }
-        m_camera = cameraOf(kViews[m_options.view], all, double(m_options.width) / m_options.height);
+        m_camera = cameraOf(m_options, all, points);
     }
     void move(const CMovingModel& moving, double seconds, const CProgress& progress) {
         m_scene.setPose(moving.sway(), moving.poseAt(seconds, progress), seconds, moving.loop());

@@ -37,6 +37,8 @@ struct Options {
     std::string pictureSize, season, memory, method = "weber-penn";
     bool segments = false;
     bool markdown = false, json = false;
+    std::string from;
+    bool transparent = false;
     bool lodGiven = false;
 
     ListStyle style() const { return markdown ? ListStyle::Markdown : json ? ListStyle::Json : ListStyle::Text; }
@@ -48,6 +50,8 @@ struct Options {
             common.settings.push_back("Season=" + (named == seasonNames().end() ? season : numberText(named->month)));
         }
         if (!pictureSize.empty()) readPictureSize();
+        if (!from.empty()) readFrom();
+        if (transparent) rendered.backdrop = static_cast<int>(backdropNames().size()) - 1;
         if (!memory.empty()) readMemory();
         readClamped("--age", age, 0, 1, common.age);
         readMotion();
@@ -89,6 +93,14 @@ struct Options {
         const auto number = parseNumber(std::string_view(memory).substr(0, memory.size() - (named ? 1 : 0)));
         if (!number || *number <= 0) throw CUsageError("--max-memory wants a size as 500M or 2.5G, not '" + memory + "'");
         common.limits.bytes = *number * (named ? unit->second : 1e6);
+    }
+    void readFrom() {
+        const std::size_t comma = from.find(',');
+        const auto azimuth = parseNumber(std::string_view(from).substr(0, comma)),
+                   elevation = comma == std::string::npos ? 0 : parseNumber(std::string_view(from).substr(comma + 1));
+        if (!azimuth || !elevation || std::abs(*elevation) > 90)
+            throw CUsageError("--from wants AZIMUTH,ELEVATION in degrees, the elevation from -90 to 90");
+        rendered.from.emplace(*azimuth, *elevation);
     }
     void readPictureSize() {
         const std::size_t cross = pictureSize.find('x');
@@ -189,21 +201,34 @@ std::vector<std::string_view> namesOf(const Rows& rows) {
     return names;
 }
 
+std::vector<std::pair<std::string, int>> numbered(std::span<const std::string_view> words) {
+    std::vector<std::pair<std::string, int>> all;
+    for (const std::string_view word : words) all.emplace_back(word, static_cast<int>(all.size()));
+    return all;
+}
+
 void addRender(CLI::App& command, Options& options) {
     const std::vector<std::string_view> views = namesOf(renderViews());
-    std::vector<std::pair<std::string, int>> numbers;
-    for (const std::string_view view : views) numbers.emplace_back(view, static_cast<int>(numbers.size()));
     command.add_option("-o,--output", options.output, "The picture to write")->required()->type_name("OUT.png");
     command.add_option("--size", options.pictureSize, "Pixels; default: 800x800")->type_name("WxH");
     command.add_option("--view", options.rendered.view, "From where")
-        ->transform(CLI::Transformer(numbers))
+        ->transform(CLI::Transformer(numbered(views)))
         ->option_text(joined(views));
     command.add_option("--season", options.season, "A season, " + joined(namesOf(seasonNames())) + ", or a month")
         ->type_name("NAME");
-    command.add_option("--hour", options.rendered.hour, "The time of the day: where the sun stands")
-        ->check(CLI::Range(0.0, 24.0));
-    command.add_option("--samples", options.rendered.samples, "For smooth edges; 1 is fast")->check(CLI::Range(1, 16));
-    command.add_flag("--transparent", options.rendered.transparent, "No sky and no ground");
+    command.add_option("--from", options.from, "From where else: degrees around the tree (0 the front) and above level")
+        ->type_name("AZIMUTH,ELEVATION");
+    command.add_flag("--fit", options.rendered.fit, "The tree just fills the picture");
+    command.add_option("--focal-length", options.rendered.focalLength, "Millimetres, for a picture 24 mm high; default: 45")
+        ->check(CLI::Range(8.0, 1000.0));
+    command.add_option("--backdrop", options.rendered.backdrop, "What is behind the tree")
+        ->transform(CLI::Transformer(numbered(backdropNames())))
+        ->option_text(joined(backdropNames()));
+    for (const LightRow& row : lightTable())
+        command.add_option(std::string(row.flag), options.rendered.light.*row.field, std::string(row.help))
+            ->check(CLI::Range(row.range.min, row.range.max));
+    command.add_option("--samples", options.rendered.samples, "For smooth edges and soft shadows; 1 is fast, 64 beautiful")->check(CLI::Range(1, 256));
+    command.add_flag("--transparent", options.transparent, "As --backdrop none");
 }
 
 /// The exit status.

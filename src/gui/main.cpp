@@ -100,7 +100,7 @@ void takeScreenshot(CMainWindow& window, const Options& options) {
     auto* poll = new QTimer(&window);
     QObject::connect(poll, &QTimer::timeout, &window, [&window, options] {
         const ViewModel* shown = window.shown();
-        if (window.busy() || !shown || shown->model->detail->model != options.model ||
+        if (window.busy() || window.viewport().refining() || !shown || shown->model->detail->model != options.model ||
             shown->model->params != window.document().params())
             return;
         const bool done = window.grab().save(options.screenshot);

@@ -1,6 +1,7 @@
 #include "stromar/scene/Camera.h"
 #include <algorithm>
 #include <cmath>
+#include <limits>
 #include <osg/Math>
 
 namespace stromar {
@@ -28,11 +29,11 @@ osg::Vec3d onBall(const osg::Vec2d& place) {
 
 void CCamera::lookFrom(double yaw, double pitch) { m_turn = turnOf(yaw, std::clamp(pitch, -90.0, 90.0)); }
 
-double CCamera::halfHeight() const { return m_distance * std::tan(osg::DegreesToRadians(kFieldOfView / 2)); }
+double CCamera::halfHeight() const { return m_distance * std::tan(osg::DegreesToRadians(m_fieldOfView / 2)); }
 
 void CCamera::frame(const osg::BoundingBoxd& box, double aspect) {
     m_centre = box.center();
-    const double slope = std::tan(osg::DegreesToRadians(kFieldOfView / 2));
+    const double slope = std::tan(osg::DegreesToRadians(m_fieldOfView / 2));
     const osg::Vec3d across = right(), upright = up(), ahead = forward();
     double distance = kNearest;
     for (unsigned i = 0; i < 8; ++i) {
@@ -42,6 +43,29 @@ void CCamera::frame(const osg::BoundingBoxd& box, double aspect) {
         distance = std::max(distance, std::max(wide, high) / slope + nearer);
     }
     m_distance = 1.06 * distance;
+}
+
+/// Of an eye at e, in the camera's axes with z towards it, a point p is seen when |p.x − e.x| ≤ s·(e.z − p.z) with the
+/// slope s of the window's sides: four planes, each of which the outermost point puts in its place.
+void CCamera::fit(std::span<const osg::Vec3f> points, double aspect) {
+    constexpr double kMargin = 0.98;
+    const double up = kMargin * std::tan(osg::DegreesToRadians(m_fieldOfView / 2)), aside = up * aspect;
+    const osg::Quat back = m_turn.inverse();
+    const double none = -std::numeric_limits<double>::infinity();
+    double right = none, left = none, top = none, bottom = none;
+    osg::BoundingBoxd box;
+    for (const osg::Vec3f& point : points) {
+        const osg::Vec3d p = back * osg::Vec3d(point);
+        box.expandBy(osg::Vec3d(point));
+        right = std::max(right, p.x() + aside * p.z());
+        left = std::max(left, -p.x() + aside * p.z());
+        top = std::max(top, p.y() + up * p.z());
+        bottom = std::max(bottom, -p.y() + up * p.z());
+    }
+    const osg::Vec3d eye((right - left) / 2, (top - bottom) / 2,
+                         std::max((right + left) / (2 * aside), (top + bottom) / (2 * up)));
+    m_distance = std::max(kNearest, eye.z() - (back * osg::Vec3d(box.center())).z());
+    m_centre = m_turn * (eye - osg::Vec3d(0, 0, m_distance));
 }
 
 void CCamera::turn(double yaw, double pitch) {
@@ -77,7 +101,7 @@ osg::Vec3d CCamera::eye() const {
 osg::Matrixd CCamera::view() const { return osg::Matrixd::translate(-eye()) * osg::Matrixd::rotate(m_turn.inverse()); }
 
 osg::Matrixd CCamera::projection(double aspect) const {
-    if (!m_orthographic) return osg::Matrixd::perspective(kFieldOfView, aspect, kNearest, kFarthest);
+    if (!m_orthographic) return osg::Matrixd::perspective(m_fieldOfView, aspect, kNearest, kFarthest);
     const double half = halfHeight();
     return osg::Matrixd::ortho(-half * aspect, half * aspect, -half, half, 0, kFarthest);
 }

@@ -117,6 +117,14 @@ private:
     bool m_complete = false;
 };
 
+/// That a frame buffer can have; the context is current.
+int mostSamples() {
+    constexpr GLenum kMaxSamples = 0x8D57;
+    GLint most = 1;
+    glGetIntegerv(kMaxSamples, &most);
+    return most;
+}
+
 template <typename First, typename Second, typename Base>
 std::unique_ptr<Base> firstThatWorks() {
     try {
@@ -130,6 +138,8 @@ std::unique_ptr<Base> firstThatWorks() {
 CHeadlessPainter::CHeadlessPainter(CViewScene& scene, int samples)
     : m_context(firstThatWorks<CEglContext, CXContext, CContext>()), m_renderer(scene), m_samples(samples) {
     m_context->makeCurrent();
+    m_samples = std::clamp(mostSamples(), 1, samples);
+    m_passes = std::min((samples + m_samples - 1) / m_samples, CPictureMean::kMost);
     m_renderer.attach(samples);
 }
 
@@ -139,22 +149,32 @@ CHeadlessPainter::~CHeadlessPainter() {
 }
 
 Pixels CHeadlessPainter::paint(const CCamera& camera, int width, int height) {
+    Pixels pixels(static_cast<std::size_t>(width) * static_cast<std::size_t>(height));
+    const std::span<std::uint8_t> bytes(pixels.data()->data(), 4 * pixels.size());
+    CPictureMean mean;
+    for (int i = 0; i < m_passes; ++i) {
+        paintPass(camera, ViewPass::of(i, m_passes), width, height, pixels);
+        if (m_passes > 1) mean.add(bytes);
+    }
+    if (m_passes > 1) mean.write(bytes);
+    return pixels;
+}
+
+void CHeadlessPainter::paintPass(const CCamera& camera, const ViewPass& pass, int width, int height, Pixels& pixels) {
     m_context->makeCurrent();
     const osg::GLExtensions& gl = m_renderer.extensions();
     const CFrameBuffer drawn(gl, width, height, m_samples), flat(gl, width, height, 1);
     if (!drawn.complete() || !flat.complete()) throw CError("the graphics card cannot draw a picture of this size");
-    m_renderer.draw(drawn.id(), width, height, camera);
+    m_renderer.draw(drawn.id(), width, height, camera, pass);
     gl.glBindFramebuffer(GL_READ_FRAMEBUFFER_EXT, drawn.id());
     gl.glBindFramebuffer(GL_DRAW_FRAMEBUFFER_EXT, flat.id());
     gl.glBlitFramebuffer(0, 0, width, height, 0, 0, width, height, GL_COLOR_BUFFER_BIT, GL_NEAREST);
     gl.glBindFramebuffer(GL_FRAMEBUFFER_EXT, flat.id());
-    Pixels pixels(static_cast<std::size_t>(width) * static_cast<std::size_t>(height));
     glPixelStorei(GL_PACK_ALIGNMENT, 1);
     glReadPixels(0, 0, width, height, GL_RGBA, GL_UNSIGNED_BYTE, pixels.data());
     for (int y = 0; y < height / 2; ++y)
         std::swap_ranges(pixels.begin() + y * width, pixels.begin() + (y + 1) * width,
                          pixels.begin() + (height - 1 - y) * width);
-    return pixels;
 }
 
 } // namespace stromar

@@ -41,15 +41,19 @@ const osg::GLExtensions& CSceneRenderer::extensions() const {
 
 void CSceneRenderer::freeDeleted() { osg::flushAllDeletedGLObjects(m_window->getState()->getContextID()); }
 
-void CSceneRenderer::draw(unsigned frameBuffer, int width, int height, const CCamera& camera) {
+void CSceneRenderer::draw(unsigned frameBuffer, int width, int height, const CCamera& camera,
+                          const ViewPass& pass) {
     const double aspect = double(width) / std::max(1, height);
     m_window->resized(0, 0, width, height);
     m_window->setDefaultFboId(frameBuffer); // changes when a widget is resized or moved to another parent
     osg::Camera* eye = m_viewer->getCamera();
     eye->setViewport(0, 0, width, height);
-    eye->setProjectionMatrix(camera.projection(aspect));
+    eye->setProjectionMatrix(camera.projection(aspect) *
+                             osg::Matrixd::translate(2 * pass.pixel.x() / width, 2 * pass.pixel.y() / height, 0));
     eye->setViewMatrix(camera.view());
+    m_scene.setPass(pass);
     freeDeleted();
+    extensions().glBindFramebuffer(GL_FRAMEBUFFER_EXT, frameBuffer); // the viewer binds it after others only
     m_viewer->frame();
     m_scene.finishFrame();
 }

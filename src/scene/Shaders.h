@@ -11,16 +11,18 @@ inline constexpr const char* kFastLooks = "#version 120\n#define BEST 0\n";
 /// What both tree and ground need to know of the light.
 inline constexpr const char* kLightFunctions = R"(
 uniform vec3 sun, sunlight, zenith, haze, bounce;
+uniform float exposure; // times the light
 uniform sampler2DShadow shadows;
 uniform float shadowTexel; // 0: there are none
+uniform vec3 pass; // of several whose mean is shown: shift of the pixel, of the noise
 vec3 linear(vec3 c) { return c * (c * (c * 0.305306011 + 0.682171111) + 0.012522878); }
 vec3 shown(vec3 c) {
-    c = max(mix(vec3(dot(c, vec3(0.25, 0.65, 0.1))), c, 0.86) * 0.82, 0.0);
+    c = max(mix(vec3(dot(c, vec3(0.25, 0.65, 0.1))), c, 0.86) * (0.82 * exposure), 0.0);
     c = (c * (2.51 * c + 0.03)) / (c * (2.43 * c + 0.59) + 0.14);
     vec3 a = sqrt(clamp(c, 0.0, 1.0)), b = sqrt(a); // sRGB's curve
     return 0.585122381 * a + 0.783140355 * b - 0.368262736 * sqrt(b);
 }
-float noiseOfPixel() { return fract(52.9829189 * fract(dot(gl_FragCoord.xy, vec2(0.06711056, 0.00583715)))); }
+float noiseOfPixel() { return fract(52.9829189 * fract(dot(gl_FragCoord.xy, vec2(0.06711056, 0.00583715))) + pass.z); }
 // The part of the sun that is seen, over a disc of so many texels.
 float sunSeen(vec3 place, float radius) {
     if (shadowTexel == 0.0 || place.z > 1.0) return 1.0;
@@ -32,7 +34,7 @@ float sunSeen(vec3 place, float radius) {
     }
     return seen / 8.0;
 #else
-    return shadow2D(shadows, place).r;
+    return shadow2D(shadows, vec3(place.xy + 1.6 * radius * shadowTexel * pass.xy, place.z)).r;
 #endif
 }
 vec3 skyIn(vec3 ray) {

@@ -76,6 +76,7 @@ void CShadowMap::setSize(int size) {
 }
 
 void CShadowMap::aim(const osg::BoundingBox& box, const osg::Vec3& sun) {
+    m_box = box;
     osg::Vec3d towards(sun);
     towards.z() = std::max(towards.z(), kLowSun);
     towards.normalize();

@@ -18,6 +18,7 @@ public:
     /// What shaders need is added to this state. The map takes this texture unit.
     void addTo(osg::StateSet* state, unsigned unit) const;
     void aim(const osg::BoundingBox& box, const osg::Vec3& sun);
+    const osg::BoundingBox& aimedAt() const { return m_box; }
     /// Whether all of a box lies where it is aimed at.
     bool covers(const osg::BoundingBox& box) const;
     /// Pixels of a side; 0 for no shadows.
@@ -33,7 +34,8 @@ private:
     osg::ref_ptr<osg::Camera> m_camera;
     osg::ref_ptr<osg::Texture2D> m_depth;
     osg::ref_ptr<osg::Uniform> m_texel, m_matrix, m_offset;
-    osg::BoundingSphered m_aimed;
+    osg::BoundingBox m_box;
+    osg::BoundingSphered m_aimed; ///< about the box
     int m_size = 2048;
 };
 

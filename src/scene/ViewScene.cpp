@@ -10,6 +10,7 @@
 #include "stromar/scene/OsgGeometry.h"
 #include "stromar/texture/Opacity.h"
 #include <algorithm>
+#include <cmath>
 #include <osg/PolygonMode>
 #include <osg/PolygonOffset>
 #include <osgUtil/IntersectionVisitor>
@@ -22,6 +23,7 @@ namespace {
 constexpr unsigned GL_SAMPLE_ALPHA_TO_COVERAGE = 0x809E, GL_SAMPLE_ALPHA_TO_ONE = 0x809F;
 #endif
 
+constexpr double kSunRadius = 0.012; // radians: the disc and the glow about it
 constexpr float kShadowRoom = 0.1f; // about a moving tree, of its size
 constexpr int kBestShadow = 2048, kFastShadow = 1024; // pixels of a side
 
@@ -94,6 +96,7 @@ CViewScene::CViewScene()
     setFloat(m_state, "alphaCut", kAlphaCut);
     setFloat(m_state, "smoothEdges", 0);
     setFloat(m_state, "instanced", 0);
+    setVector(m_state, "pass", {});
     osg::StateSet* state = m_tree->getOrCreateStateSet();
     state->setMode(GL_CULL_FACE, osg::StateAttribute::OFF);
     styleWireframe(m_wireframe->getOrCreateStateSet());
@@ -169,7 +172,23 @@ void CViewScene::aimAtPose() {
     }
     if (m_shadows->covers(box)) return;
     const osg::Vec3 room = (box._max - box._min) * kShadowRoom;
-    m_shadows->aim(osg::BoundingBox(box._min - room, box._max + room), daylightAt(m_look.hour, m_look.sunTurn).sun);
+    aimShadows(osg::BoundingBox(box._min - room, box._max + room));
+}
+
+void CViewScene::aimShadows(const osg::BoundingBox& box) {
+    osg::Vec3d sun(daylightAt(m_look.light).sun);
+    osg::Vec3d across = sun ^ osg::Vec3d(0, 0, 1);
+    if (across.normalize() == 0) across = osg::Vec3d(1, 0, 0);
+    sun += (across * m_pass.sun.x() + (across ^ sun) * m_pass.sun.y()) * kSunRadius;
+    sun.normalize();
+    m_shadows->aim(box, osg::Vec3(sun));
+}
+
+void CViewScene::setPass(const ViewPass& pass) {
+    setVector(m_state, "pass", osg::Vec3(osg::Vec3d(pass.pixel.x(), pass.pixel.y(), pass.pattern)));
+    const bool sameSun = pass.sun == m_pass.sun;
+    m_pass = pass;
+    if (!sameSun) aimShadows(m_shadows->aimedAt());
 }
 
 void CViewScene::endSway() {
@@ -204,7 +223,7 @@ std::vector<ViewPart> viewPartsOf(const TreeModel& model, const std::vector<View
 }
 
 void CViewScene::setLook(const ViewLook& look) {
-    const bool sameSun = look.hour == m_look.hour && look.sunTurn == m_look.sunTurn && look.leaves == m_look.leaves;
+    const bool sameSun = look.light == m_look.light && look.leaves == m_look.leaves;
     m_look = look;
     setInteger(m_state, "backdrop", static_cast<int>(look.backdrop));
     setInteger(m_state, "view", static_cast<int>(look.shading));
@@ -339,15 +358,16 @@ void CViewScene::updateCrown() {
 }
 
 void CViewScene::updateLight() {
-    const Daylight light = daylightAt(m_look.hour, m_look.sunTurn);
+    const Daylight light = daylightAt(m_look.light);
     setVector(m_state, "sun", light.sun);
     setVector(m_state, "sunlight", light.sunlight);
     setVector(m_state, "zenith", light.zenith);
     setVector(m_state, "haze", light.haze);
     setVector(m_state, "bounce", light.ground);
+    setFloat(m_state, "exposure", std::exp2(m_look.light.exposure));
     osg::BoundingBox box = bounds();
     if (!box.valid()) box = osg::BoundingBox(-1, -1, 0, 1, 1, 2);
-    if (!m_shadowsBehind) m_shadows->aim(box, light.sun);
+    if (!m_shadowsBehind) aimShadows(box);
 }
 
 void CViewScene::renewShadows() {

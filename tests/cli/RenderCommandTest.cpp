@@ -130,6 +130,52 @@ TEST_F(Render, TransparentShowsTheTreeAlone) {
     EXPECT_GT(picture.mean(85, 80, 115, 120)[3], 100);
 }
 
+TEST_F(Render, FitFillsThePictureFromAnywhere) {
+    for (const char* from : {"0,0", "120,35", "-60,-10"}) {
+        const Picture picture = render({"--transparent", "--fit", "--from", from, "--focal-length", "28"});
+        unsigned left = picture.width, right = 0, top = picture.height, bottom = 0;
+        for (unsigned y = 0; y < picture.height; ++y)
+            for (unsigned x = 0; x < picture.width; ++x)
+                if (picture.rgba[4 * (y * picture.width + x) + 3] > 0) {
+                    left = std::min(left, x);
+                    right = std::max(right, x);
+                    top = std::min(top, y);
+                    bottom = std::max(bottom, y);
+                }
+        EXPECT_GT(std::max(double(right - left) / picture.width, double(bottom - top) / picture.height), 0.93) << from;
+        EXPECT_GT(std::min({left, top, picture.width - 1 - right, picture.height - 1 - bottom}), 0u) << from;
+    }
+}
+
+TEST_F(Render, LongLensesShowLess) {
+    const Picture wide = render({"--focal-length", "20"}), tele = render({"--focal-length", "200"});
+    EXPECT_GT(worstTile(wide.bytes(), tele.bytes()).mean, kMaxTileDifference);
+}
+
+TEST_F(Render, BackdropsAndLightAreThoseThatWereAskedFor) {
+    const auto corner = [](const Picture& p) { return p.mean(0, 0, 40, 20); };
+    EXPECT_GT(corner(render({"--backdrop", "light"}))[0], 200);
+    EXPECT_LT(corner(render({"--backdrop", "dark"}))[0], 140);
+    EXPECT_EQ(corner(render({"--backdrop", "none"}))[3], 0);
+    const auto usual = corner(render({}));
+    EXPECT_GT(corner(render({"--exposure", "1"}))[0], usual[0] + 10);
+    EXPECT_LT(corner(render({"--sky-strength", "0.3"}))[2], usual[2] - 30);
+    const auto warm = corner(render({"--sky-temperature", "2500"}));
+    EXPECT_GT(warm[0] - warm[2], usual[0] - usual[2] + 20);
+    const auto ground = [](const Picture& p) { return p.mean(10, 205, 60, 225); };
+    EXPECT_GT(ground(render({"--sun-strength", "2"}))[1], ground(render({"--sun-strength", "0"}))[1] + 15);
+}
+
+TEST_F(Render, AnyNumberOfSamplesIsDrawn) {
+    for (const char* samples : {"3", "5", "20"}) {
+        const ProcessResult run = cli({"render", kAspen, "-o", path(), "--size", "200", "--samples", samples});
+        EXPECT_EQ(run.status, 0) << run.err;
+        EXPECT_EQ(readPng(path()).width, 200u) << samples;
+    }
+    EXPECT_EQ(cli({"render", kAspen, "-o", path(), "--from", "north"}).status, 2);
+    EXPECT_EQ(cli({"render", kAspen, "-o", path(), "--from", "0,95"}).status, 2);
+}
+
 TEST_F(Render, WinterIsBare) {
     const auto summer = render({}).mean(60, 60, 140, 160),
                winter = render({"--season", "winter"}).mean(60, 60, 140, 160);

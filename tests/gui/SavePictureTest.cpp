@@ -60,8 +60,8 @@ protected:
         poll.start(5);
         action("picture")->trigger();
     }
-    QImage seenFrom(const CCamera& camera, const QSize& size) {
-        return window.viewport().picture(size, window.viewport().look(), camera).convertToFormat(kPixels);
+    QImage seenFrom(const CCamera& camera, const QSize& size, int passes) {
+        return window.viewport().picture(size, window.viewport().look(), camera, passes).convertToFormat(kPixels);
     }
     QString path(const QString& name) const { return folder.filePath(name); }
     QStringList files() const { return QDir(folder.path()).entryList(QDir::AllEntries | QDir::NoDotAndDotDot); }
@@ -84,7 +84,7 @@ TEST_F(SavePicture, HasTheWantedSizeAndBackdrop) {
     EXPECT_TRUE(notice().contains(file)) << notice().toStdString();
     const QImage image(file);
     ASSERT_EQ(image.size(), QSize(320, 240));
-    EXPECT_EQ(image.convertToFormat(kPixels), seenFrom(window.viewport().camera(), image.size()));
+    EXPECT_EQ(image.convertToFormat(kPixels), seenFrom(window.viewport().camera(), image.size(), CRestPicture::kPasses));
     const QColor sky = image.pixelColor(4, 4), crown = image.pixelColor(160, 100);
     EXPECT_EQ(sky.alpha(), 255);
     EXPECT_GT(sky.blue(), sky.green());
@@ -96,7 +96,7 @@ TEST_F(SavePicture, HasTheWantedSizeAndBackdrop) {
     ASSERT_EQ(alone.size(), QSize(333, 222));
     EXPECT_EQ(alone.pixelColor(4, 4).alpha(), 0);
     EXPECT_EQ(alone.pixelColor(4, 217).alpha(), 0) << "no ground";
-    EXPECT_EQ(alone.pixelColor(166, 93).alpha(), 255);
+    EXPECT_GT(alone.pixelColor(166, 93).alpha(), 128);
     EXPECT_EQ(window.viewport().look().backdrop, Backdrop::Sky) << "the window keeps its own";
 
     const CPictureDialog next({100, 100});
@@ -137,7 +137,7 @@ TEST_F(SavePicture, ATurntableGoesOnceAround) {
     EXPECT_TRUE(notice().contains(QLatin1String("4 frame"))) << notice().toStdString();
     CCamera camera = window.viewport().camera();
     for (const QImage& frame : frames) {
-        EXPECT_EQ(frame.convertToFormat(kPixels), seenFrom(camera, frame.size()));
+        EXPECT_EQ(frame.convertToFormat(kPixels), seenFrom(camera, frame.size(), CRestPicture::kFramePasses));
         camera.turn(90, 0);
     }
 }

@@ -56,7 +56,7 @@ TEST(LightPanel, MovesTheSunOfTheLook) {
     hour->setValue(hour->maximum());
     EXPECT_EQ(changes, 1);
     panel.applyTo(look);
-    EXPECT_EQ(look.hour, 20);
+    EXPECT_EQ(look.light.hour, 20);
     CLightPanel again;
     ViewLook kept;
     again.applyTo(kept);
@@ -71,9 +71,9 @@ TEST(LightPanel, TheWindowShowsIt) {
     auto* hour = window.findChild<QSlider*>(QStringLiteral("hour"));
     ASSERT_TRUE(hour);
     hour->setValue(0);
-    EXPECT_EQ(window.viewport().look().hour, 5);
+    EXPECT_EQ(window.viewport().look().light.hour, 5);
     hour->setValue(hour->maximum() / 3); // 10
-    EXPECT_EQ(window.viewport().look().hour, 10);
+    EXPECT_EQ(window.viewport().look().light.hour, 10);
 }
 
 } // namespace

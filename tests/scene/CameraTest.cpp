@@ -43,6 +43,35 @@ TEST(Camera, AFramedBoxIsSeenWholeAndFillsTheWindow) {
             }
 }
 
+TEST(Camera, PointsThatAreFittedJustFillTheWindow) {
+    const std::vector<osg::Vec3f> points{{0, 0, 0}, {3, -2, 5}, {-1, 4, 7}, {0.5f, 0.5f, 11}, {-2, -3, 4}};
+    for (const double fieldOfView : {12.0, 30.0, 70.0})
+        for (const auto& [yaw, pitch] : {std::pair(0.0, 4.0), std::pair(130.0, 40.0), std::pair(-70.0, -5.0)})
+            for (const double aspect : {0.5, 1.0, 1.8}) {
+                CCamera camera;
+                camera.setFieldOfView(fieldOfView);
+                camera.lookFrom(yaw, pitch);
+                const osg::Vec3d ahead = camera.forward();
+                camera.fit(points, aspect);
+                EXPECT_LT((camera.forward() - ahead).length(), 1e-9);
+                osg::Vec3d low(1, 1, 0), high(-1, -1, 0);
+                for (const osg::Vec3f& point : points) {
+                    const osg::Vec3d seen = camera.project(osg::Vec3d(point), aspect);
+                    EXPECT_GT(seen.z(), 0) << "before the eye";
+                    for (int i = 0; i < 2; ++i) {
+                        low[i] = std::min(low[i], seen[i]);
+                        high[i] = std::max(high[i], seen[i]);
+                    }
+                }
+                for (int i = 0; i < 2; ++i) {
+                    EXPECT_GE(low[i], -0.981);
+                    EXPECT_LE(high[i], 0.981);
+                }
+                const bool wide = low.x() < -0.979 && high.x() > 0.979, tall = low.y() < -0.979 && high.y() > 0.979;
+                EXPECT_TRUE(wide || tall) << fieldOfView << " " << yaw << " " << aspect;
+            }
+}
+
 TEST(Camera, ARayGoesThroughWhatIsSeenThere) {
     for (const bool orthographic : {false, true}) {
         CCamera camera;

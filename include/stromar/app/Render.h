@@ -1,9 +1,11 @@
 #pragma once
 #include "stromar/app/Motion.h"
 #include "stromar/app/TreeCreator.h"
+#include "stromar/model/Light.h"
 #include "stromar/texture/Opacity.h"
 #include <filesystem>
 #include <functional>
+#include <optional>
 #include <span>
 #include <string_view>
 
@@ -18,6 +20,9 @@ struct RenderView {
 };
 std::span<const RenderView> renderViews();
 
+/// What is behind the tree.
+std::span<const std::string_view> backdropNames();
+
 /// A season by its name, for those who do not count months.
 struct SeasonName {
     std::string_view name;
@@ -29,8 +34,11 @@ struct RenderOptions {
     int width = 800, height = 800;
     int view = 0; ///< row of renderViews()
     int samples = 4;
-    double hour = 10;
-    bool transparent = false;
+    int backdrop = 0; ///< row of backdropNames()
+    Light light{};
+    std::optional<std::pair<double, double>> from; ///< yaw and pitch in place of the view's
+    double focalLength = 0; ///< millimetres, of a picture 24 mm high; 0: that of the window
+    bool fit = false;       ///< the whole tree just fills the picture
 };
 
 /// The picture that the viewport would show, without a window. Draws the tree's recipes first, where they are new.

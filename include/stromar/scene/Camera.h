@@ -4,6 +4,8 @@
 #include <osg/Quat>
 #include <osg/Vec2d>
 #include <osg/Vec3d>
+#include <osg/Vec3f>
+#include <span>
 
 namespace stromar {
 
@@ -11,12 +13,16 @@ namespace stromar {
 /// window are −1 … 1, x to the right, y up.
 class CCamera {
 public:
-    static constexpr double kFieldOfView = 30; ///< degrees, vertical
+    static constexpr double kFieldOfView = 30; ///< degrees, vertical: what it is at first
 
     /// Seen from this direction: 0 the front, 90 the right, in degrees; `pitch` 90 from above.
     void lookFrom(double yaw, double pitch);
     /// Moves so that the box fills the window; the direction stays.
     void frame(const osg::BoundingBoxd& box, double aspect);
+    /// Moves so that the points just fill the window, with a margin of 2 %; the direction stays. There is one at least.
+    void fit(std::span<const osg::Vec3f> points, double aspect);
+    /// Degrees, vertical.
+    void setFieldOfView(double degrees) { m_fieldOfView = degrees; }
 
     /// Turns with z upright. Degrees.
     void turn(double yaw, double pitch);
@@ -52,6 +58,7 @@ private:
     osg::Vec3d m_centre{0, 0, 1};
     double m_distance = 10;
     osg::Quat m_turn; ///< from the camera's axes (x right, y up, −z ahead) to the world's
+    double m_fieldOfView = kFieldOfView;
     bool m_orthographic = false;
 };
 

@@ -1,4 +1,5 @@
 #pragma once
+#include "stromar/model/Light.h"
 #include <osg/Vec3>
 
 namespace stromar {
@@ -11,8 +12,7 @@ struct Daylight {
     osg::Vec3 ground; ///< light that comes up from it
 };
 
-/// `hour` 0..24 of a long summer day with the sun in the south, that is before the front, at noon; `turn` turns its
-/// whole way about the tree, degrees.
-Daylight daylightAt(double hour, double turn);
+/// Of a long summer day with the sun in the south, that is before the front, at noon. Exposure is left to who shows it.
+Daylight daylightAt(const Light& light);
 
 } // namespace stromar

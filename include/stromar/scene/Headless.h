@@ -9,7 +9,8 @@ namespace stromar {
 /// thread.
 class CHeadlessPainter {
 public:
-    /// `samples`: for smooth edges; 1 for none. Throws CError, which says what is needed.
+    /// `samples`: for smooth edges and soft shadows; 1 for none. What the card cannot do at once is drawn in several
+    /// passes. Throws CError, which says what is needed.
     CHeadlessPainter(CViewScene& scene, int samples);
     ~CHeadlessPainter();
 
@@ -17,13 +18,15 @@ public:
     Pixels paint(const CCamera& camera, int width, int height);
 
 private:
+    void paintPass(const CCamera& camera, const ViewPass& pass, int width, int height, Pixels& pixels);
     class CContext;
     class CEglContext;
     class CXContext;
 
     std::unique_ptr<CContext> m_context;
     CSceneRenderer m_renderer;
-    int m_samples;
+    int m_samples; ///< of a pass
+    int m_passes = 1;
 };
 
 } // namespace stromar

@@ -21,7 +21,7 @@ public:
     const osg::GLExtensions& extensions() const;
     /// Frees what the graphics card holds of parts that the scene no longer has.
     void freeDeleted();
-    void draw(unsigned frameBuffer, int width, int height, const CCamera& camera);
+    void draw(unsigned frameBuffer, int width, int height, const CCamera& camera, const ViewPass& pass = {});
 
 private:
     CViewScene& m_scene;

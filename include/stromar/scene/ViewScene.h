@@ -1,6 +1,8 @@
 #pragma once
+#include "stromar/model/Light.h"
 #include "stromar/model/ModelSway.h"
 #include "stromar/scene/SurfaceMaps.h"
+#include "stromar/scene/ViewPass.h"
 #include <array>
 #include <memory>
 #include <optional>
@@ -40,8 +42,7 @@ struct ViewLook {
     Backdrop backdrop = Backdrop::Sky;
     Wireframe wireframe = Wireframe::Off;
     Shading shading = Shading::Lit;
-    double hour = 10;    ///< of the day, 0..24: where the sun stands
-    double sunTurn = 0;  ///< turns its way about the tree, degrees
+    Light light{};
     bool leaves = true;  ///< and blossoms and fruits
     bool ground = false; ///< a grid of metres, and a person of 1.75 m beside the tree
     bool operator==(const ViewLook&) const = default;
@@ -84,7 +85,9 @@ public:
     /// drawing by the processor: lesser looks. Without `instancing`, which OpenGL 3.3 has, leaves get vertices of their
     /// own.
     void startContext(int samples, bool instancing);
-    /// For who draws: after each frame.
+    /// For who draws: before each frame.
+    void setPass(const ViewPass& pass);
+    /// After it.
     void finishFrame();
     /// Where the person of the ground stands; z is the top of the head.
     osg::Vec3d personAt() const;
@@ -98,6 +101,7 @@ private:
     void updateLight();
     void hangParts();
     void aimAtPose();
+    void aimShadows(const osg::BoundingBox& box);
     std::shared_ptr<const CMesh> swayedMesh(const ViewPart& part) const;
     SwayPlace placeOf(const ViewPart& part, std::uint32_t vertex) const;
     std::optional<ViewHit> pickSwayed(const osg::Vec3d& from, const osg::Vec3d& direction) const;
@@ -118,6 +122,7 @@ private:
     bool m_instancing = true;
     bool m_instancesAreNew = false; ///< not yet drawn: the graphics card has no copy
     ViewLook m_look;
+    ViewPass m_pass;
     bool m_shadowsBehind = false; ///< they are those of an older tree
     int m_tinted = ViewPart::kNone;
 };

@@ -19,7 +19,7 @@ signals:
     void changed();
 
 private:
-    std::vector<std::function<void(ViewLook&)>> m_rows;
+    std::vector<std::function<void(Light&)>> m_rows;
 };
 
 } // namespace stromar

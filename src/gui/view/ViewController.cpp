@@ -362,10 +362,11 @@ void CViewController::savePicture(QWidget* parent) {
     QProgressDialog progress(tr("Writing pictures"), tr("Cancel"), 0, wanted.frames, parent);
     progress.setWindowModality(Qt::WindowModal);
     CCamera camera = m_viewport.camera();
+    const int passes = wanted.frames == 1 ? CRestPicture::kPasses : CRestPicture::kFramePasses;
     int written = 0;
     for (; written < wanted.frames && !progress.wasCanceled(); ++written) {
         const QString file = wanted.fileOf(written);
-        if (!writeImage(m_viewport.picture(wanted.size, look, camera), file)) {
+        if (!writeImage(m_viewport.picture(wanted.size, look, camera, passes), file)) {
             QMessageBox::critical(parent, tr("Cannot save the picture"), tr("%1 cannot be written.").arg(file));
             return;
         }

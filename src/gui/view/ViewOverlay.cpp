@@ -112,6 +112,12 @@ std::optional<double> CViewOverlay::windDirectionAt(const QPointF& at) const {
     return std::atan2(point.y(), point.x()) * 180 / osg::PI;
 }
 
+void CViewOverlay::showBelow(const QImage& picture) {
+    if (picture.isNull() && m_below.isNull()) return;
+    m_below = picture;
+    update();
+}
+
 void CViewOverlay::setHotHandle(std::optional<std::size_t> handle) {
     if (handle == m_hot) return;
     m_hot = handle;
@@ -284,6 +290,7 @@ void CViewOverlay::paintWords(QPainter& painter) const {
 
 void CViewOverlay::paintEvent(QPaintEvent*) {
     QPainter painter(this);
+    if (!m_below.isNull()) painter.drawImage(rect(), m_below);
     painter.setRenderHint(QPainter::Antialiasing);
     paintSelection(painter);
     paintGuide(painter);

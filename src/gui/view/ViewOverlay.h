@@ -2,6 +2,7 @@
 #include "stromar/app/Methods.h"
 #include "stromar/scene/Camera.h"
 #include "stromar/tree/Wind.h"
+#include <QImage>
 #include <QStringList>
 #include <QWidget>
 #include <optional>
@@ -53,6 +54,8 @@ public:
     /// Whether the tip of the wind's arrow lies under a place, and where it would point from there; nothing where the ground is not seen.
     bool isOnWindArrow(const QPointF& at) const;
     std::optional<double> windDirectionAt(const QPointF& at) const;
+    /// A picture in place of what the viewport draws below; null: none.
+    void showBelow(const QImage& picture);
     void setHotHandle(std::optional<std::size_t> handle);
     /// Yaw and pitch of the axis under a place of the widget.
     std::optional<std::pair<double, double>> axisAt(const QPointF& at) const;
@@ -84,6 +87,7 @@ private:
     std::shared_ptr<const CWindTable> m_table;
     std::shared_ptr<const WindPose> m_pose;
     std::optional<std::size_t> m_hot;
+    QImage m_below;
 };
 
 } // namespace stromar

@@ -21,16 +21,18 @@ constexpr double kZoomPerPixel = 0.006, kZoomPerNotch = 0.14;
 
 CViewport::CViewport(QWidget* parent)
     : QOpenGLWidget(parent), m_renderer(m_scene), m_overlay(new CViewOverlay(m_camera, this)),
+      m_rest([this](const ViewPass& pass) { return restPass(pass); }, this),
       m_navigation(&navigationTable().front()) {
     setFormat(display::surfaceFormat(display::bestSamples()));
     setFocusPolicy(Qt::StrongFocus);
     setMouseTracking(true);
     setMinimumSize(160, 160);
     setAccessibleName(tr("Picture of the tree"));
+    connect(&m_rest, &CRestPicture::refined, this, [this] { m_overlay->showBelow(m_rest.image()); });
     m_settle.setSingleShot(true);
     connect(&m_settle, &QTimer::timeout, this, [this] {
         m_scene.renewShadows();
-        update();
+        redraw();
     });
 }
 
@@ -42,6 +44,7 @@ CViewport::~CViewport() {
 void CViewport::release() {
     if (!m_renderer.attached()) return;
     makeCurrent();
+    m_restBuffer.reset();
     m_renderer.detach();
     doneCurrent();
 }
@@ -53,7 +56,10 @@ void CViewport::initializeGL() {
     m_contextDies = connect(context(), &QOpenGLContext::aboutToBeDestroyed, this, [this] { release(); });
 }
 
-void CViewport::resizeGL(int, int) { m_overlay->setGeometry(rect()); }
+void CViewport::resizeGL(int, int) {
+    m_overlay->setGeometry(rect());
+    redraw();
+}
 
 void CViewport::paintGL() {
     if (!context()->isValid()) {
@@ -69,9 +75,16 @@ void CViewport::paintGL() {
     emit drawn();
 }
 
+/// Where the view has changed; paintGL() is called for a window that was covered, too.
+void CViewport::redraw() {
+    m_rest.restart();
+    m_overlay->showBelow({});
+    update();
+}
+
 void CViewport::changed() {
     m_overlay->update();
-    update();
+    redraw();
 }
 
 void CViewport::show(const std::vector<ViewPart>& parts) {
@@ -87,13 +100,13 @@ void CViewport::setPose(const std::shared_ptr<const ModelSway>& sway, const std:
     if (!behind) m_posesSinceShadows = 0;
     m_scene.setPose(sway, pose, seconds, loop, behind ? CViewScene::Shadows::Kept : CViewScene::Shadows::New);
     m_overlay->setPose(sway->table, pose);
-    update();
+    redraw();
 }
 
 void CViewport::endSway() {
     m_scene.endSway();
     m_overlay->setPose(nullptr, nullptr);
-    update();
+    redraw();
 }
 
 void CViewport::showWindArrow(std::optional<double> degrees) {
@@ -103,7 +116,7 @@ void CViewport::showWindArrow(std::optional<double> degrees) {
 
 void CViewport::setSurface(Surface surface, const SurfaceMaps& maps) {
     m_scene.setSurface(surface, maps);
-    update();
+    redraw();
 }
 
 void CViewport::setLook(const ViewLook& look) {
@@ -114,7 +127,7 @@ void CViewport::setLook(const ViewLook& look) {
 void CViewport::tint(int generation) {
     if (generation == m_scene.tinted()) return;
     m_scene.tint(generation);
-    update();
+    redraw();
 }
 
 void CViewport::setTrackball(bool on) {
@@ -145,25 +158,46 @@ void CViewport::lookFrom(double yaw, double pitch) {
     frame();
 }
 
-QImage CViewport::picture(const QSize& pixels, const ViewLook& look, const CCamera& camera) {
-    if (!m_renderer.attached()) return {};
-    makeCurrent();
+std::unique_ptr<QOpenGLFramebufferObject> CViewport::makeBuffer(const QSize& pixels) {
     QOpenGLFramebufferObjectFormat format;
     format.setAttachment(QOpenGLFramebufferObject::CombinedDepthStencil);
     format.setSamples(display::bestSamples());
-    QOpenGLFramebufferObject buffer(pixels, format);
+    return std::make_unique<QOpenGLFramebufferObject>(pixels, format);
+}
+
+QImage CViewport::draw(QOpenGLFramebufferObject& buffer, const CCamera& camera, const ViewPass& pass) {
+    if (!buffer.isValid()) return {};
+    m_renderer.draw(buffer.handle(), buffer.width(), buffer.height(), camera, pass);
+    return buffer.toImage();
+}
+
+/// Nothing while shadows have to follow or something moves.
+QImage CViewport::restPass(const ViewPass& pass) {
+    if (!m_renderer.attached() || !isVisible() || m_settle.isActive()) return {};
+    makeCurrent();
+    const QSize pixels = (QSizeF(size()) * devicePixelRatioF()).toSize();
+    if (!m_restBuffer || m_restBuffer->size() != pixels) m_restBuffer = makeBuffer(pixels);
+    const ViewPass shifted{pass.pixel, {}, pass.pattern}; // the sun's disc would cost shadows of its own
+    QImage image = draw(*m_restBuffer, m_camera, shifted);
+    doneCurrent();
+    return image;
+}
+
+QImage CViewport::picture(const QSize& pixels, const ViewLook& look, const CCamera& camera, int passes) {
+    if (!m_renderer.attached()) return {};
+    makeCurrent();
+    m_scene.renewShadows();
+    const ViewLook before = m_scene.look();
+    const int tinted = m_scene.tinted();
+    m_scene.setLook(look);
+    m_scene.tint(ViewPart::kNone);
     QImage image;
-    if (buffer.isValid()) {
-        m_scene.renewShadows();
-        const ViewLook before = m_scene.look();
-        const int tinted = m_scene.tinted();
-        m_scene.setLook(look);
-        m_scene.tint(ViewPart::kNone);
-        m_renderer.draw(buffer.handle(), pixels.width(), pixels.height(), camera);
-        image = buffer.toImage();
-        m_scene.setLook(before);
-        m_scene.tint(tinted);
+    {
+        const auto buffer = makeBuffer(pixels);
+        image = smoothPicture(passes, [&](const ViewPass& pass) { return draw(*buffer, camera, pass); });
     }
+    m_scene.setLook(before);
+    m_scene.tint(tinted);
     doneCurrent();
     return image;
 }

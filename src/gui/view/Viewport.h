@@ -1,7 +1,9 @@
 #pragma once
 #include "view/Navigation.h"
+#include "view/RestPicture.h"
 #include "view/ViewOverlay.h"
 #include "stromar/scene/SceneRenderer.h"
+#include <QOpenGLFramebufferObject>
 #include <QOpenGLWidget>
 #include <QTimer>
 
@@ -42,11 +44,14 @@ public:
     void frame();
     /// Degrees: 0 the front, 90 the right; 90 from above.
     void lookFrom(double yaw, double pitch);
-    /// The tree with its backdrop, without the overlay. Null when there is no OpenGL.
-    QImage picture(const QSize& pixels, const ViewLook& look, const CCamera& camera);
+    /// The tree with its backdrop, without the overlay, as smooth as so many passes make it. Null when there is no
+    /// OpenGL, or no room for it.
+    QImage picture(const QSize& pixels, const ViewLook& look, const CCamera& camera, int passes = 1);
     int framesDrawn() const { return m_frames; }
     /// Whether shadows still have to follow the tree.
     bool settling() const { return m_settle.isActive(); }
+    /// Whether the picture of a view that rests becomes smoother.
+    bool refining() const { return m_rest.busy(); }
 
 signals:
     void drawn();
@@ -74,11 +79,17 @@ private:
     void moveView(ViewMotion motion, const QPointF& from, const QPointF& to);
     void pick(const QPointF& at);
     void changed();
+    void redraw();
+    QImage restPass(const ViewPass& pass);
+    std::unique_ptr<QOpenGLFramebufferObject> makeBuffer(const QSize& pixels);
+    QImage draw(QOpenGLFramebufferObject& buffer, const CCamera& camera, const ViewPass& pass);
 
     CViewScene m_scene;
     CCamera m_camera;
     CSceneRenderer m_renderer;
     CViewOverlay* m_overlay;
+    CRestPicture m_rest;
+    std::unique_ptr<QOpenGLFramebufferObject> m_restBuffer; ///< of its passes
     const Navigation* m_navigation;
     QMetaObject::Connection m_contextDies;
     QTimer m_settle; ///< runs while the tree changes: shadows follow when it rests
