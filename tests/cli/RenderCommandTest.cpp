@@ -222,7 +222,7 @@ INSTANTIATE_TEST_SUITE_P(Slow, SpeciesPicture, ::testing::ValuesIn(presetNames()
 TileDifference differenceFromTheManual(const std::string& preset, const Words& more = {}) {
     const CTemporaryFolder folder;
     const std::string path = (folder.path() / "now.png").string();
-    Words words{"render", presetFile(preset), "-o", path, "--size", "192x192", "--quiet"};
+    Words words{"render", presetFile(preset), "-o", path, "--size", "192x192", "--samples", "16", "--quiet"};
     words.insert(words.end(), more.begin(), more.end());
     const ProcessResult run = cli(words);
     EXPECT_EQ(run.status, 0) << run.err;
