@@ -2418,6 +2418,14 @@
         <source>Makes the whole picture brighter or darker: each stop doubles the light.</source>
         <translation>Celý obraz zesvětlí nebo ztmaví: každý stupeň světlo zdvojnásobí.</translation>
     </message>
+    <message>
+        <source>Colour variation</source>
+        <translation>Rozdíly v barvě</translation>
+    </message>
+    <message>
+        <source>How much leaves differ in hue and lightness, in the window and in its pictures. 0: all are alike.</source>
+        <translation>Jak se listy liší odstínem a světlostí, v okně a na jeho obrázcích. 0: všechny jsou stejné.</translation>
+    </message>
 </context>
 <context>
     <name>stromar::CCurveEditor</name>

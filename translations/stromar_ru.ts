@@ -2418,6 +2418,14 @@
         <source>Makes the whole picture brighter or darker: each stop doubles the light.</source>
         <translation>Делает всю картинку ярче или темнее: каждая ступень удваивает свет.</translation>
     </message>
+    <message>
+        <source>Colour variation</source>
+        <translation>Разброс цвета</translation>
+    </message>
+    <message>
+        <source>How much leaves differ in hue and lightness, in the window and in its pictures. 0: all are alike.</source>
+        <translation>Насколько листья различаются оттенком и светлотой, в окне и на его картинках. 0: все одинаковы.</translation>
+    </message>
 </context>
 <context>
     <name>stromar::CCurveEditor</name>

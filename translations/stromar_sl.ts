@@ -2418,6 +2418,14 @@
         <source>Makes the whole picture brighter or darker: each stop doubles the light.</source>
         <translation>Celo sliko posvetli ali potemni: vsaka zaslonka svetlobo podvoji.</translation>
     </message>
+    <message>
+        <source>Colour variation</source>
+        <translation>Razlike v barvi</translation>
+    </message>
+    <message>
+        <source>How much leaves differ in hue and lightness, in the window and in its pictures. 0: all are alike.</source>
+        <translation>Kako se listi razlikujejo po odtenku in svetlosti, v oknu in na njegovih slikah. 0: vsi so enaki.</translation>
+    </message>
 </context>
 <context>
     <name>stromar::CCurveEditor</name>

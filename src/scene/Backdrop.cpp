@@ -6,14 +6,6 @@
 
 namespace stromar {
 
-namespace {
-/// Takes no room, so that it changes neither what is framed nor the depth range.
-struct NoBounds : osg::Drawable::ComputeBoundingBoxCallback {
-    osg::BoundingBox computeBound(const osg::Drawable&) const override { return {}; }
-};
-
-} // namespace
-
 osg::ref_ptr<osg::Geometry> makeBackground() {
     osg::ref_ptr<osg::Geometry> background = new osg::Geometry;
     osg::ref_ptr<osg::Vec3Array> corners = new osg::Vec3Array;
@@ -33,7 +25,7 @@ osg::ref_ptr<osg::Geometry> makeBackground() {
 
 osg::ref_ptr<osg::Program> makeBackgroundProgram(const char* looks) {
     return makeProgram("background", kBackgroundVertexShader,
-                       std::string(looks) + kLightFunctions + kBackgroundFragmentShader);
+                       std::string(looks) + kLightFunctions + kGroundFunctions + kBackgroundFragmentShader);
 }
 
 namespace {

@@ -6,6 +6,11 @@
 
 namespace stromar {
 
+/// Takes no room, so that it changes neither what is framed nor the depth range.
+struct NoBounds : osg::Drawable::ComputeBoundingBoxCallback {
+    osg::BoundingBox computeBound(const osg::Drawable&) const override { return {}; }
+};
+
 /// Sky and ground, behind everything; they take no room. The program still has to be set.
 osg::ref_ptr<osg::Geometry> makeBackground();
 osg::ref_ptr<osg::Program> makeBackgroundProgram(const char* looks);

@@ -155,7 +155,7 @@ void main() {
 inline constexpr const char* kTreeFragmentShader = R"(
 uniform mat4 osg_ViewMatrixInverse;
 uniform sampler2D picture, relief, gloss, under; // albedo; normals; roughness and what goes through; albedo from below
-uniform float leaf, tinted, generation, reliefDepth, underSide, smoothEdges, alphaCut;
+uniform float leaf, colourVariation, tinted, generation, reliefDepth, underSide, smoothEdges, alphaCut;
 uniform int view; // 0 lit, 1 material, 2 occlusion, 3 normals
 varying vec3 place, normal, inShadow;
 varying float skyVisibility, shade, ground;
@@ -192,7 +192,10 @@ void main() {
     bool fromBelow = false;
 #endif
     vec3 albedo = linear(colour.rgb);
-    albedo *= mix(vec3(1.0), vec3(0.72 + 0.5 * shade, 0.8 + 0.38 * shade, 0.7 + 0.4 * shade), leaf);
+    float hue = fract(17.3 * shade);
+    vec3 own = vec3(0.97, 0.99, 0.9) +
+               colourVariation * ((shade - 0.5) * vec3(1.0, 0.76, 0.8) + (hue - 0.5) * vec3(0.45, 0.0, -0.3));
+    albedo *= mix(vec3(1.0), own, leaf);
     if (back && !fromBelow) albedo = mix(albedo, vec3(dot(albedo, vec3(0.3, 0.6, 0.1))), 0.25) * 1.15;
 #if BEST
     vec2 skin = texture2D(gloss, gl_TexCoord[0].st).rg;
@@ -275,14 +278,54 @@ void main() {
 }
 )";
 
+/// What is known of the ground below the tree.
+inline constexpr const char* kGroundFunctions = R"(
+uniform vec3 crownMiddle, crownSize;
+float size() { return max(crownSize.x, max(crownSize.y, crownSize.z)); }
+// Less of the sky is seen below the crown and at the trunk.
+float skyVisibility(vec2 place) {
+    vec2 below = (place - crownMiddle.xy) / (crownSize.xy + 0.02 * size());
+    float crown = 0.35 * (1.0 - smoothstep(0.0, 1.3, length(below)));
+    return 1.0 - max(crown, 0.5 * (1.0 - smoothstep(0.0, 0.12, length(place) / size())));
+}
+)";
+
+// Blades of grass: where a tuft stands in the unit circle and its shade, and a corner's way from there.
+inline constexpr const char* kGrassVertexShader = R"(#version 120
+uniform vec2 grassSize;
+uniform mat4 shadowMatrix;
+varying vec3 place, inShadow;
+varying float up, shade;
+void main() {
+    vec3 offset = gl_MultiTexCoord0.xyz * grassSize.y;
+    place = vec3(gl_Vertex.xy * grassSize.x, 0.0) + offset;
+    gl_Position = gl_ModelViewProjectionMatrix * vec4(place, 1.0);
+    inShadow = (shadowMatrix * vec4(place + vec3(0.0, 0.0, 0.02), 1.0)).xyz;
+    up = offset.z > 0.0 ? 1.0 : 0.0;
+    shade = gl_Vertex.z;
+}
+)";
+inline constexpr const char* kGrassFragmentShader = R"(
+uniform mat4 osg_ViewMatrixInverse;
+uniform vec2 grassSize;
+varying vec3 place, inShadow;
+varying float up, shade;
+void main() {
+    // From afar they are the meadow.
+    float near = clamp(40.0 * grassSize.y / length(osg_ViewMatrixInverse[3].xyz - place), 0.2, 1.0);
+    vec3 tip = mix(vec3(0.11, 0.17, 0.035), vec3(0.2, 0.2, 0.07), shade * shade);
+    vec3 albedo = mix(vec3(0.09, 0.112, 0.044), mix(vec3(0.045, 0.07, 0.02), tip, up), near);
+    vec3 light = mix(haze, zenith, 0.35) * skyVisibility(place.xy) + sunlight * max(sun.z, 0.0) * sunSeen(inShadow, 4.0);
+    gl_FragColor = vec4(shown(albedo * light), 1.0);
+}
+)";
+
 // The ground is the plane z = 0, seen along each ray, with the tree's shadow and a grid of metres.
 inline constexpr const char* kBackgroundFragmentShader = R"(
 uniform mat4 osg_ViewMatrixInverse, shadowMatrix;
-uniform vec3 crownMiddle, crownSize;
 uniform int backdrop;
 uniform float grid;
 varying vec4 near_, far_;
-float size() { return max(crownSize.x, max(crownSize.y, crownSize.z)); }
 float random(vec2 p) {
     vec3 q = fract(p.xyx * 0.1031);
     q += dot(q, q.yzx + 33.33);
@@ -293,12 +336,6 @@ float noise(vec2 p) {
     f *= f * (3.0 - 2.0 * f);
     return mix(mix(random(i), random(i + vec2(1.0, 0.0)), f.x),
                mix(random(i + vec2(0.0, 1.0)), random(i + 1.0), f.x), f.y);
-}
-// Less of the sky is seen below the crown and at the trunk.
-float skyVisibility(vec2 place) {
-    vec2 below = (place - crownMiddle.xy) / (crownSize.xy + 0.02 * size());
-    float crown = 0.35 * (1.0 - smoothstep(0.0, 1.3, length(below)));
-    return 1.0 - max(crown, 0.5 * (1.0 - smoothstep(0.0, 0.12, length(place) / size())));
 }
 float lines(vec2 place, float cell) {
     vec2 at = place / cell, width = fwidth(at);

@@ -1,5 +1,6 @@
 #include "stromar/scene/ViewScene.h"
 #include "Backdrop.h"
+#include "Grass.h"
 #include "Programs.h"
 #include "Shaders.h"
 #include "ShadowMap.h"
@@ -87,6 +88,8 @@ CViewScene::CViewScene()
     m_wireframe->addChild(m_surfaceGroup);
     m_root->addChild(m_shadows->camera());
     m_root->addChild(m_background);
+    m_grass = std::make_unique<CGrass>();
+    m_root->addChild(m_grass->node());
     m_root->addChild(m_tree);
     m_root->addChild(m_wireframe);
     setInteger(m_state, "picture", kAlbedoUnit);
@@ -126,6 +129,7 @@ void CViewScene::addParts() {
         geometry->setNodeMask(part.organs ? kInstancesMask : ~0u);
         osg::StateSet* state = geometry->getOrCreateStateSet();
         if (!state->getUniform("generation")) setFloat(state, "generation", part.generation);
+        setFloat(state, "colourVariation", part.colourVariation);
         m_surfaces[static_cast<std::size_t>(part.surface)]->addChild(geometry);
         m_drawn.push_back(geometry);
     }
@@ -206,9 +210,9 @@ std::vector<ViewPart> viewPartsOf(const TreeModel& model, const std::vector<View
     const auto add = [&](const auto& shown, auto ViewPart::*source, Surface surface, int generation, auto&& make) {
         progress.poll();
         const auto same = std::ranges::find(known, shown, source);
-        if (same != known.end()) return parts.push_back(*same);
-        ViewPart part{make(), surface, generation};
+        ViewPart part = same != known.end() ? *same : ViewPart{make(), surface, generation};
         part.*source = shown;
+        part.colourVariation = model.params.common.leafColourV;
         parts.push_back(std::move(part));
     };
     model.visitMeshes(
@@ -231,6 +235,7 @@ void CViewScene::setLook(const ViewLook& look) {
     const auto mode = look.wireframe == Wireframe::Only ? osg::PolygonMode::LINE : osg::PolygonMode::FILL;
     m_tree->getOrCreateStateSet()->setAttributeAndModes(new osg::PolygonMode(osg::PolygonMode::FRONT_AND_BACK, mode));
     stromar::show(*m_wireframe, look.wireframe == Wireframe::Over);
+    stromar::show(*m_grass->node(), look.backdrop == Backdrop::Sky);
     for (const Surface surface : kSurfaces)
         stromar::show(*m_surfaces[static_cast<std::size_t>(surface)], look.leaves || surface == Surface::Bark);
     m_root->removeChild(m_person);
@@ -320,6 +325,7 @@ void CViewScene::setQuality(int samples) {
     const char* looks = best ? kBestLooks : kFastLooks;
     m_tree->getOrCreateStateSet()->setAttributeAndModes(makeLitProgram(looks));
     m_background->getOrCreateStateSet()->setAttributeAndModes(makeBackgroundProgram(looks));
+    m_grass->setLooks(looks);
     m_shadows->setSize(best ? kBestShadow : kFastShadow);
     setFloat(m_state, "smoothEdges", best);
     for (const Surface surface : kSurfaces) {
@@ -350,6 +356,7 @@ void CViewScene::updateCrown() {
     osg::BoundingBox box = bounds();
     if (!box.valid()) box = osg::BoundingBox(-1, -1, 0, 1, 1, 2);
     const osg::Vec3 half = (box._max - box._min) / 2;
+    m_grass->setTree(box);
     setVector(m_state, "crownMiddle", box.center());
     setVector(m_state, "crownSize", {std::max(half.x(), 0.01f), std::max(half.y(), 0.01f), std::max(half.z(), 0.01f)});
     m_person->getChild(0)->dirtyBound();

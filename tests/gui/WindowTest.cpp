@@ -33,6 +33,17 @@ namespace {
 
 class WindowTest : public WindowFixture {};
 
+TEST(Start, NothingIsSeenOfTheTreeBeforeTheOneThatIsOpened) {
+    CMainWindow window;
+    std::vector<bool> own;
+    QObject::connect(&window, &CMainWindow::modelShown, &window,
+                     [&] { own.push_back(window.shown()->model->params == window.document().params()); });
+    window.show();
+    ASSERT_TRUE(window.files().open(presetPath("quaking_aspen")));
+    ASSERT_TRUE(waitFor([&] { return own.size() > 1; }));
+    for (const bool one : own) EXPECT_TRUE(one);
+}
+
 TEST_F(WindowTest, ADragShowsTheSimpleModelThenTheFullOneAndIsOneStep) {
     window.panel().tabs().setCurrentIndex(2);
     QSlider* down = slider("1DownAngle");

@@ -27,7 +27,7 @@ const std::map<std::string, double>& specified() {
                                           {"LeafForm", 0},        {"LeafStalk", 0},
                                           {"LeafWhorl", 1},       {"LeafPlanes", 1},
                                           {"Season", 7},          {"Evergreen", 0},
-                                          {"Flexibility", 1},
+                                          {"Flexibility", 1}, {"LeafColourV", 0.5},
                                           {"Trunks", 1},          {"TrunksSpread", 0.2},
                                           {"TrunksLean", 10},     {"Blossoms", 0},
                                           {"BlossomScale", 0.05}, {"BlossomMonth", 4.5},
@@ -178,7 +178,7 @@ Invalidation afterChangeOf(const ParamRef& ref, const CParams& before) {
 TEST(InvalidationOf, NothingForTheSameTree) { EXPECT_EQ(invalidationOf(CParams(), CParams()).stage, Stage::None); }
 
 TEST(InvalidationOf, EveryRowNamesItsStage) {
-    const std::vector<std::string> nothing{"ZScale", "ZScaleV"}, material{"Flexibility"};
+    const std::vector<std::string> nothing{"ZScale", "ZScaleV"}, material{"Flexibility", "LeafColourV"};
     const std::vector<std::string> mesh{
         "MinRadius",  "Lobes",    "LobeDepth", "LobeFade",     "Roots",         "RootReach",    "RootHeight",
         "LeafShape",  "LeafForm", "LeafStalk", "LeafFold",     "LeafRounding",  "TextureWrapX", "TextureWrapY",

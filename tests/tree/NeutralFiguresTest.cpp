@@ -67,7 +67,7 @@ void expectFigures(const CGeneration& generation, const Figures& expected, const
 
 TEST(NeutralFigures, AgreeWithTheReferenceProgram) {
     for (const auto& [name, generations, leaves] : kSpecies) {
-        const auto tree = test::growNeutral(test::preset(name));
+        const auto tree = test::growNeutral(test::with(test::preset(name), {{"AttractionAxis", 0}})); // the printed formula
         ASSERT_EQ(tree->generationCount(), generations.size()) << name;
         for (std::size_t g = 0; g < generations.size(); ++g)
             expectFigures(tree->generation(g), generations[g], std::string(name) + " generation " + std::to_string(g));

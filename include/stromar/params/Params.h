@@ -14,7 +14,7 @@ struct CommonParams {
     double minRadius, textureWrapX, textureWrapY;
     double flare, lobeDepth, lobeFade, rootReach, rootHeight;
     double season, flexibility;
-    double leafScale, leafScaleX, leafBend, leafQuality, leafStalk, leafRounding;
+    double leafScale, leafScaleX, leafBend, leafQuality, leafStalk, leafRounding, leafColourV;
     Degrees leafFold;
     double blossomScale, blossomUp, blossomMonth, fruitScale, fruitScaleX, fruitStalk, fruitMonth;
     int seed, evergreen, lobes, roots;

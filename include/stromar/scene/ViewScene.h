@@ -14,6 +14,7 @@
 
 namespace stromar {
 
+class CGrass;
 class CShadowMap;
 class CSwayTables;
 
@@ -27,6 +28,7 @@ struct ViewPart {
     int generation = 0;                         ///< kLeaves for leaves
     std::shared_ptr<const CMesh> mesh{};        ///< what it shows: this
     std::shared_ptr<const COrganMesh> organs{}; ///< or these
+    double colourVariation = 0;                 ///< of its leaves, 0..1
 };
 
 /// What the model shows, ready for the viewport. Parts of `known` that show the same are taken over. Any thread. Throws
@@ -109,6 +111,7 @@ private:
     osg::ref_ptr<osg::Group> m_root, m_tree, m_wireframe, m_person, m_surfaceGroup;
     osg::ref_ptr<osg::Geometry> m_background;
     std::array<osg::ref_ptr<osg::Group>, kSurfaces.size()> m_surfaces;
+    std::unique_ptr<CGrass> m_grass;
     std::unique_ptr<CShadowMap> m_shadows;
     osg::ref_ptr<osg::StateSet> m_state; ///< of everything
     std::vector<ViewPart> m_parts;

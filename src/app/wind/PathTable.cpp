@@ -1,5 +1,5 @@
-#include "PathTable.h"
-#include "PutBytes.h"
+#include "wind/PathTable.h"
+#include "wind/PutBytes.h"
 #include <algorithm>
 
 namespace stromar {

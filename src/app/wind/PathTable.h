@@ -1,5 +1,5 @@
 #pragma once
-#include "../Arrangement.h"
+#include "Arrangement.h"
 #include "stromar/model/ExportModel.h"
 #include "stromar/tree/Wind.h"
 

@@ -1,5 +1,5 @@
-#include "PivotPainter.h"
-#include "PutBytes.h"
+#include "wind/PivotPainter.h"
+#include "wind/PutBytes.h"
 #include "stromar/texture/HalfPicture.h"
 #include "stromar/texture/TextureMaps.h"
 #include <algorithm>

@@ -1,6 +1,6 @@
 #pragma once
-#include "../Arrangement.h"
-#include "StemChoice.h"
+#include "Arrangement.h"
+#include "wind/StemChoice.h"
 #include <filesystem>
 #include <glm/vec2.hpp>
 

@@ -1,4 +1,4 @@
-#include "Skeleton.h"
+#include "wind/Skeleton.h"
 #include <algorithm>
 #include <cmath>
 

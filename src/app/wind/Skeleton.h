@@ -1,6 +1,6 @@
 #pragma once
-#include "../Arrangement.h"
-#include "StemChoice.h"
+#include "Arrangement.h"
+#include "wind/StemChoice.h"
 #include "stromar/app/Motion.h"
 #include "stromar/model/ExportModel.h"
 

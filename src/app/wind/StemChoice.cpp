@@ -1,4 +1,4 @@
-#include "StemChoice.h"
+#include "wind/StemChoice.h"
 #include <algorithm>
 
 namespace stromar {

@@ -1,8 +1,8 @@
-#include "WindExport.h"
-#include "PathTable.h"
-#include "PivotPainter.h"
-#include "PutBytes.h"
-#include "Skeleton.h"
+#include "wind/WindExport.h"
+#include "wind/PathTable.h"
+#include "wind/PivotPainter.h"
+#include "wind/PutBytes.h"
+#include "wind/Skeleton.h"
 #include "stromar/mesh/Shading.h"
 #include <algorithm>
 #include <cmath>

@@ -1,5 +1,5 @@
 #pragma once
-#include "../Arrangement.h"
+#include "Arrangement.h"
 #include "stromar/app/ExportOptions.h"
 #include "stromar/app/Motion.h"
 #include "stromar/model/ExportModel.h"

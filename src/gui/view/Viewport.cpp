@@ -24,6 +24,7 @@ CViewport::CViewport(QWidget* parent)
       m_rest([this](const ViewPass& pass) { return restPass(pass); }, this),
       m_navigation(&navigationTable().front()) {
     setFormat(display::surfaceFormat(display::bestSamples()));
+    m_camera.lookFrom(0, 5);
     setFocusPolicy(Qt::StrongFocus);
     setMouseTracking(true);
     setMinimumSize(160, 160);

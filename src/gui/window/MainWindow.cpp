@@ -398,6 +398,7 @@ void CMainWindow::dropEvent(QDropEvent* event) {
 
 void CMainWindow::onReplaced() {
     m_recentreNext = true;
+    m_replacedBy = m_document->params();
     m_fall->raise();
     m_timeline->setAge(1);
     m_viewController->clearSelection();
@@ -423,12 +424,14 @@ void CMainWindow::showPresets() {
 }
 
 void CMainWindow::onCreated(const std::shared_ptr<const ViewModel>& view) {
+    const bool own = view->model->params == m_document->params();
+    if (m_recentreNext && !own && m_document->params() == m_replacedBy) return; // late, of the document before
     m_shown = view;
     m_fall->show(view);
     m_viewController->show(view);
     m_windController->show(view);
     m_timeline->shown();
-    if (m_recentreNext && view->model->params == m_document->params()) { // not a late picture of the document before
+    if (m_recentreNext && own) {
         m_viewport->recentre();
         m_recentreNext = false;
     }

@@ -146,6 +146,7 @@ private:
     QTimer m_progressTimer;
     std::shared_ptr<const ViewModel> m_shown;
     QByteArray m_firstLayout;
+    CParams m_replacedBy; ///< what the document was when it was opened
     bool m_recentreNext = true;
     bool m_preferencesOpen = false, m_rebuildLater = false;
     bool m_started = false; ///< a tree was shown

@@ -214,6 +214,9 @@ constexpr ParamInfo kNumbers[] = {
     {.key = "TextureWrapY", .label = N_("Bark repeats along"), .group = Group::Textures, .section = N_("Bark"),
      .field = field<&CommonParams::textureWrapY>, .range = {0.001, 1000}, .useful = {0.5, 20}, .step = 0.5, .decimals = 2, .defaults = {1},
      .invalidates = kMeshOnly, .help = N_("How often the bark picture repeats from the trunk's base to its tip. Branches show it at the same scale.")},
+    {.key = "LeafColourV", .label = N_("Colour variation"), .group = Group::Textures, .section = N_("Leaves"), .field = field<&CommonParams::leafColourV>,
+     .range = {0, 1}, .useful = {0, 1}, .step = 0.05, .decimals = 2, .defaults = {0.5}, .invalidates = kPictures,
+     .help = N_("How much leaves differ in hue and lightness, in the window and in its pictures. 0: all are alike.")},
 };
 // clang-format on
 
