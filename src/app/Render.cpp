@@ -88,12 +88,12 @@ public:
     }
     void frame() {
         const osg::BoundingBox air(-1, -1, 0, 1, 1, 2); // before the tree's life
-        m_camera = cameraOf(m_options, m_parts.empty() ? air : m_scene.bounds(), pointsOf(m_parts));
+        m_camera = cameraOf(m_options, m_parts.empty() ? air : m_scene.bounds(), fitted());
     }
     /// With room for a tree that falls.
     void frame(const CMovingModel& moving, const CProgress& progress) {
         osg::BoundingBox all = m_scene.bounds();
-        std::vector<osg::Vec3f> points = pointsOf(m_parts);
+        std::vector<osg::Vec3f> points = fitted();
         if (moving.fallSeconds() > 0) {
             const auto last = moving.poseAt(moving.fallSeconds(), progress);
             for (std::size_t n = 0; n < last->rows.size(); n += 2) {
@@ -111,6 +111,9 @@ public:
     }
 
 private:
+    /// What has to be in the picture; nothing where a view decides.
+    std::vector<osg::Vec3f> fitted() const { return m_options.fit ? pointsOf(m_parts) : std::vector<osg::Vec3f>(); }
+
     const std::filesystem::path& m_folder;
     const RenderOptions& m_options;
     CViewScene m_scene;

@@ -22,6 +22,7 @@ ViewPass ViewPass::of(int i, int count) {
 
 void CPictureMean::add(std::span<const std::uint8_t> bytes) {
     assert(m_count < kMost);
+    if (bytes.size() != m_sums.size()) m_count = 0;
     if (m_count == 0) m_sums.assign(bytes.size(), 0);
     for (std::size_t i = 0; i < bytes.size(); ++i) m_sums[i] = static_cast<std::uint16_t>(m_sums[i] + bytes[i]);
     ++m_count;

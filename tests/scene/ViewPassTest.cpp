@@ -38,6 +38,12 @@ TEST(PictureMean, IsRoundedByteByByte) {
     mean.add(second);
     mean.write(result);
     EXPECT_EQ(result[2], 20) << "what was before is gone";
+    const std::uint8_t larger[] = {7, 8, 9, 10};
+    mean.add(larger);
+    std::uint8_t four[4];
+    mean.write(four);
+    EXPECT_EQ(mean.count(), 1);
+    EXPECT_EQ(four[3], 10) << "another size begins anew";
 }
 
 double meanDifference(const Pixels& a, const Pixels& b) {

@@ -23,6 +23,7 @@ public:
 
     int count() const { return m_count; }
     void clear() { m_count = 0; }
+    /// One of another size begins anew.
     void add(std::span<const std::uint8_t> bytes);
     /// Of one picture at least; as many bytes as each had.
     void write(std::span<std::uint8_t> bytes) const;

@@ -25,11 +25,6 @@ void CRestPicture::restart() {
     m_timer.start(kRest);
 }
 
-void CRestPicture::stop() {
-    m_image = {};
-    m_timer.stop();
-}
-
 void CRestPicture::addPass() {
     QImage pass = m_draw(ViewPass::of(m_mean.count(), kPasses));
     if (pass.isNull()) return;

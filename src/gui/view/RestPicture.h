@@ -19,7 +19,6 @@ public:
 
     /// The view has changed: what there was is void.
     void restart();
-    void stop();
     /// Whether there is a pass to come.
     bool busy() const { return m_timer.isActive(); }
     /// Null until there are two passes.
