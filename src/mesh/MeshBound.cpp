@@ -1,5 +1,6 @@
 #include "stromar/mesh/MeshBound.h"
 #include "stem/CentreLine.h"
+#include "stem/Fork.h"
 #include "stem/Smoother.h"
 #include "stromar/mesh/MeshBuilder.h"
 #include "stromar/mesh/twig/Twig.h"
@@ -29,13 +30,14 @@ public:
     }
     double rings() const {
         const double collars = m_trunk ? 0 : points() > 3 ? m_detail.collarRings : std::min(1, m_detail.collarRings);
-        return m_bound.segments + 2 * m_bound.paths + collars + addedRings();
+        return m_bound.segments + 2 * m_bound.paths + collars + addedRings() + forkRings();
     }
     double vertices() const { return (rings() + 2 * m_bound.paths) * (points() + 1); }
     /// Of the triangles: walls have two for each point of a ring, whose seam is doubled; lids have fewer.
     double corners() const { return vertices() * 6 * points() / (points() + 1); }
     double planBytes() const {
-        return rings() * sizeof(Ring) + m_bound.paths * (sizeof(Tube) + sizeof(std::int32_t)) + 1;
+        const double forkPoints = forkRings() * (points() + 1) * sizeof(ForkPoint);
+        return rings() * sizeof(Ring) + forkPoints + m_bound.paths * (sizeof(Tube) + 2 * sizeof(Fork) + sizeof(std::int32_t)) + 1;
     }
     /// Of its collar, until its generation has a mesh.
     double collarBytes() const { return points() * sizeof(SurfacePoint); }
@@ -50,6 +52,12 @@ private:
         if (m_bound.spheres) return bends + std::max(helix, max);
         const double uneven = (m_bound.roundEnds ? kRoundEndRings * m_bound.paths : 0) + (m_trunk ? baseRings() : 0);
         return bends + std::max(helix, std::min(max, uneven));
+    }
+
+    /// Up to the saddles between a stem's paths (CForkMaker), for each clone and for the path it parts from.
+    double forkRings() const {
+        constexpr double kAround = 4; // the common ring, its shares, and those that turn the seam back
+        return m_bound.forks ? 2 * (std::min(CForkMaker::kMaxLevels, 1 + points() / 2) + kAround) * (m_bound.paths - 1) : 0;
     }
 
     /// Where flare and roots bend the lowest paths. Halving until the radius is met takes rings by the root of how far
@@ -69,7 +77,7 @@ private:
             std::min(m_detail.maxTurn / std::sqrt(m_thickness), kCoarsestTurn * m_detail.maxTurn);
         const double pieces = std::ceil(m_bound.turn / between);
         const double joint = pieces <= 1 ? 0 : std::min(kMax, 2 * std::floor((pieces + 1) / 2));
-        const double fork = m_bound.forks ? 2 * kMax + 2 * (3 * m_bound.forkTurn / between) : 0;
+        const double fork = m_bound.forks ? 2 * (3 * m_bound.forkTurn / between) : 0;
         return std::min(kMax * (m_bound.segments - 1),
                         joint * (m_bound.segments - 1) + fork * (m_bound.paths - 1));
     }

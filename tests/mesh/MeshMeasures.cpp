@@ -38,4 +38,13 @@ bool sameBytes(const CMesh& a, const CMesh& b) {
            sameArray(a.skyVisibility, b.skyVisibility) && sameArray(a.indices, b.indices);
 }
 
+std::size_t invertedSurfaces(const MeshPlan& plan, const CMesh& mesh) {
+    std::size_t inverted = 0;
+    for (const std::span<const Tube> tubes : surfacesOf(plan)) {
+        const std::size_t first = tubes.front().firstIndex, end = tubes.back().firstIndex + tubes.back().indexCount();
+        if (!(signedVolume(mesh, first, end - first) > 0)) ++inverted;
+    }
+    return inverted;
+}
+
 } // namespace stromar::test

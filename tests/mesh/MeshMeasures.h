@@ -9,6 +9,8 @@ std::string inWords(const MeshFaults& faults);
 
 /// What the triangles enclose; positive when they face outwards.
 double signedVolume(const CMesh& mesh, std::size_t firstIndex, std::size_t indexCount);
+/// Closed surfaces that are inside out.
+std::size_t invertedSurfaces(const MeshPlan& plan, const CMesh& mesh);
 inline double signedVolume(const CMesh& mesh) { return signedVolume(mesh, 0, mesh.indices.size()); }
 
 /// Whether all bytes are equal.

@@ -77,10 +77,7 @@ TEST(RandomMesh, StraightTubesFaceOutwards) {
         const auto tree = grow(params);
         for (const Detail& detail : detailTable())
             for (const auto& [plan, mesh] : meshAllStems(*tree, meshParamsOf(params), detail, CProgress(2))) {
-                std::size_t inverted = 0;
-                for (const Tube& tube : plan.tubes)
-                    if (!(signedVolume(*mesh, tube.firstIndex, tube.indexCount()) > 0)) ++inverted;
-                EXPECT_EQ(inverted, 0u) << "of " << plan.tubes.size() << " tubes, sample " << number << ", "
+                EXPECT_EQ(invertedSurfaces(plan, *mesh), 0u) << "of " << plan.tubes.size() << " tubes, sample " << number << ", "
                                         << detail.name << ", " << mesh->name;
                 looked += plan.tubes.size();
             }

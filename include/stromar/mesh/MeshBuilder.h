@@ -14,8 +14,9 @@ namespace stromar {
 /// A ring of points around a stem: t = 0..1 along a segment of the generation.
 struct Ring {
     std::uint32_t segment;
-    std::uint32_t points; ///< as many as the ring below has, or half of them
+    std::uint32_t points; ///< as many as the ring below has, or half of them; at forks others
     double t;
+    bool parted = false; ///< from the ring below by no wall: at a fork it has a part of that one's points, or all of them
 };
 
 /// A place on the surface of a parent's wood, as its triangles have it.
@@ -23,16 +24,35 @@ struct SurfacePoint {
     glm::dvec3 position, normal;
 };
 
-/// The drawn surface of one path of a stem: perhaps a collar, then rings from its base to its tip.
+/// A point of a ring at a fork.
+struct ForkPoint {
+    glm::vec3 position, normal;
+    float turn;  ///< about the path, 1 all around
+    float along; ///< metres from the stem's base
+    float depth; ///< in the crotch: 0 outside .. 1
+};
+
+/// Rings of a tube at a fork that are given by their points: the common one, or those of a path above it. Over the latter
+/// stands a ring whose seam is turned, and over that the same without.
+struct Fork {
+    std::uint32_t ring, rings; ///< of the tube: the first, and how many
+    std::uint32_t firstPoint;  ///< in the plan; those of a ring lie one after the other, one more than it has points
+    std::int32_t seam = 0;     ///< at which point the ring above starts, counted over whole turns
+};
+
+/// The drawn surface of one path of a stem: perhaps a collar, then rings from its base to its tip. Where clones part from
+/// it, the ring below is closed by the first rings of all the paths: a saddle lies between them (Fork.h).
 struct Tube {
     std::uint32_t stem, path; ///< of the generation
     std::uint32_t firstRing = 0, ringCount = 0;
-    std::uint32_t points = 0;           ///< of the collar and of the first ring
+    std::uint32_t points = 0;           ///< of the collar and of the first ring, or of the fork's it starts on
     double maxTurn = 0;                ///< radians of a bend between its rings; 0: bends are mitred
     bool lobed = false;                 ///< the rings have bulges
     bool pointed = false;               ///< the last ring is a single point
     std::uint32_t collarRings = 0;      ///< in front of the first ring, the lowest pressed onto the parent
     std::uint32_t firstCollarPoint = 0; ///< `points` of them, in the plan
+    std::uint32_t firstFork = 0, forkCount = 0; ///< in the plan
+    bool joined = false; ///< starts at a fork, on the tube before it: without a lid
     std::uint32_t firstVertex = 0;      ///< in the mesh
     std::size_t firstIndex = 0;
     std::uint32_t vertices = 0; ///< how many it has there
@@ -46,18 +66,28 @@ struct Tube {
 
 /// Corners of the triangles between two rings: two per point when both have as many, else one per point of each.
 inline std::size_t wallIndices(std::uint32_t low, std::uint32_t high) { return 3 * (std::size_t{low} + high); }
+/// Of the wall below a ring.
+inline std::size_t wallIndices(const Ring& low, const Ring& high) {
+    return high.parted ? 0 : wallIndices(low.points, high.points);
+}
 
 /// Where the rings of one generation stand and how many points each has.
 struct MeshPlan {
     const Ring* ringsOf(const Tube& tube) const { return &rings[tube.firstRing]; }
+    std::span<const Fork> forksOf(const Tube& tube) const { return std::span(forks).subspan(tube.firstFork, tube.forkCount); }
 
     std::vector<Ring> rings;
-    std::vector<Tube> tubes;
+    std::vector<Tube> tubes; ///< those that are joined to one follow it: together they are one closed surface
     std::vector<SurfacePoint> collarPoints;
+    std::vector<Fork> forks;
+    std::vector<ForkPoint> forkPoints;
     std::vector<std::int32_t> tubeOfPath; ///< −1: too short to be drawn
     std::vector<bool> stemIsChosen;       ///< to be drawn, if it is long enough, and its leaves
     std::size_t vertexCount = 0, indexCount = 0;
 };
+
+/// The tubes that are one closed surface together: one, and those that forks join to it.
+std::vector<std::span<const Tube>> surfacesOf(const MeshPlan& plan);
 
 /// The stems of one generation as they are drawn: what the next generation's branches grow out of.
 struct StemMesh {

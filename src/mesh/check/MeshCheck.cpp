@@ -196,15 +196,19 @@ bool MeshFaults::sound() const {
 std::span<const MeshCheck> meshChecks() { return kChecks; }
 
 MeshFaults checkStems(const CTree& tree, int generation, const StemMesh& stems, const StemMesh* parents) {
-    MeshFaults faults{stems.plan.tubes.size(), stems.mesh->vertexCount(), stems.mesh->triangleCount()};
+    MeshFaults faults{0, stems.mesh->vertexCount(), stems.mesh->triangleCount()};
     checkVertices(*stems.mesh, faults);
     std::optional<CParentWalls> walls;
     if (parents) walls.emplace(tree.generation(static_cast<std::size_t>(generation - 1)), *parents);
-    for (const Tube& tube : stems.plan.tubes) {
-        const Part part{tube.firstVertex, tube.vertexCount(), tube.firstIndex, tube.indexCount()};
+    for (const std::span<const Tube> tubes : surfacesOf(stems.plan)) {
+        const Tube &first = tubes.front(), &last = tubes.back();
+        const Part part{first.firstVertex, last.firstVertex + last.vertexCount() - first.firstVertex, first.firstIndex,
+                        last.firstIndex + last.indexCount() - first.firstIndex};
         if (checkTriangles(*stems.mesh, part, faults)) checkEdges(*stems.mesh, part, faults);
-        if (parents) checkCollar(tree, generation, stems, tube, *parents, *walls, faults);
+        ++faults.surfaces;
     }
+    if (parents)
+        for (const Tube& tube : stems.plan.tubes) checkCollar(tree, generation, stems, tube, *parents, *walls, faults);
     return faults;
 }
 

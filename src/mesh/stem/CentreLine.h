@@ -5,7 +5,7 @@
 namespace stromar {
 
 /// The line through the middles of a path's rings: the segments' own centre lines, joined by rounded bends. Where a
-/// stem forks, the line leaves the common ring square to it and bends behind it.
+/// stem forks, the lines of all its paths leave the segment below at one place, and each bends from there.
 class CCentreLine {
 public:
     /// Where a ring lies and how it is stretched to keep a mitred bend as wide as the stem.
@@ -22,6 +22,7 @@ public:
     /// Looks at a path. Bends of more than `maxTurn` radians between rings are rounded; 0 rounds none.
     void start(const CStem& stem, const CPath& path, double maxTurn);
 
+    /// On one of the path's segments, or on the one below its fork.
     Place at(std::uint32_t segment, double t) const;
     /// Appends where rings have to stand for the bends at both ends of a segment: 0 < t < 1, in rising order.
     void addBendRings(std::uint32_t segment, std::vector<double>& places) const;
@@ -29,6 +30,8 @@ public:
     double turnBelow(std::uint32_t segment) const { return m_joints[segment - m_path->firstSegment].turn; }
 
     bool forksBelow(std::uint32_t segment) const { return m_joints[segment - m_path->firstSegment].kind == Kind::Fork; }
+    /// How far below the lower end of a segment its paths part, metres.
+    double forkReach(std::uint32_t segment) const { return m_joints[segment - m_path->firstSegment].below; }
 
     /// Rings that one bend takes at most, besides the one in its middle.
     static constexpr int kMaxBendRings = 6;
@@ -38,20 +41,22 @@ private:
     struct Joint {
         Kind kind = Kind::None;
         double turn = 0;  ///< radians
-        double reach = 0; ///< metres along the segments that are rounded; 0 = mitred
-        int rings = 0;    ///< on each side of a bend, behind a fork
+        double below = 0, above = 0; ///< metres along the segments that are rounded; 0 = mitred
+        int rings = 0;               ///< on each side
         glm::dvec3 axisBelow{0};
     };
 
     Frame frameOfFirst(const CStem& stem, const CPath& path) const;
     Joint jointAt(const CStem& stem, std::uint32_t i, double maxTurn) const;
+    Joint forkAt(const CStem& stem, const CSegment& below, std::uint32_t i, Joint joint) const;
+    double sharpestTurn(const CStem& stem, const CSegment& below) const;
     Place onBend(const Joint& joint, const Frame& above, const glm::dvec3& corner, double along) const;
-    Place behindFork(const Joint& joint, const Frame& above, const glm::dvec3& fork, double along) const;
     Place mitred(const Joint& joint, const Frame& above, const glm::dvec3& corner) const;
 
     const CGeneration& m_generation;
     const CStemSurface& m_surface;
     const CPath* m_path = nullptr;
+    const CSegment* m_below = nullptr; ///< of the path's fork
     std::vector<Frame> m_frames; ///< of the segments, carried along the stem without a twist
     std::vector<Joint> m_joints; ///< at the lower end of each segment, and one without a bend at the tip
 };

@@ -1,4 +1,5 @@
 #include "stem/FrontNormals.h"
+#include <algorithm>
 #include <glm/geometric.hpp>
 
 namespace stromar {
@@ -30,11 +31,22 @@ public:
             first += points + 1;
         };
         for (std::uint32_t r = 0; r < m_tube.collarRings; ++r) close(m_tube.points);
-        for (std::uint32_t r = 0; r + (m_tube.pointed ? 1 : 0) < m_tube.ringCount; ++r)
-            close(m_plan.ringsOf(m_tube)[r].points);
+        for (std::uint32_t r = 0; r + (m_tube.pointed ? 1 : 0) < m_tube.ringCount; ++r) {
+            const std::uint32_t points = m_plan.ringsOf(m_tube)[r].points;
+            if (isOpen(r))
+                first += points + 1;
+            else
+                close(points);
+        }
     }
 
 private:
+    /// Whether a ring runs from valley to valley at a fork.
+    bool isOpen(std::uint32_t r) const {
+        return std::ranges::any_of(m_plan.forksOf(m_tube), [&](const Fork& fork) {
+            return fork.ring <= r && r < fork.ring + fork.rings && m_plan.ringsOf(m_tube)[fork.ring].parted;
+        });
+    }
     bool turnAt(const std::uint32_t* corners) {
         const glm::vec3& a = m_mesh.positions[corners[0]];
         const glm::vec3 face = glm::cross(m_mesh.positions[corners[1]] - a, m_mesh.positions[corners[2]] - a);

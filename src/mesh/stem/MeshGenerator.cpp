@@ -26,6 +26,16 @@ std::shared_ptr<const CMesh> meshOfStems(const CTree& tree, int generation, cons
     return mesh;
 }
 
+std::vector<std::span<const Tube>> surfacesOf(const MeshPlan& plan) {
+    std::vector<std::span<const Tube>> surfaces;
+    const std::span<const Tube> all(plan.tubes);
+    for (std::size_t first = 0, end = 1; first < all.size(); first = end++) {
+        while (end < all.size() && all[end].joined) ++end;
+        surfaces.push_back(all.subspan(first, end - first));
+    }
+    return surfaces;
+}
+
 std::vector<const MeshPlan*> plansOf(std::span<const StemMesh> stems) {
     std::vector<const MeshPlan*> plans;
     for (const StemMesh& own : stems) plans.push_back(&own.plan);

@@ -1,21 +1,9 @@
 #pragma once
-#include "stem/CentreLine.h"
-#include "stem/StemSurface.h"
+#include "stem/PathSurface.h"
 #include "stromar/mesh/MeshBuilder.h"
 #include <vector>
 
 namespace stromar {
-
-/// A ring in space. Angles count from the frame's X.
-struct RingShape : CCentreLine::Place {
-    double radius; ///< mean, at least the drawn floor
-    double slope;  ///< change of the radius per metre along the stem
-    double along;  ///< metres from the stem's base
-    double lobeDepth;
-    int lobes;
-    std::uint8_t skyVisibility; ///< as in CMesh
-    std::uint32_t points;
-};
 
 /// A place of a tube's surface to write a vertex to.
 struct VertexSink {
@@ -35,7 +23,7 @@ struct VertexSink {
 class CPointGenerator {
 public:
     CPointGenerator(const CGeneration& generation, const MeshPlan& plan, const CStemSurface& surface)
-        : m_generation(generation), m_plan(plan), m_surface(surface), m_line(generation, surface) {}
+        : m_generation(generation), m_plan(plan), m_surface(surface), m_path(generation, surface) {}
 
     /// Looks at all rings of a tube; the others speak of this one.
     void startTube(const Tube& tube);
@@ -49,32 +37,43 @@ public:
     void addLid(bool base, VertexSink& sink) const;
 
 private:
-    RingShape shapeOf(const Tube& tube, const Ring& ring) const;
+    /// One of a tube, and how it is drawn.
+    struct DrawnRing : RingShape {
+        std::uint8_t skyVisibility; ///< as in CMesh
+        std::uint32_t points;
+        const ForkPoint* given = nullptr; ///< its points, at a fork
+        std::int32_t seam = 0;            ///< the point it starts at, counted over whole turns
+    };
+
+    DrawnRing shapeOf(const Tube& tube, const Ring& ring) const;
     std::uint8_t skyVisibilityAt(const Tube& tube, double along) const;
     void setSlopes();
-    double radiusAt(const RingShape& ring, double angle) const;
     const CStem& stem() const { return m_generation.stems[m_tube->stem]; }
-    double trunkRadius() const { return stem().radius; }
+    void lookAtForks(const Tube& tube);
+    void addGivenRing(const DrawnRing& ring, VertexSink& sink) const;
     void addCollarLid(VertexSink& sink) const;
     glm::dvec3 creaseNormal(const glm::dvec3& parent, const glm::dvec3& own) const;
     SurfacePoint collarPointAt(std::uint32_t ring, std::uint32_t i) const;
-    glm::dvec3 pointAt(const RingShape& ring, std::uint32_t i) const;
-    double around(const RingShape& ring, double i) const { return m_bark.around * i / ring.points; }
+    glm::dvec3 pointAt(const DrawnRing& ring, std::uint32_t i) const {
+        return m_path.pointAt(ring, angleOf(ring, i), circle(ring, i));
+    }
+    glm::dvec3 normalAt(const DrawnRing& ring, std::uint32_t i) const {
+        return m_path.normalAt(ring, angleOf(ring, i), circle(ring, i));
+    }
+    double angleOf(const DrawnRing& ring, std::uint32_t i) const;
+    double around(const DrawnRing& ring, double i) const { return m_bark.around * i / ring.points; }
     /// Cosine and sine of a point's angle.
-    glm::dvec2 circle(const RingShape& ring, std::uint32_t i) const { return m_circle[i * (m_points / ring.points)]; }
+    glm::dvec2 circle(const DrawnRing& ring, std::uint32_t i) const { return m_circle[i * (m_points / ring.points)]; }
     double bark(double along) const { return m_bark.perMetre * along; }
-    glm::dvec3 normalAt(const RingShape& ring, double angle, glm::dvec2 direction) const;
 
     const CGeneration& m_generation;
     const MeshPlan& m_plan;
     const CStemSurface& m_surface;
-    CCentreLine m_line;
+    CPathSurface m_path;
     CStemSurface::Bark m_bark{1, 1};
     const Tube* m_tube = nullptr;
     std::uint32_t m_points = 0; ///< of the first ring
-    double m_floor = 0;
-    CRootFlare m_roots;
-    std::vector<RingShape> m_rings;
+    std::vector<DrawnRing> m_rings;
     std::vector<glm::dvec2> m_circle; ///< of the tube's first ring
 };
 

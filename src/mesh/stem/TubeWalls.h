@@ -17,7 +17,7 @@ public:
         for (std::uint32_t c = 0; c < m_collar; ++c) m_starts.push_back(index += wallIndices(tube.points, tube.points));
         for (std::uint32_t r = 0; r + 1 < tube.ringCount; ++r) {
             const bool cone = tube.pointed && r + 2 == tube.ringCount;
-            m_starts.push_back(index += wallIndices(rings[r].points, cone ? 0 : rings[r + 1].points));
+            m_starts.push_back(index += cone ? wallIndices(rings[r].points, 0) : wallIndices(rings[r], rings[r + 1]));
         }
         for (std::uint32_t r = 0; r < tube.ringCount; ++r) {
             const CSegment& segment = generation.segments[rings[r].segment];

@@ -11,22 +11,24 @@ public:
     CTriangleWriter(std::uint32_t* out, std::uint32_t first, std::uint32_t points)
         : m_out(out), m_next(first), m_points(points) {}
 
-    /// Up to a ring of as many points, or of half as many.
+    /// Up to a ring of as many points, or of half as many; at a fork of more.
     void addWall(std::uint32_t above) {
-        for (std::uint32_t i = 0; i < above; ++i) {
-            const std::uint32_t b = m_next + m_points + 1 + i;
+        const std::uint32_t low = m_next, high = m_next + m_points + 1;
+        if (above > m_points) addFan(low, high, above);
+        for (std::uint32_t i = 0; i < above && above <= m_points; ++i) {
+            const std::uint32_t b = high + i;
             if (above == m_points) {
-                const std::uint32_t a = m_next + i;
+                const std::uint32_t a = low + i;
                 add(a, a + 1, b + 1);
                 add(a, b + 1, b);
             } else {
-                const std::uint32_t a = m_next + 2 * i;
+                const std::uint32_t a = low + 2 * i;
                 add(a, a + 1, b);
                 add(a + 1, b + 1, b);
                 add(a + 1, a + 2, b + 1);
             }
         }
-        m_next += m_points + 1;
+        m_next = high;
         m_points = above;
     }
     void addCone() {
@@ -34,6 +36,11 @@ public:
         m_next += 2 * m_points + 1;
     }
     void skipRing() { m_next += m_points + 1; }
+    /// To a ring that no wall leads to.
+    void part(std::uint32_t above) {
+        skipRing();
+        m_points = above;
+    }
     void addLid(bool base, std::uint32_t points, bool middle) {
         m_points = points;
         const std::uint32_t first = middle ? 1 : 0, count = middle ? m_points : m_points - 2;
@@ -48,6 +55,15 @@ public:
     }
 
 private:
+    /// Evenly to a ring of more points.
+    void addFan(std::uint32_t low, std::uint32_t high, std::uint32_t above) {
+        std::uint32_t a = 0;
+        for (std::uint32_t b = 0; b < above; ++b) {
+            for (; (2 * a + 1) * above < (2 * b + 1) * m_points; ++a) add(low + a, low + a + 1, high + b);
+            add(low + a, high + b + 1, high + b);
+        }
+        for (; a < m_points; ++a) add(low + a, low + a + 1, high + above);
+    }
     void add(std::uint32_t a, std::uint32_t b, std::uint32_t c) {
         *m_out++ = a;
         *m_out++ = b;
@@ -61,8 +77,9 @@ private:
 
 bool writeTube(const MeshPlan& plan, const Tube& tube, CPointGenerator& points, CMesh& mesh) {
     VertexSink sink = sinkAt(mesh, tube.firstVertex);
-    CTriangleWriter triangles(mesh.indices.data() + tube.firstIndex, tube.firstVertex, tube.points);
     const Ring* rings = plan.ringsOf(tube);
+    CTriangleWriter triangles(mesh.indices.data() + tube.firstIndex, tube.firstVertex,
+                              tube.joined ? rings[0].points : tube.points);
     points.startTube(tube);
     for (std::uint32_t r = 0; r < tube.collarRings; ++r) {
         points.addCollarRing(r, sink);
@@ -71,7 +88,11 @@ bool writeTube(const MeshPlan& plan, const Tube& tube, CPointGenerator& points, 
     const std::uint32_t full = tube.ringCount - (tube.pointed ? 1 : 0);
     for (std::uint32_t r = 0; r < full; ++r) {
         points.addRing(r, sink);
-        if (r + 1 < full) triangles.addWall(rings[r + 1].points);
+        if (r + 1 == full) continue;
+        if (rings[r + 1].parted)
+            triangles.part(rings[r + 1].points);
+        else
+            triangles.addWall(rings[r + 1].points);
     }
     if (tube.pointed) {
         points.addTip(sink);
@@ -81,8 +102,10 @@ bool writeTube(const MeshPlan& plan, const Tube& tube, CPointGenerator& points, 
         points.addLid(false, sink);
         triangles.addLid(false, rings[full - 1].points, tube.middleOfLid(false));
     }
-    points.addLid(true, sink);
-    triangles.addLid(true, tube.points, tube.middleOfLid(true));
+    if (!tube.joined) {
+        points.addLid(true, sink);
+        triangles.addLid(true, tube.points, tube.middleOfLid(true));
+    }
     return turnNormalsToFront(mesh, plan, tube);
 }
 
@@ -93,13 +116,13 @@ void measure(const MeshPlan& plan, Tube& tube) {
     tube.indices = tube.collarRings * wallIndices(tube.points, tube.points);
     for (std::uint32_t r = 0; r < full; ++r) {
         tube.vertices += rings[r].points + 1;
-        if (r + 1 < full) tube.indices += wallIndices(rings[r].points, rings[r + 1].points);
+        if (r + 1 < full) tube.indices += wallIndices(rings[r], rings[r + 1]);
     }
     const auto addLid = [&](std::uint32_t points, bool middle) {
         tube.vertices += points + (middle ? 1 : 0);
         tube.indices += 3 * std::size_t{middle ? points : points - 2};
     };
-    addLid(tube.points, tube.middleOfLid(true));
+    if (!tube.joined) addLid(tube.points, tube.middleOfLid(true));
     if (!tube.pointed) return addLid(last, tube.middleOfLid(false));
     tube.vertices += last; // one tip for each side of the cone
     tube.indices += 3 * std::size_t{last};

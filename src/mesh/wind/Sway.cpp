@@ -27,9 +27,10 @@ public:
             add(base, std::size_t{tube.collarRings - 1} * (tube.points + 1));
         }
         const std::uint32_t full = tube.ringCount - (tube.pointed ? 1 : 0);
-        for (std::uint32_t r = 0; r < full; ++r) add(placeOf(rings[r]), rings[r].points + 1);
+        for (std::uint32_t r = 0; r < full; ++r) add(placeOf(rings[footOf(tube, r)]), rings[r].points + 1);
         const Ring& last = rings[tube.ringCount - 1];
         add(placeOf(last), rings[full - 1].points + (!tube.pointed && tube.middleOfLid(false) ? 1 : 0));
+        if (tube.joined) return;
         if (tube.middleOfLid(true)) add(base);
         for (std::uint32_t i = 0; i < tube.points; ++i) add(m_places[tube.firstVertex + i]);
     }
@@ -38,6 +39,13 @@ private:
     void add(const SwayPlace& place, std::size_t count = 1) {
         std::fill_n(m_places.data() + m_next, count, place);
         m_next += count;
+    }
+
+    /// Rings of a fork move with the common one, so that its paths stay together.
+    std::uint32_t footOf(const Tube& tube, std::uint32_t ring) const {
+        for (const Fork& fork : m_plan.forksOf(tube))
+            if (fork.ring <= ring && ring < fork.ring + fork.rings) return fork.ring;
+        return ring;
     }
 
     SwayPlace placeOf(const Ring& ring) const {

@@ -32,7 +32,7 @@ std::span<const MeshCheck> meshChecks();
 
 constexpr double kMaxFloating = 0.001, kMaxBuried = 0.01; ///< radii of the branch: rounding
 
-/// Checks the surfaces (one per path) of a generation's stems; their collars against the parents' triangles, if given.
+/// Checks the closed surfaces of a generation's stems; their collars against the parents' triangles, if given.
 MeshFaults checkStems(const CTree& tree, int generation, const StemMesh& stems, const StemMesh* parents);
 /// Checks a mesh of leaves: flat pieces that may be open.
 MeshFaults checkLeaves(const CMesh& leaves);

@@ -1,0 +1,258 @@
+#include "stem/Fork.h"
+#include <algorithm>
+#include <cmath>
+#include <glm/geometric.hpp>
+#include <limits>
+#include <numbers>
+
+namespace stromar {
+
+namespace {
+constexpr double kTurn = 2 * std::numbers::pi;
+constexpr double kLeastApart = 0.4; // radii from their middle that limbs have to part within their room
+constexpr double kRoom = 0.75;      // of the way to a limb's next fork or tip: how high the saddle may lie
+constexpr double kClearRoom = 0.9;  // likewise the first ring that is the path's own
+constexpr double kFill = 0.15;      // radii that valleys lie outside of the line where the surfaces meet
+constexpr double kApartOfMany = 1.3; // radii from their middle where three or more limbs have parted
+constexpr double kReach = 3;        // how fast what a valley fills wears off around a ring
+constexpr double kClear = 0.4;      // radii between the saddle and that ring, at least
+constexpr int kHalvings = 12;
+
+glm::dvec2 directionOf(double angle) { return {std::cos(angle), std::sin(angle)}; }
+
+/// The angle plus whole turns that is nearest to another.
+double nearest(double angle, double to) { return angle + kTurn * std::round((to - angle) / kTurn); }
+} // namespace
+
+std::optional<ForkNode> CForkMaker::nodeAt(const CStem& stem, std::uint32_t path, std::uint32_t segment,
+                                           double reach) const {
+    const CPath& own = m_generation.paths[stem.firstPath + path];
+    const std::uint32_t position = segment - own.firstSegment + own.firstPosition;
+    ForkNode node{{path}, segment - 1, reach};
+    for (std::uint32_t p = path + 1; p < stem.pathCount; ++p) {
+        const CPath& clone = m_generation.paths[stem.firstPath + p];
+        if (clone.source == static_cast<std::int32_t>(path) && clone.firstPosition == position) node.paths.push_back(p);
+    }
+    const bool winds = m_generation.segments[node.segmentBelow].helixRadius > 0;
+    if (node.paths.size() < 2 || reach <= 0 || winds) return {};
+    return node;
+}
+
+std::optional<ForkRings> CForkMaker::make(const CStem& stem, const ForkNode& node, std::uint32_t points, double maxTurn,
+                                          bool lobed) {
+    m_points = points;
+    if (points < node.paths.size() || !startLimbs(stem, node, maxTurn, lobed)) return {};
+    ForkRings rings;
+    for (std::uint32_t i = 0; i <= points; ++i) {
+        const double angle = kTurn * (i % points) / points;
+        const CPathSurface& surface = m_limbs.front().surface;
+        rings.common.push_back({glm::vec3(surface.pointAt(m_common, angle, directionOf(angle))),
+                                glm::vec3(surface.normalAt(m_common, angle, directionOf(angle))),
+                                static_cast<float>(i) / static_cast<float>(points), static_cast<float>(m_common.along), 0});
+    }
+    for (const Limb& limb : m_limbs) {
+        ForkLimb made{limb.path, limb.share, {}, {m_common.along}, 0};
+        for (std::uint32_t i = 0; i <= limb.share; ++i) {
+            made.points.push_back(rings.common[(limb.first + i) % points]);
+            made.points.back().turn = static_cast<float>(limb.first + i) / static_cast<float>(points);
+        }
+        rings.limbs.push_back(std::move(made));
+    }
+    const double top = alongWhereApart(isPair() ? 1 + kFill : kApartOfMany);
+    const std::vector<double> alongs = levels(top);
+    if (!standApart(stem, alongs)) return {};
+    for (std::size_t l = 0; l < alongs.size(); ++l)
+        addLevel(levelAt(alongs[l]), double(l + 1) / double(alongs.size()), rings);
+    for (std::size_t i = 0; i < m_limbs.size(); ++i) {
+        ForkLimb& made = rings.limbs[i];
+        const double step = std::max(kClear * m_common.radius, top - made.along[made.along.size() - 2]);
+        made.along.push_back(std::min(top + step, m_common.along + kClearRoom * (m_limbs[i].limit - m_common.along)));
+        made.seam = static_cast<std::int32_t>(std::lround(m_limbs[i].left / kTurn * points));
+    }
+    return rings;
+}
+
+/// False when they have no room to part.
+bool CForkMaker::startLimbs(const CStem& stem, const ForkNode& node, double maxTurn, bool lobed) {
+    const double foot = m_generation.segments[node.segmentBelow].end() - node.reach;
+    m_limbs.clear();
+    m_limit = std::numeric_limits<double>::infinity();
+    for (const std::uint32_t p : node.paths) {
+        Limb& limb = m_limbs.emplace_back(
+            Limb{p, limitOf(stem, p, node.segmentBelow), CPathSurface(m_generation, m_surface)});
+        limb.surface.start(stem, m_generation.paths[stem.firstPath + p], maxTurn, lobed);
+        m_limit = std::min(m_limit, foot + kRoom * (limb.limit - foot));
+    }
+    m_common = m_limbs.front().surface.shapeAt(foot);
+    const Level top = levelAt(m_limit);
+    return top.apart >= kLeastApart && shareOut(top);
+}
+
+/// The next fork of the path takes at most the upper half of the segment below it.
+double CForkMaker::limitOf(const CStem& stem, std::uint32_t p, std::uint32_t segmentBelow) const {
+    const std::span<const CSegment> segments = m_generation.segmentsOf(m_generation.paths[stem.firstPath + p]);
+    const double from = m_generation.segments[segmentBelow].end();
+    for (const CSegment& segment : segments)
+        if (segment.start >= from && segment.forks) return segment.start + segment.length / 2;
+    return segments.back().end();
+}
+
+/// Gives each limb the points of the common ring that lie to its side; false when one would have none.
+bool CForkMaker::shareOut(const Level& top) {
+    std::vector<std::pair<double, std::size_t>> order;
+    for (std::size_t i = 0; i < m_limbs.size(); ++i) {
+        const glm::dvec3 aside = top.rings[i].centre - top.middle;
+        const double azimuth = std::atan2(glm::dot(aside, top.frame[1]), glm::dot(aside, top.frame[0]));
+        order.emplace_back(azimuth < 0 ? azimuth + kTurn : azimuth, i);
+    }
+    std::ranges::sort(order);
+    std::vector<Limb> sorted;
+    for (const auto& [azimuth, i] : order) {
+        sorted.push_back(std::move(m_limbs[i]));
+        sorted.back().azimuth = azimuth;
+    }
+    m_limbs = std::move(sorted);
+    for (std::size_t i = 0; i < m_limbs.size(); ++i) {
+        const double own = m_limbs[i].azimuth, after = m_limbs[next(i)].azimuth + (next(i) == 0 ? kTurn : 0);
+        m_limbs[i].right = (own + after) / 2;
+        m_limbs[next(i)].left = m_limbs[i].right - (next(i) == 0 ? kTurn : 0);
+    }
+    const auto indexAt = [&](double angle) { return std::lround(angle / kTurn * m_points); };
+    for (Limb& limb : m_limbs) {
+        const long first = indexAt(limb.left), share = indexAt(limb.right) - first;
+        if (share < 1) return false;
+        limb.first = static_cast<std::uint32_t>((first + static_cast<long>(m_points)) % static_cast<long>(m_points));
+        limb.share = static_cast<std::uint32_t>(share);
+        limb.left = kTurn * limb.first / m_points;
+        limb.right = limb.left + kTurn * limb.share / m_points;
+    }
+    return true;
+}
+
+CForkMaker::Level CForkMaker::levelAt(double along) const {
+    Level level{along, 0, 0, glm::dvec3(0), m_common.frame, {}};
+    const auto count = double(m_limbs.size());
+    double radius = 0;
+    glm::dvec3 axis(0);
+    for (const Limb& limb : m_limbs) {
+        const RingShape& ring = level.rings.emplace_back(limb.surface.shapeAt(along));
+        level.middle += ring.centre / count;
+        radius += ring.radius / count;
+        axis += ring.frame[2];
+    }
+    if (glm::length(axis) > 1e-6) level.frame = transported(m_common.frame, glm::normalize(axis));
+    for (const RingShape& ring : level.rings)
+        level.apart += glm::distance(ring.centre, level.middle) / (count * radius);
+    level.radius = radius;
+    return level;
+}
+
+/// The place along the stem, or the limit.
+double CForkMaker::alongWhereApart(double apart) const {
+    if (levelAt(m_limit).apart <= apart) return m_limit;
+    double low = m_common.along, high = m_limit;
+    for (int halving = 0; halving < kHalvings; ++halving) {
+        const double middle = (low + high) / 2;
+        (levelAt(middle).apart < apart ? low : high) = middle;
+    }
+    return high;
+}
+
+/// Where rings stand up to the saddle: evenly by angle about two limbs, where these are round.
+std::vector<double> CForkMaker::levels(double top) const {
+    constexpr double kPointsPerLevel = 4, kSpacing = 24;
+    const double bySize = m_points / kPointsPerLevel, byLength = (top - m_common.along) * m_points / (kSpacing * m_common.radius);
+    const int count = static_cast<int>(std::clamp(std::max(bySize, byLength), 1.0, kMaxLevels));
+    const double apart = levelAt(top).apart;
+    std::vector<double> alongs;
+    for (int l = 1; l < count; ++l) alongs.push_back(alongWhereApart(apart * (isPair() ? std::sin(kTurn / 4 * l / count) : double(l) / count)));
+    alongs.push_back(top);
+    return alongs;
+}
+
+/// Whether the points of rings at these places are told apart in single precision.
+bool CForkMaker::standApart(const CStem& stem, const std::vector<double>& alongs) const {
+    const double least = 4 * CStemSurface::minDrawn(stem, m_generation.segments[stem.firstSegment]);
+    double gap = kTurn * m_common.radius / m_points, below = m_common.along;
+    for (const double along : alongs) {
+        gap = std::min(gap, along - below);
+        below = along;
+    }
+    return gap > least;
+}
+
+/// To the right of each limb, where the surfaces of neighbours meet; at the top all are one. `share`: 1 there.
+std::vector<glm::dvec3> CForkMaker::valleysAt(const Level& level, double share) const {
+    std::vector<glm::dvec3> valleys;
+    for (std::size_t i = 0; i < m_limbs.size(); ++i) {
+        const double gap = m_limbs[next(i)].azimuth - m_limbs[i].azimuth + (next(i) == 0 ? kTurn : 0);
+        const double apart = level.apart / (1 + kFill), aside = apart * std::sin(gap / 2);
+        const double out = apart * std::cos(gap / 2) + std::sqrt(std::max(0.0, 1 - aside * aside));
+        const double onRing = kTurn * (m_limbs[i].first + m_limbs[i].share) / m_points;
+        const double exact = nearest(m_limbs[i].azimuth + gap / 2, onRing);
+        const glm::dvec2 at = directionOf(onRing + share * (exact - onRing));
+        const double narrowed = share == 1 ? 0 : level.radius * std::max(0.0, out) * (isPair() ? 1 : std::sqrt(1 - share * share));
+        valleys.push_back(level.middle + narrowed * (at.x * level.frame[0] + at.y * level.frame[1]));
+    }
+    return valleys;
+}
+
+/// Follows the valleys beside each limb around it.
+void CForkMaker::turnTo(const Level& level, const std::vector<glm::dvec3>& valleys, bool top) {
+    for (std::size_t i = 0; i < m_limbs.size(); ++i) {
+        Limb& limb = m_limbs[next(i)];
+        const auto angleOf = [&](std::size_t l, const glm::dvec3& valley) {
+            const RingShape& ring = level.rings[l];
+            const glm::dvec3 out = valley - ring.centre;
+            return std::atan2(glm::dot(out, ring.frame[1]), glm::dot(out, ring.frame[0]));
+        };
+        limb.left = nearest(angleOf(next(i), valleys[i]), limb.left);
+        m_limbs[i].right = nearest(angleOf(i, valleys[i]), m_limbs[i].right);
+    }
+    if (top)
+        for (Limb& limb : m_limbs) limb.right = limb.left + kTurn;
+}
+
+void CForkMaker::addLevel(const Level& level, double share, ForkRings& rings) {
+    const bool top = share == 1;
+    const std::vector<glm::dvec3> places = valleysAt(level, share);
+    turnTo(level, places, top);
+    std::vector<Valley> valleys;
+    for (std::size_t i = 0; i < m_limbs.size(); ++i) valleys.push_back(valleyAt(level, i, places[i], top));
+    for (std::size_t i = 0; i < m_limbs.size(); ++i)
+        addRing(level, next(i), valleys[i], valleys[next(i)], rings.limbs[next(i)]);
+}
+
+/// To the right of a limb; its normal is the mean of the surfaces' that meet there.
+CForkMaker::Valley CForkMaker::valleyAt(const Level& level, std::size_t limb, const glm::dvec3& position, bool top) const {
+    const auto normalOf = [&](std::size_t l, double angle) {
+        return m_limbs[l].surface.normalAt(level.rings[l], angle, directionOf(angle));
+    };
+    const glm::dvec3 own = normalOf(limb, m_limbs[limb].right), other = normalOf(next(limb), m_limbs[next(limb)].left);
+    const glm::dvec3 sum = top ? level.frame[2] : own + other;
+    return {position, glm::length(sum) > 1e-3 ? glm::normalize(sum) : level.frame[2], (1 - glm::dot(own, other)) / 2};
+}
+
+/// From valley to valley around a limb; what the valleys lie off its surface wears off between them.
+void CForkMaker::addRing(const Level& level, std::size_t l, const Valley& left, const Valley& right,
+                         ForkLimb& made) const {
+    const Limb& limb = m_limbs[l];
+    const RingShape& ring = level.rings[l];
+    const auto pointAt = [&](double angle) { return limb.surface.pointAt(ring, angle, directionOf(angle)); };
+    const glm::dvec3 leftOff = left.position - pointAt(limb.left), rightOff = right.position - pointAt(limb.right);
+    for (std::uint32_t i = 0; i <= m_points; ++i) {
+        const double share = double(i) / m_points, angle = limb.left + share * (limb.right - limb.left);
+        const double toLeft = std::pow(1 - share, kReach), toRight = std::pow(share, kReach);
+        const glm::dvec3 own = limb.surface.normalAt(ring, angle, directionOf(angle));
+        const glm::dvec3 position = i == 0        ? left.position
+                                    : i == m_points ? right.position
+                                                  : pointAt(angle) + toLeft * leftOff + toRight * rightOff;
+        const glm::dvec3 normal = (1 - toLeft) * (1 - toRight) * own + toLeft * left.normal + toRight * right.normal;
+        made.points.push_back({glm::vec3(position), glm::vec3(glm::normalize(normal)), static_cast<float>(angle / kTurn),
+                               static_cast<float>(level.along),
+                               static_cast<float>(toLeft * left.depth + toRight * right.depth)});
+    }
+    made.along.push_back(level.along);
+}
+
+} // namespace stromar

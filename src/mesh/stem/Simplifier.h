@@ -1,0 +1,102 @@
+#pragma once
+#include "stem/CentreLine.h"
+#include "stem/Collar.h"
+#include "stem/Fork.h"
+#include "stem/Smoother.h"
+#include "stem/TubeTrial.h"
+#include <optional>
+#include <span>
+
+namespace stromar {
+
+/// Chooses which rings of a generation's stems are drawn at a level of detail, and how many points each has. Made once
+/// for many stems.
+class CSimplifier {
+public:
+    /// With the parents' mesh, branches get collars on it.
+    CSimplifier(const CTree& tree, int generation, const MeshParams& params, const Detail& detail, const StemMesh* parents);
+
+    /// Appends a stem's tubes; those that a fork joins follow each other.
+    void planStem(std::uint32_t s, MeshPlan& plan);
+
+private:
+    /// How much of a plan there was.
+    struct Mark {
+        explicit Mark(const MeshPlan& plan)
+            : rings(plan.rings.size()), tubes(plan.tubes.size()), collarPoints(plan.collarPoints.size()),
+              forks(plan.forks.size()), forkPoints(plan.forkPoints.size()) {}
+        void restore(MeshPlan& plan) const;
+        std::size_t rings, tubes, collarPoints, forks, forkPoints;
+    };
+    /// Where a path starts at a fork: what has been planned for it with the path it parts from.
+    struct ForkStart {
+        Ring common{};            ///< no points: it starts inside the wood
+        ForkLimb limb;
+        std::uint32_t firstPoint; ///< of the limb's, in the plan
+    };
+    /// A ring as the flat round thing it covers.
+    struct Disc {
+        Ring ring;
+        glm::dvec3 centre, axis, right;
+        double radius;
+    };
+
+    bool planPaths(std::uint32_t s, MeshPlan& plan);
+    bool planPath(std::uint32_t s, std::uint32_t p, MeshPlan& plan);
+    bool planTube(std::uint32_t s, std::uint32_t p, bool withCollar, MeshPlan& plan);
+    std::uint32_t surfaceOf(const Tube& tube, std::span<const Tube> own) const;
+
+    double addCollar(const CStem& stem, Tube& tube, MeshPlan& plan);
+    bool addRings(const CStem& stem, const CPath& path, double start, Tube& tube, MeshPlan& plan);
+    std::uint32_t addFirstRings(const CStem& stem, const CPath& path, double start, Tube& tube, MeshPlan& plan);
+    bool addFork(const CStem& stem, Tube& tube, std::uint32_t segment, MeshPlan& plan);
+    std::uint32_t addLimb(const CStem& stem, const ForkStart& start, Tube& tube, MeshPlan& plan);
+    void addRing(const CStem& stem, const Tube& tube, const Disc& disc, bool needed, MeshPlan& plan);
+    template <typename Add> void addBetween(const CStem& stem, std::uint32_t segment, Add&& add);
+    bool isLeftOut(const CStem& stem, std::uint32_t segment, double& left) const;
+
+    void halvePoints(const CStem& stem, const Tube& tube, MeshPlan& plan) const;
+    bool canHalve(const CStem& stem, std::uint32_t points, const Ring& ring) const;
+    std::uint32_t ringPoints(double radius) const;
+    int roundPoints(double radius) const { return roundRingPoints(m_detail, m_surface.thickness(radius)); }
+
+    bool collarFolds(const Tube& tube, const MeshPlan& plan);
+    bool forksFold(const Tube& tube, const MeshPlan& plan);
+    bool unfold(const CStem& stem, Tube& tube, MeshPlan& plan);
+    bool isTight(const CStem& stem, const Tube& tube, const MeshPlan& plan) const;
+
+    Disc discAt(const CStem& stem, const Ring& ring) const;
+    bool collide(const Disc& low, const Disc& high) const;
+    std::uint32_t ringCountOf(const Tube& tube, const MeshPlan& plan) const {
+        return static_cast<std::uint32_t>(plan.rings.size()) - tube.firstRing;
+    }
+    double alongOf(const Ring& ring) const;
+    double turnOf(const CStem& stem, double ofTrunk) const;
+    bool endsInPoint(const CStem& stem, const CPath& path) const;
+    ForkStart& startOf(const CStem& stem, std::uint32_t path) { return m_starts[path - stem.firstPath]; }
+    std::uint32_t indexOf(const CSegment& segment) const {
+        return static_cast<std::uint32_t>(&segment - m_generation.segments.data());
+    }
+
+    const Detail& m_detail;
+    const CGeneration& m_generation;
+    CStemSurface m_surface;
+    CSmoother m_smoother;
+    CCentreLine m_line;
+    CForkMaker m_forkMaker;
+    CTubeTrial m_trial;
+    bool m_smooth;
+    std::optional<CCollarMaker> m_collars;
+
+    // Of the stem and the tube that are being planned:
+    std::vector<ForkStart> m_starts;      ///< of its paths
+    std::vector<std::uint32_t> m_planned; ///< forks of the tube, by the segment below
+    std::vector<std::uint32_t> m_refused; ///< forks that fold: their clones start inside the wood
+    Disc m_last{};
+    std::size_t m_fixed = 1; ///< its rings that others do not push out
+    double m_clear = 0;      ///< metres along the stem above which rings may stand
+    double m_spacing = 0;    ///< metres below which rings coincide
+    std::vector<double> m_places;
+};
+
+} // namespace stromar
