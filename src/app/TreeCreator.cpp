@@ -111,6 +111,7 @@ private:
             made.stems.plan = planStems(g);
         made.last = last;
         release(made.stems.plan.collarPoints); // only the mesh needed them
+        release(made.stems.plan.forkPoints);
         if (last) {
             release(made.stems.plan.rings);
             release(made.stems.plan.tubes);

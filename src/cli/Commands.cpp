@@ -3,6 +3,7 @@
 #include "stromar/app/Formats.h"
 #include "stromar/app/Methods.h"
 #include "stromar/app/Prediction.h"
+#include "stromar/mesh/check/Crossings.h"
 #include "stromar/mesh/check/MeshCheck.h"
 #include "stromar/model/MeshValues.h"
 #include "stromar/params/TreeFile.h"
@@ -271,6 +272,7 @@ bool checkMeshes(const CommonOptions& common, const ModelOptions& options, std::
     if (!model->cards || model->leaves()->count() > 0)
         sound &= printFaults(model->leaves()->name(), checkLeaves(*model->leaves()->expanded(progress)), out);
     if (model->cards) sound &= printFaults(model->cards->name, checkLeaves(*model->cards), out);
+    out << countCrossings(*model->tree, progress) << " pairs of stems that are not parent and child run through each other\n";
     out << (sound ? "all sound\n" : "something is wrong\n");
     return sound;
 }

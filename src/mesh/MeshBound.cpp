@@ -36,11 +36,12 @@ public:
     /// Of the triangles: walls have two for each point of a ring, whose seam is doubled; lids have fewer.
     double corners() const { return vertices() * 6 * points() / (points() + 1); }
     double planBytes() const {
-        const double forkPoints = forkRings() * (points() + 1) * sizeof(ForkPoint);
-        return rings() * sizeof(Ring) + forkPoints + m_bound.paths * (sizeof(Tube) + 2 * sizeof(Fork) + sizeof(std::int32_t)) + 1;
+        return rings() * sizeof(Ring) + m_bound.paths * (sizeof(Tube) + 2 * sizeof(Fork) + sizeof(std::int32_t)) + 1;
     }
-    /// Of its collar, until its generation has a mesh.
-    double collarBytes() const { return points() * sizeof(SurfacePoint); }
+    /// Of the points of its collar and its forks, until its generation has a mesh.
+    double pointBytes() const {
+        return points() * sizeof(SurfacePoint) + forkRings() * (points() + 1) * sizeof(ForkPoint);
+    }
 
 private:
     /// Rings that CSmoother and CCentreLine may add between the ends of a stem's segments.
@@ -56,8 +57,8 @@ private:
 
     /// Up to the saddles between a stem's paths (CForkMaker), for each clone and for the path it parts from.
     double forkRings() const {
-        constexpr double kAround = 4; // the common ring, its shares, and those that turn the seam back
-        return m_bound.forks ? 2 * (std::min(CForkMaker::kMaxLevels, 1 + points() / 2) + kAround) * (m_bound.paths - 1) : 0;
+        constexpr double kAround = 2.5; // half a common ring, a share of it, and the ring that turns the seam back
+        return m_bound.forks ? 2 * (std::min(CForkMaker::kMaxLevels, 1 + 0.4 * points()) + kAround) * (m_bound.paths - 1) : 0;
     }
 
     /// Where flare and roots bend the lowest paths. Halving until the radius is met takes rings by the root of how far
@@ -141,23 +142,23 @@ OrganBound organBound(const SizeBound& tree, Organ organ, const MeshParams& para
 
 MeshBound meshBound(const SizeBound& tree, const MeshParams& params, const Detail& detail, bool onCards) {
     MeshBound bound;
-    double corners = 0, maxCollarBytes = 0;
+    double corners = 0, maxPointBytes = 0;
     const std::vector<GenerationBound>& wood = onCards ? tree.twigs.wood : tree.generations;
     for (std::size_t g = 0; g < wood.size(); ++g) {
         const bool sparse = !onCards && g >= 2 && g + 1 == wood.size();
         const double drawn = sparse ? twigShareBound(tree, detail) : 1;
-        double collarBytes = 0;
+        double pointBytes = 0;
         for (const auto& [share, thickness] : wood[g].thickness) {
             const CStemMeshBound each(tree.base, wood, g, thickness, detail);
             const double stems = drawn * share * wood[g].stems;
             bound.vertices += stems * each.vertices();
             corners += stems * each.corners();
             bound.bytes += 2 * stems * each.planBytes(); // its parts and the whole
-            collarBytes += 2 * stems * each.collarBytes();
+            pointBytes += 2 * stems * each.pointBytes();
         }
-        maxCollarBytes = std::max(maxCollarBytes, collarBytes);
+        maxPointBytes = std::max(maxPointBytes, pointBytes);
     }
-    bound.bytes += maxCollarBytes;
+    bound.bytes += maxPointBytes;
     for (const Organ organ : kOrgans) {
         const OrganBound own = organBound(tree, organ, params, detail, onCards);
         bound.vertices += own.vertices;

@@ -100,6 +100,24 @@ TEST_P(PresetMesh, RingsHaveFewerPointsWhereTheyAreThin) {
     EXPECT_EQ(halved > 0, tapers);
 }
 
+/// Of the paths that fork from a stem, all but few are one surface with it; helices do not part.
+TEST_P(PresetMesh, ForksAreOneSurface) {
+    for (const int lod : {0, 1, 2}) {
+        std::size_t clones = 0, joined = 0;
+        forEachStemMesh(params(), detailOf(Model::Full, lod), [&](const CTree& tree, int g, const MeshPlan& plan, const CMesh&) {
+            const CGeneration& generation = tree.generation(static_cast<std::size_t>(g));
+            for (const Tube& tube : plan.tubes) {
+                const CStem& stem = generation.stems[tube.stem];
+                const CSegment* below = generation.segmentBelow(stem, generation.paths[tube.path]);
+                if (!below || below->helixRadius > 0) continue;
+                ++clones;
+                joined += tube.joined;
+            }
+        });
+        EXPECT_GE(double(joined), 0.8 * double(clones)) << "of " << clones << ", LOD " << lod;
+    }
+}
+
 TEST_P(PresetMesh, EveryTubeFacesOutwards) {
     for (const Detail& detail : detailTable())
         forEachStemMesh(params(), detail, [&](const CTree&, int, const MeshPlan& plan, const CMesh& mesh) {

@@ -14,6 +14,7 @@ constexpr double kRoom = 0.75;      // of the way to a limb's next fork or tip: 
 constexpr double kClearRoom = 0.9;  // likewise the first ring that is the path's own
 constexpr double kFill = 0.15;      // radii that valleys lie outside of the line where the surfaces meet
 constexpr double kApartOfMany = 1.3; // radii from their middle where three or more limbs have parted
+constexpr double kLeastWidth = 0.1;  // radii from the middle to a valley below the saddle, where limbs part and near again
 constexpr double kReach = 3;        // how fast what a valley fills wears off around a ring
 constexpr double kClear = 0.4;      // radii between the saddle and that ring, at least
 constexpr int kHalvings = 12;
@@ -158,14 +159,18 @@ double CForkMaker::alongWhereApart(double apart) const {
     return high;
 }
 
-/// Where rings stand up to the saddle: evenly by angle about two limbs, where these are round.
+/// Where rings stand up to the saddle: between evenly along the stem, for its bends, and evenly by angle about two limbs,
+/// where these are round.
 std::vector<double> CForkMaker::levels(double top) const {
     constexpr double kPointsPerLevel = 4, kSpacing = 24;
     const double bySize = m_points / kPointsPerLevel, byLength = (top - m_common.along) * m_points / (kSpacing * m_common.radius);
     const int count = static_cast<int>(std::clamp(std::max(bySize, byLength), 1.0, kMaxLevels));
     const double apart = levelAt(top).apart;
     std::vector<double> alongs;
-    for (int l = 1; l < count; ++l) alongs.push_back(alongWhereApart(apart * (isPair() ? std::sin(kTurn / 4 * l / count) : double(l) / count)));
+    for (int l = 1; l < count; ++l) {
+        const double share = double(l) / count, evenly = m_common.along + share * (top - m_common.along);
+        alongs.push_back((evenly + alongWhereApart(apart * (isPair() ? std::sin(kTurn / 4 * share) : share))) / 2);
+    }
     alongs.push_back(top);
     return alongs;
 }
@@ -191,7 +196,7 @@ std::vector<glm::dvec3> CForkMaker::valleysAt(const Level& level, double share) 
         const double onRing = kTurn * (m_limbs[i].first + m_limbs[i].share) / m_points;
         const double exact = nearest(m_limbs[i].azimuth + gap / 2, onRing);
         const glm::dvec2 at = directionOf(onRing + share * (exact - onRing));
-        const double narrowed = share == 1 ? 0 : level.radius * std::max(0.0, out) * (isPair() ? 1 : std::sqrt(1 - share * share));
+        const double narrowed = share == 1 ? 0 : level.radius * std::max(kLeastWidth * (1 - share), out) * (isPair() ? 1 : std::sqrt(1 - share * share));
         valleys.push_back(level.middle + narrowed * (at.x * level.frame[0] + at.y * level.frame[1]));
     }
     return valleys;

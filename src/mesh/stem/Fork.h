@@ -33,7 +33,7 @@ struct ForkRings {
 /// runs on.
 class CForkMaker {
 public:
-    static constexpr double kMaxLevels = 10; ///< rings up to a saddle
+    static constexpr double kMaxLevels = 7; ///< rings up to a saddle
 
     CForkMaker(const CGeneration& generation, const CStemSurface& surface) : m_generation(generation), m_surface(surface) {}
 

@@ -1,4 +1,5 @@
 #include "stromar/mesh/Sway.h"
+#include "stem/PathSurface.h"
 #include "stromar/util/Parallel.h"
 #include "stromar/util/Random.h"
 #include <algorithm>
@@ -27,7 +28,7 @@ public:
             add(base, std::size_t{tube.collarRings - 1} * (tube.points + 1));
         }
         const std::uint32_t full = tube.ringCount - (tube.pointed ? 1 : 0);
-        for (std::uint32_t r = 0; r < full; ++r) add(placeOf(rings[footOf(tube, r)]), rings[r].points + 1);
+        for (std::uint32_t r = 0; r < full; ++r) add(placeOf(tube, r), rings[r].points + 1);
         const Ring& last = rings[tube.ringCount - 1];
         add(placeOf(last), rings[full - 1].points + (!tube.pointed && tube.middleOfLid(false) ? 1 : 0));
         if (tube.joined) return;
@@ -41,11 +42,21 @@ private:
         m_next += count;
     }
 
-    /// Rings of a fork move with the common one, so that its paths stay together.
-    std::uint32_t footOf(const Tube& tube, std::uint32_t ring) const {
-        for (const Fork& fork : m_plan.forksOf(tube))
-            if (fork.ring <= ring && ring < fork.ring + fork.rings) return fork.ring;
-        return ring;
+    /// The rings of a fork move with the path that runs on, so that all that part there stay together.
+    SwayPlace placeOf(const Tube& tube, std::uint32_t ring) const {
+        const Ring* rings = m_plan.ringsOf(tube);
+        for (const Fork& fork : m_plan.forksOf(tube)) {
+            if (ring < fork.ring || ring >= fork.ring + fork.rings) continue;
+            std::uint32_t point = fork.firstPoint;
+            for (std::uint32_t r = fork.ring; r < ring; ++r) point += rings[r].points + 1;
+            const CStem& stem = m_all.stems[tube.stem];
+            const CPath& own = m_all.paths[tube.path];
+            const bool starts = tube.joined && fork.ring == 0;
+            const CPath& path = starts ? m_all.paths[stem.firstPath + static_cast<std::uint32_t>(own.source)] : own;
+            const auto [segment, t] = placeAlong(m_all, stem, path, double(m_plan.forkPoints[point].along));
+            return placeOf({segment, 0, t});
+        }
+        return placeOf(rings[ring]);
     }
 
     SwayPlace placeOf(const Ring& ring) const {
