@@ -2426,6 +2426,30 @@
         <source>How much leaves differ in hue and lightness, in the window and in its pictures. 0: all are alike.</source>
         <translation>Jak se listy liší odstínem a světlostí, v okně a na jeho obrázcích. 0: všechny jsou stejné.</translation>
     </message>
+    <message>
+        <source>Remeshed in voxels</source>
+        <translation>Nová síť z voxelů</translation>
+    </message>
+    <message>
+        <source>One solid</source>
+        <translation>Jedno těleso</translation>
+    </message>
+    <message>
+        <source>For printing: all wood as one closed surface, without leaves. Of up to 5,000 stems.</source>
+        <translation>Pro tisk: všechno dřevo jako jedna uzavřená plocha, bez listů. Nejvýše 5000 výhonů.</translation>
+    </message>
+    <message>
+        <source>Voxel size</source>
+        <translation>Velikost voxelu</translation>
+    </message>
+    <message>
+        <source>The edge of the cubes that a solid is made of, in metres of the tree. Thinner wood becomes as thick.</source>
+        <translation>Hrana krychlí, z nichž je těleso, v metrech stromu. Tenčí dřevo se na ni zesílí.</translation>
+    </message>
+    <message>
+        <source>one solid has no levels of detail and does not move in the wind</source>
+        <translation>jedno těleso nemá úrovně detailů a nehýbe se ve větru</translation>
+    </message>
 </context>
 <context>
     <name>stromar::CCurveEditor</name>

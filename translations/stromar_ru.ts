@@ -2426,6 +2426,30 @@
         <source>How much leaves differ in hue and lightness, in the window and in its pictures. 0: all are alike.</source>
         <translation>Насколько листья различаются оттенком и светлотой, в окне и на его картинках. 0: все одинаковы.</translation>
     </message>
+    <message>
+        <source>Remeshed in voxels</source>
+        <translation>Новая сетка из вокселей</translation>
+    </message>
+    <message>
+        <source>One solid</source>
+        <translation>Единое тело</translation>
+    </message>
+    <message>
+        <source>For printing: all wood as one closed surface, without leaves. Of up to 5,000 stems.</source>
+        <translation>Для печати: вся древесина как одна замкнутая поверхность, без листьев. Не более 5000 побегов.</translation>
+    </message>
+    <message>
+        <source>Voxel size</source>
+        <translation>Размер вокселя</translation>
+    </message>
+    <message>
+        <source>The edge of the cubes that a solid is made of, in metres of the tree. Thinner wood becomes as thick.</source>
+        <translation>Ребро кубов, из которых состоит тело, в метрах дерева. Более тонкая древесина становится такой толщины.</translation>
+    </message>
+    <message>
+        <source>one solid has no levels of detail and does not move in the wind</source>
+        <translation>единое тело не имеет уровней детализации и не движется на ветру</translation>
+    </message>
 </context>
 <context>
     <name>stromar::CCurveEditor</name>

@@ -2426,6 +2426,30 @@
         <source>How much leaves differ in hue and lightness, in the window and in its pictures. 0: all are alike.</source>
         <translation>Kako se listi razlikujejo po odtenku in svetlosti, v oknu in na njegovih slikah. 0: vsi so enaki.</translation>
     </message>
+    <message>
+        <source>Remeshed in voxels</source>
+        <translation>Nova mreža iz vokslov</translation>
+    </message>
+    <message>
+        <source>One solid</source>
+        <translation>Eno telo</translation>
+    </message>
+    <message>
+        <source>For printing: all wood as one closed surface, without leaves. Of up to 5,000 stems.</source>
+        <translation>Za tiskanje: ves les kot ena zaprta ploskev, brez listov. Največ 5000 poganjkov.</translation>
+    </message>
+    <message>
+        <source>Voxel size</source>
+        <translation>Velikost voksla</translation>
+    </message>
+    <message>
+        <source>The edge of the cubes that a solid is made of, in metres of the tree. Thinner wood becomes as thick.</source>
+        <translation>Rob kock, iz katerih je telo, v metrih drevesa. Tanjši les postane tako debel.</translation>
+    </message>
+    <message>
+        <source>one solid has no levels of detail and does not move in the wind</source>
+        <translation>eno telo nima ravni podrobnosti in se ne giblje v vetru</translation>
+    </message>
 </context>
 <context>
     <name>stromar::CCurveEditor</name>

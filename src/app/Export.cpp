@@ -2,6 +2,8 @@
 #include "wind/WindExport.h"
 #include "stromar/app/Formats.h"
 #include "stromar/params/ParamTable.h"
+#include "stromar/mesh/VoxelMesh.h"
+#include "stromar/model/MeshValues.h"
 #include "stromar/model/ModelSway.h"
 #include "stromar/texture/TextureMaps.h"
 #include "stromar/util/Parallel.h"
@@ -156,6 +158,12 @@ std::vector<std::shared_ptr<const TreeModel>> makeLods(CTreeCreator& creator, co
     return lods;
 }
 
+/// What of a model goes into the file.
+Meshes meshesFor(const TreeModel& model, const ExportOptions& options, const CProgress& progress) {
+    if (!isSolid(options)) return model.meshes(progress);
+    return {voxelMesh(*model.tree, meshParamsOf(model.params), options.voxelSize, progress)};
+}
+
 /// Makes the poses of a motion, some at a time.
 class CPoseMaker {
 public:
@@ -180,7 +188,7 @@ public:
             creator->setAge(moment.age);
             pose.lods = makeLods(*creator, m_params, m_options, progress);
             giveBack(std::move(creator));
-            for (const auto& lod : pose.lods) pose.meshes.push_back(lod->meshes(progress));
+            for (const auto& lod : pose.lods) pose.meshes.push_back(meshesFor(*lod, m_options, progress));
             return pose;
         }
         for (const CMovingModel& moving : m_moving)
@@ -230,7 +238,7 @@ void exportModels(const std::vector<std::shared_ptr<const TreeModel>>& lods, con
         pose.sways.push_back(CMovingModel(lods[i], motion, progress).sway());
         pose.lods[i] = pose.sways[i]->model; // perhaps felled
     }
-    for (const auto& lod : pose.lods) pose.meshes.push_back(lod->meshes(progress));
+    for (const auto& lod : pose.lods) pose.meshes.push_back(meshesFor(*lod, options, progress));
     writePose(pose, options, treeFolder, {path, path}, progress, motion);
 }
 
@@ -238,6 +246,7 @@ void exportFrames(const CParams& params, const ExportOptions& options, const Mot
                   const SizeLimits& limits, const fs::path& treeFolder, const fs::path& path,
                   const std::function<void(const fs::path&)>& written, const CProgress& progress) {
     refuseUnless(options, formatOf(path), path);
+    if (isSolid(options) && motion.sways()) throw CError("one solid does not move in the wind");
     for (const Detail* detail : detailsOf(options)) refuseTooLarge(params, *detail, limits, progress);
     CPoseMaker maker(params, options, motion, varied, SizeLimits::none());
     maker.prepare(age, progress);

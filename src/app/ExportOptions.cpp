@@ -22,6 +22,8 @@ constexpr string_view kTextureNames[] = {N_("As usual in the format"), N_("Insid
 constexpr string_view kWindNames[] = {N_("None"), N_("Attributes for a shader"), N_("CryEngine vertex colours"),
                                       N_("Unity Tree Creator colours"), N_("Unreal Pivot Painter 2 pictures"),
                                       N_("Bones with clips")};
+constexpr string_view kWatertights[] = {"none", "voxel"};
+constexpr string_view kWatertightNames[] = {N_("No"), N_("Remeshed in voxels")};
 constexpr int kMaxBones = 256;
 
 constexpr ExportChoice kChoices[] = {
@@ -72,10 +74,24 @@ constexpr ExportChoice kChoices[] = {
      .help = N_("How many of the thickest stems get a bone of their own; the others follow theirs. Only with bones."),
      .field = &ExportOptions::bones,
      .range = {1, kMaxBones}},
+    {.key = "watertight",
+     .label = N_("One solid"),
+     .help = N_("For printing: all wood as one closed surface, without leaves. Of up to 5,000 stems."),
+     .words = kWatertights,
+     .names = kWatertightNames,
+     .field = &ExportOptions::watertight,
+     .argument = &ExportOptions::voxelSize},
+    {.key = "voxel-size",
+     .label = N_("Voxel size"),
+     .help = N_("The edge of the cubes that a solid is made of, in metres of the tree. Thinner wood becomes as thick."),
+     .number = &ExportOptions::voxelSize,
+     .range = {1e-4, 100}},
 };
 } // namespace
 
 std::span<const ExportChoice> exportChoices() { return kChoices; }
+
+bool isSolid(const ExportOptions& options) { return options.watertight == static_cast<int>(ExportedWatertight::Voxel); }
 
 string_view conflictOf(const ExportOptions& options, const Format& format) {
     const auto lods = static_cast<ExportedLods>(options.lods);
@@ -86,6 +102,9 @@ string_view conflictOf(const ExportOptions& options, const Format& format) {
     const bool simple = options.model == static_cast<int>(ExportedModel::Simple);
     if (simple && (lods != ExportedLods::None || options.lod > 0))
         return N_("levels of detail belong to the full model; the simple model has none");
+    const bool moves = options.wind != static_cast<int>(ExportedWind::None);
+    if (isSolid(options) && (moves || lods != ExportedLods::None || simple || options.lod > 0))
+        return N_("one solid has no levels of detail and does not move in the wind");
     const auto up = static_cast<ExportedUp>(options.up);
     const bool usual = up == ExportedUp::Format || (up == ExportedUp::Y) == (format.upAxis == "y");
     if (!usual && !format.anyUp)

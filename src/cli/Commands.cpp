@@ -5,6 +5,7 @@
 #include "stromar/app/Prediction.h"
 #include "stromar/mesh/check/Crossings.h"
 #include "stromar/mesh/check/MeshCheck.h"
+#include "stromar/mesh/VoxelMesh.h"
 #include "stromar/model/MeshValues.h"
 #include "stromar/params/TreeFile.h"
 #include "stromar/texture/Draw.h"
@@ -258,9 +259,16 @@ void printStructure(const CommonOptions& common, bool segments, std::ostream& ou
     }
 }
 
-bool checkMeshes(const CommonOptions& common, const ModelOptions& options, std::ostream& out,
+bool checkMeshes(const CommonOptions& common, const ModelOptions& options, const ExportOptions& exported, std::ostream& out,
                  const CProgress& progress) {
     const auto model = createModel(common, options.detail(), progress);
+    if (isSolid(exported)) {
+        const auto solid = voxelMesh(*model->tree, meshParamsOf(model->params), exported.voxelSize, progress);
+        printFaultsHead(out);
+        const bool sound = printFaults(solid->name, checkSolid(*solid), out);
+        out << (sound ? "all sound\n" : "something is wrong\n");
+        return sound;
+    }
     const auto all = meshAllStems(*model->tree, meshParamsOf(model->params), options.detail(), progress);
     printFaultsHead(out);
     bool sound = true;

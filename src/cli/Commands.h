@@ -39,8 +39,9 @@ enum class ListStyle { Text, Markdown, Json };
 void printInfo(const CommonOptions& common, const ModelOptions& model, std::ostream& out, const CProgress& progress);
 /// A line for each stem; with `segments` one for each of its segments behind it.
 void printStructure(const CommonOptions& common, bool segments, std::ostream& out, const CProgress& progress);
-/// Prints a table of the meshes' faults; false when there are any.
-bool checkMeshes(const CommonOptions& common, const ModelOptions& model, std::ostream& out, const CProgress& progress);
+/// Prints a table of the faults of the meshes, or of the one solid that is exported; false when there are any.
+bool checkMeshes(const CommonOptions& common, const ModelOptions& model, const ExportOptions& exported, std::ostream& out,
+                 const CProgress& progress);
 void exportTree(const CommonOptions& common, const ExportOptions& options, const Motion& motion, const std::string& path,
                 const CProgress& progress);
 /// Draws a recipe, "bark:birch" or "leaf:oak" and KEY=VALUE, and writes its pictures.

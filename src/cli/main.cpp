@@ -158,9 +158,33 @@ void addModel(CLI::App& command, Options& options) {
         ->check(CLI::Range(0, kMaxLod));
 }
 
+/// A word, and perhaps its number.
+void addWordAndNumber(CLI::App& command, const ExportChoice& choice, ExportOptions& options) {
+    const auto read = [&options, &choice](const std::vector<std::string>& given) {
+        const auto word = std::ranges::find(choice.words, given[0]);
+        const auto number = given.size() > 1 ? parseNumber(given[1]) : options.*choice.argument;
+        const std::string name = "--" + std::string(choice.key);
+        if (word == choice.words.end()) throw CUsageError(name + " is one of " + joined(choice.words));
+        if (!number || !(*number > 0)) throw CUsageError(name + " " + given[0] + ": '" + given[1] + "' is no size in metres");
+        options.*choice.field = static_cast<int>(word - choice.words.begin());
+        options.*choice.argument = *number;
+    };
+    command.add_option_function<std::vector<std::string>>("--" + std::string(choice.key), read, std::string(choice.help))
+        ->expected(1, 2)
+        ->option_text(joined(choice.words) + " [SIZE]");
+}
+
+/// Flags for what export and check can make of a tree.
+void addSolid(CLI::App& command, ExportOptions& options) {
+    for (const ExportChoice& choice : exportChoices())
+        if (choice.argument) addWordAndNumber(command, choice, options);
+}
+
 /// A flag for each row of the table of choices.
 void addExport(CLI::App& command, ExportOptions& options) {
+    addSolid(command, options);
     for (const ExportChoice& choice : exportChoices()) {
+        if (choice.argument) continue;
         const std::string flag = "--" + std::string(choice.key), help(choice.help);
         if (choice.number)
             command.add_option(flag, options.*choice.number, help)
@@ -243,7 +267,7 @@ int run(const CLI::App& app, Options& options) {
     if (name == "info") printInfo(options.common, options.model, std::cout, progress);
     if (name == "structure") printStructure(options.common, options.segments, std::cout, progress);
     bool sound = true;
-    if (name == "check") sound = checkMeshes(options.common, options.model, std::cout, progress);
+    if (name == "check") sound = checkMeshes(options.common, options.model, options.exported, std::cout, progress);
     if (name == "export") exportTree(options.common, options.exported, options.motion, options.output, progress);
     if (name == "render") renderTree(options.common, options.model, options.rendered, options.motion, options.output, progress);
     if (name == "texture") writeTexture(options.recipe, options.size, options.output, progress);
@@ -277,6 +301,7 @@ void setUp(CLI::App& app, Options& options) {
     addRender(*renderer, options);
     addMotion(*renderer, options, "pictures");
     addExport(*exporter, options.exported);
+    addSolid(*checker, options.exported);
     addMotion(*exporter, options, "files");
     exporter->add_option("-o,--output", options.output, "The model to write")->required()->type_name("OUT.ext");
     texture

@@ -11,8 +11,8 @@ namespace stromar {
 
 /// What a user can choose for one export. A plain value; what each means stands in the table.
 struct ExportOptions {
-    int model = 0, lod = 0, lods = 0, up = 0, textures = 0, wind = 0, bones = 64;
-    double scale = 1;
+    int model = 0, lod = 0, lods = 0, up = 0, textures = 0, wind = 0, bones = 64, watertight = 0;
+    double scale = 1, voxelSize = 0.02;
 
     bool operator==(const ExportOptions&) const = default;
 };
@@ -22,6 +22,7 @@ enum class ExportedModel { Full, Simple };
 enum class ExportedLods { None, InOneFile, FileEach };
 enum class ExportedUp { Format, Y, Z };
 enum class ExportedTextures { Format, Embed, Copy, Refer };
+enum class ExportedWatertight { None, Voxel };
 enum class ExportedWind { None, Attributes, CryEngine, Unity, PivotPainter, Bones };
 
 /// One row of the table of choices: the flags of the command line and the rows of the dialog are loops over it.
@@ -32,8 +33,11 @@ struct ExportChoice {
     int ExportOptions::*field = nullptr;
     double ExportOptions::*number = nullptr;
     Range range = {0, 0}; ///< of a number
+    double ExportOptions::*argument = nullptr; ///< a number that may follow a word: another row's
 };
 std::span<const ExportChoice> exportChoices();
+
+bool isSolid(const ExportOptions& options);
 
 /// Why a format cannot do what was chosen; empty when it can. Marked for translation; %1 stands for its ending.
 std::string_view conflictOf(const ExportOptions& options, const Format& format);

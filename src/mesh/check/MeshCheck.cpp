@@ -212,6 +212,15 @@ MeshFaults checkStems(const CTree& tree, int generation, const StemMesh& stems, 
     return faults;
 }
 
+MeshFaults checkSolid(const CMesh& solid) {
+    MeshFaults faults{1, solid.vertexCount(), solid.triangleCount()};
+    const Part whole{0, solid.vertexCount(), 0, solid.indices.size()};
+    checkVertices(solid, faults);
+    if (checkTriangles(solid, whole, faults)) checkEdges(solid, whole, faults);
+    faults.tilted = 0;
+    return faults;
+}
+
 MeshFaults checkLeaves(const CMesh& leaves) {
     MeshFaults faults{0, leaves.vertexCount(), leaves.triangleCount()};
     checkVertices(leaves, faults);

@@ -34,6 +34,9 @@ constexpr double kMaxFloating = 0.001, kMaxBuried = 0.01; ///< radii of the bran
 
 /// Checks the closed surfaces of a generation's stems; their collars against the parents' triangles, if given.
 MeshFaults checkStems(const CTree& tree, int generation, const StemMesh& stems, const StemMesh* parents);
+/// Checks a mesh that is one closed surface, but for normals that look to the back: where voxels meet by a point, none fits all
+/// triangles.
+MeshFaults checkSolid(const CMesh& solid);
 /// Checks a mesh of leaves: flat pieces that may be open.
 MeshFaults checkLeaves(const CMesh& leaves);
 
