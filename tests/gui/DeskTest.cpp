@@ -11,6 +11,7 @@
 #include "stromar/params/methods/weberpenn/WeberPennParams.h"
 #include "stromar/params/TreeFile.h"
 #include "stromar/util/FileSet.h"
+#include <QAbstractItemView>
 #include <QAccessible>
 #include <QCheckBox>
 #include <QComboBox>
@@ -211,6 +212,29 @@ TEST_F(PresetTest, AreShownWithPicturesAndFound) {
     EXPECT_FALSE(item("Weeping Willow")->isHidden());
 }
 
+TEST_F(PresetTest, KeysOfTheSearchActOnWhatIsFound) {
+    ASSERT_TRUE(waitFor([&] { return item("Black Tupelo") != nullptr; }));
+    QLineEdit& filter = window.presets().filter();
+    filter.setText(QStringLiteral("tupelo"));
+    EXPECT_EQ(window.presets().list().currentItem(), item("Black Tupelo"));
+    QTest::keyClick(&filter, Qt::Key_Return);
+    EXPECT_EQ(value("Scale"), 23);
+    filter.setText(QStringLiteral("weeping"));
+    QTest::keyClick(&filter, Qt::Key_Down);
+    EXPECT_EQ(window.presets().list().currentItem(), item("Weeping Willow"));
+    QTest::keyClick(&window.presets().list(), Qt::Key_Return);
+    EXPECT_EQ(value("Scale"), weberPenn(CTreeFile::read(toPath(presetPath("weeping_willow"))).params()).scale);
+}
+
+TEST_F(PresetTest, KeysOfTheViewWorkInTheList) {
+    QListWidget& list = window.presets().list();
+    list.setFocus();
+    const bool before = action("trackball")->isChecked();
+    QTest::keyClick(&list, Qt::Key_T);
+    EXPECT_NE(action("trackball")->isChecked(), before);
+    action("trackball")->setChecked(before);
+}
+
 TEST_F(PresetTest, OpeningOneCanBeUndone) {
     ASSERT_TRUE(waitFor([&] { return item("Black Tupelo") != nullptr; }));
     window.document().setValue(paramRef("Scale"), 17, 0);
@@ -379,6 +403,18 @@ TEST_F(DeskTest, KeysGoToTheWidgetThatUsesThem) {
     EXPECT_GT(raised, 13);
     QTest::keyClick(box, Qt::Key_Z, Qt::ControlModifier);
     EXPECT_EQ(value("Scale"), 13) << "undo is the document's";
+}
+
+TEST_F(DeskTest, EnterAcceptsInAnOpenedDropDown) {
+    auto* shape = window.panel().editor(paramRef("Shape"))->findChild<QComboBox*>();
+    window.panel().tabs().setCurrentIndex(window.panel().tabOf(Group::Tree));
+    const int before = shape->currentIndex();
+    shape->showPopup();
+    ASSERT_TRUE(waitFor([&] { return shape->view()->isVisible(); }));
+    shape->view()->setCurrentIndex(shape->model()->index(before + 1, 0));
+    QTest::keyClick(shape->view(), Qt::Key_Return);
+    EXPECT_TRUE(waitFor([&] { return !shape->view()->isVisible(); }));
+    EXPECT_EQ(shape->currentIndex(), before + 1);
 }
 
 TEST_F(DeskTest, ASecondButtonDoesNotLetGoOfAHandle) {

@@ -100,7 +100,8 @@ TEST_P(PresetMesh, RingsHaveFewerPointsWhereTheyAreThin) {
     EXPECT_EQ(halved > 0, tapers);
 }
 
-/// Of the paths that fork from a stem, all but few are one surface with it; helices do not part.
+/// Of the paths that fork from a stem, all but few are one surface with it; helices do not part, nor do whips that hang down
+/// in one line.
 TEST_P(PresetMesh, ForksAreOneSurface) {
     for (const int lod : {0, 1, 2}) {
         std::size_t clones = 0, joined = 0;
@@ -108,8 +109,11 @@ TEST_P(PresetMesh, ForksAreOneSurface) {
             const CGeneration& generation = tree.generation(static_cast<std::size_t>(g));
             for (const Tube& tube : plan.tubes) {
                 const CStem& stem = generation.stems[tube.stem];
-                const CSegment* below = generation.segmentBelow(stem, generation.paths[tube.path]);
+                const CPath& path = generation.paths[tube.path];
+                const CSegment* below = generation.segmentBelow(stem, path);
                 if (!below || below->helixRadius > 0) continue;
+                const CSegment& runsOn = generation.segmentAt(stem, static_cast<std::uint32_t>(path.source), path.firstPosition);
+                if (glm::dot(runsOn.frame[2], generation.segments[path.firstSegment].frame[2]) > 0.9999) continue;
                 ++clones;
                 joined += tube.joined;
             }

@@ -107,6 +107,8 @@ public:
         std::vector<glm::vec3> out(vertices.size());
         proc<PFNGLGETBUFFERSUBDATAPROC>("glGetBufferSubData")(GL_TRANSFORM_FEEDBACK_BUFFER, 0, bytes, out.data());
         proc<PFNGLDELETEBUFFERSPROC>("glDeleteBuffers")(1, &buffer);
+        for (const unsigned attribute : m_enabled) proc<PFNGLDISABLEVERTEXATTRIBARRAYPROC>("glDisableVertexAttribArray")(attribute);
+        m_enabled.clear(); // the next draw must not read what is gone then
         EXPECT_EQ(glGetError(), unsigned{GL_NO_ERROR});
         return out;
     }
@@ -128,13 +130,15 @@ private:
     void attribute(const char* name, int size, const void* values) {
         const int place = proc<PFNGLGETATTRIBLOCATIONPROC>("glGetAttribLocation")(m_program, name);
         ASSERT_GE(place, 0) << name;
-        proc<PFNGLENABLEVERTEXATTRIBARRAYPROC>("glEnableVertexAttribArray")(static_cast<unsigned>(place));
+        m_enabled.push_back(static_cast<unsigned>(place));
+        proc<PFNGLENABLEVERTEXATTRIBARRAYPROC>("glEnableVertexAttribArray")(m_enabled.back());
         proc<PFNGLVERTEXATTRIBPOINTERPROC>("glVertexAttribPointer")(static_cast<unsigned>(place), size, GL_FLOAT,
                                                                     GL_FALSE, 0, values);
     }
 
     const Swaying& m_tree;
     unsigned m_program = 0;
+    std::vector<unsigned> m_enabled; ///< attributes
 };
 
 double largestStep(const std::vector<glm::vec3>& card, const RawVector<glm::vec3>& processor) {

@@ -7,6 +7,7 @@
 #include <QDir>
 #include <QFile>
 #include <QHBoxLayout>
+#include <QKeyEvent>
 #include <QLineEdit>
 #include <QListWidget>
 #include <QMenu>
@@ -67,11 +68,13 @@ CPresetBrowser::CPresetBrowser(CThumbnails& thumbnails, QWidget* parent)
     column->addWidget(m_filter);
     column->addLayout(top);
     column->addWidget(m_list, 1);
+    setTabOrder(m_filter, m_list);
     connect(m_filter, &QLineEdit::textChanged, this, &CPresetBrowser::updateVisibility);
     connect(m_folder, &QComboBox::currentIndexChanged, this, &CPresetBrowser::updateVisibility);
     connect(save, &QToolButton::clicked, this, &CPresetBrowser::saveWanted);
-    connect(m_list, &QListWidget::itemActivated, this,
-            [this](const QListWidgetItem* item) { emit chosen(item->data(PathRole).toString()); });
+    connect(m_list, &QListWidget::itemActivated, this, &CPresetBrowser::choose);
+    connect(m_filter, &QLineEdit::returnPressed, this, [this] { choose(firstShown()); });
+    m_filter->installEventFilter(this);
     connect(m_list, &QListWidget::customContextMenuRequested, this, &CPresetBrowser::showMenu);
     connect(&m_thumbnails, &CThumbnails::ready, this, &CPresetBrowser::showThumbnail);
     connect(&m_thumbnails, &CThumbnails::failed, this, [this](const QString& id, const QString& why) {
@@ -168,13 +171,34 @@ void CPresetBrowser::updateVisibility() {
             return text.contains(word, Qt::CaseInsensitive);
         }));
     }
+    const QListWidgetItem* current = m_list->currentItem();
+    if (current ? current->isHidden() : !words.isEmpty()) m_list->setCurrentItem(firstShown());
+}
+
+QListWidgetItem* CPresetBrowser::firstShown() const {
+    for (int i = 0; i < m_list->count(); ++i)
+        if (!m_list->item(i)->isHidden()) return m_list->item(i);
+    return nullptr;
+}
+
+void CPresetBrowser::choose(const QListWidgetItem* item) {
+    if (item) emit chosen(item->data(PathRole).toString());
+}
+
+bool CPresetBrowser::eventFilter(QObject* watched, QEvent* event) {
+    const bool down = watched == m_filter && event->type() == QEvent::KeyPress &&
+                      static_cast<QKeyEvent*>(event)->key() == Qt::Key_Down;
+    if (!down) return QWidget::eventFilter(watched, event);
+    if (QListWidgetItem* first = firstShown()) m_list->setCurrentItem(first);
+    m_list->setFocus();
+    return true;
 }
 
 void CPresetBrowser::showMenu(const QPoint& at) {
     QListWidgetItem* item = m_list->itemAt(at);
     if (!item) return;
     QMenu menu;
-    menu.addAction(tr("&Open"), this, [this, item] { emit chosen(item->data(PathRole).toString()); });
+    menu.addAction(tr("&Open"), this, [this, item] { choose(item); });
     if (item->data(OwnRole).toBool()) menu.addAction(tr("&Remove…"), this, [this, item] { removePreset(item); });
     menu.exec(m_list->mapToGlobal(at));
 }

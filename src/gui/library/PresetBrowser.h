@@ -12,8 +12,8 @@ namespace stromar {
 
 class CThumbnails;
 
-/// The trees that come with the program and the user's own, as pictures. A double click or Enter chooses one. Empty
-/// until the first refresh().
+/// The trees that come with the program and the user's own, as pictures. A double click or Enter chooses one; Enter
+/// in the search the first that is found, Down goes to it. Empty until the first refresh().
 class CPresetBrowser : public QWidget {
     Q_OBJECT
 public:
@@ -39,6 +39,9 @@ private:
     void showMenu(const QPoint& at);
     void removePreset(QListWidgetItem* item);
     QListWidgetItem* itemOf(const QString& path) const;
+    QListWidgetItem* firstShown() const;
+    void choose(const QListWidgetItem* item);
+    bool eventFilter(QObject* watched, QEvent* event) override;
 
     CThumbnails& m_thumbnails;
     QLineEdit* m_filter;

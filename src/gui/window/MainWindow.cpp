@@ -25,7 +25,6 @@
 #include "stromar/app/Prediction.h"
 #include "stromar/app/Randomise.h"
 #include <QAbstractButton>
-#include <QAbstractItemView>
 #include <QAction>
 #include <QActionGroup>
 #include <QApplication>
@@ -363,13 +362,16 @@ void CMainWindow::onContextLost() {
     m_notice->setText(tr("The graphics driver has started again"));
 }
 
-/// Keys without Ctrl belong to the widget that has the focus when it has a use for them, else to the commands.
+/// Keys without Ctrl belong to what is popped up, or to the widget that has the focus when it has a use for them, else to the
+/// commands.
 bool CMainWindow::eventFilter(QObject* watched, QEvent* event) {
-    if (event->type() != QEvent::ShortcutOverride) return QMainWindow::eventFilter(watched, event);
+    if (event->type() != QEvent::ShortcutOverride || QApplication::activePopupWidget())
+        return QMainWindow::eventFilter(watched, event);
     const auto* key = static_cast<QKeyEvent*>(event);
     const bool plain = !(key->modifiers() & ~(Qt::ShiftModifier | Qt::KeypadModifier)) && !key->text().isEmpty();
     const bool presses = qobject_cast<QAbstractButton*>(watched) && key->key() == Qt::Key_Space;
-    const bool searches = qobject_cast<QComboBox*>(watched) || qobject_cast<QAbstractItemView*>(watched);
+    const bool enters = key->key() == Qt::Key_Return || key->key() == Qt::Key_Enter;
+    const bool searches = qobject_cast<QComboBox*>(watched) && !enters;
     if (plain && key->key() != Qt::Key_Escape && (presses || searches)) {
         event->accept();
         return true;

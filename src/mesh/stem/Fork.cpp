@@ -9,7 +9,7 @@ namespace stromar {
 
 namespace {
 constexpr double kTurn = 2 * std::numbers::pi;
-constexpr double kLeastApart = 0.4; // radii from their middle that limbs have to part within their room
+constexpr double kLeastApart = 0.1; // radii from their middle that limbs have to part within their room
 constexpr double kRoom = 0.75;      // of the way to a limb's next fork or tip: how high the saddle may lie
 constexpr double kClearRoom = 0.9;  // likewise the first ring that is the path's own
 constexpr double kFill = 0.15;      // radii that valleys lie outside of the line where the surfaces meet
