@@ -1,4 +1,5 @@
 #include "TileNoise.h"
+#include <algorithm>
 #include <array>
 #include <cmath>
 #include <glm/geometric.hpp>
@@ -23,12 +24,21 @@ const std::array<glm::dvec2, kDirections>& directions() {
     return all;
 }
 
-int wrapped(int i, int n) { return (i % n + n) % n; }
+int wrapped(int i, int n) {
+    if (i >= 0 && i < n) return i; // nearly always: a division is slow
+    return (i % n + n) % n;
+}
+
+/// From x to the cell that begins at i, if its centre keeps this far from its sides.
+double apart(double x, int i, double margin) { return std::max({0.0, i + margin - x, x - (i + 1 - margin)}); }
 } // namespace
 
-std::uint64_t CTileNoise::hash(glm::ivec2 cell, glm::ivec2 cells) const {
-    return hashCombine(hashCombine(m_seed, static_cast<std::uint64_t>(wrapped(cell.x, cells.x))),
-                       static_cast<std::uint64_t>(wrapped(cell.y, cells.y)));
+std::uint64_t CTileNoise::column(int x, int columns) const {
+    return hashCombine(m_seed, static_cast<std::uint64_t>(wrapped(x, columns)));
+}
+
+std::uint64_t CTileNoise::inColumn(std::uint64_t column, int y, int rows) {
+    return hashCombine(column, static_cast<std::uint64_t>(wrapped(y, rows)));
 }
 
 double CTileNoise::uniform(std::uint64_t id, std::uint32_t purpose) const {
@@ -39,8 +49,9 @@ double CTileNoise::gradient(glm::dvec2 at, glm::ivec2 cells) const {
     const glm::ivec2 corner(static_cast<int>(std::floor(at.x)), static_cast<int>(std::floor(at.y)));
     const glm::dvec2 inside = at - glm::dvec2(corner);
     const auto& around = directions();
+    const std::uint64_t column[] = {this->column(corner.x, cells.x), this->column(corner.x + 1, cells.x)};
     const auto slope = [&](int dx, int dy) {
-        const glm::dvec2& direction = around[hash(corner + glm::ivec2(dx, dy), cells) % kDirections];
+        const glm::dvec2& direction = around[inColumn(column[dx], corner.y + dy, cells.y) % kDirections];
         return direction.x * (inside.x - dx) + direction.y * (inside.y - dy);
     };
     const double u = smooth(inside.x), v = smooth(inside.y);
@@ -61,13 +72,18 @@ double CTileNoise::octaves(glm::dvec2 at, glm::ivec2 cells, int count) const {
 CTileNoise::Cell CTileNoise::cell(glm::dvec2 at, glm::ivec2 cells, double scatter) const {
     const glm::ivec2 corner(static_cast<int>(std::floor(at.x)), static_cast<int>(std::floor(at.y)));
     constexpr double kFar = std::numeric_limits<double>::infinity();
+    const double margin = 0.5 - 0.5 * scatter;
     Cell found{kFar, kFar, 0, {}};
-    for (int dy = -2; dy <= 2; ++dy)
-        for (int dx = -2; dx <= 2; ++dx) {
-            const glm::ivec2 there = corner + glm::ivec2(dx, dy);
-            const std::uint64_t id = hash(there, cells);
-            const glm::dvec2 centre =
-                glm::dvec2(there) + 0.5 + scatter * (glm::dvec2(uniform(id, 1), uniform(id, 2)) - 0.5);
+    for (const int dx : {0, -1, 1, -2, 2}) { // the near ones first: they tell that the others cannot be nearer
+        const double asideX = apart(at.x, corner.x + dx, margin);
+        if (asideX > found.second) continue;
+        const std::uint64_t column = this->column(corner.x + dx, cells.x);
+        for (const int dy : {0, -1, 1, -2, 2}) {
+            const double asideY = apart(at.y, corner.y + dy, margin);
+            if (asideX * asideX + asideY * asideY > found.second * found.second) continue;
+            const std::uint64_t id = inColumn(column, corner.y + dy, cells.y);
+            const glm::dvec2 centre = glm::dvec2(corner + glm::ivec2(dx, dy)) + 0.5 +
+                                      scatter * (glm::dvec2(uniform(id, 1), uniform(id, 2)) - 0.5);
             const glm::dvec2 offset = at - centre;
             const double distance = glm::length(offset);
             if (distance < found.nearest)
@@ -75,6 +91,7 @@ CTileNoise::Cell CTileNoise::cell(glm::dvec2 at, glm::ivec2 cells, double scatte
             else if (distance < found.second)
                 found.second = distance;
         }
+    }
     return found;
 }
 

@@ -27,7 +27,8 @@ public:
     double uniform(std::uint64_t id, std::uint32_t purpose) const;
 
 private:
-    std::uint64_t hash(glm::ivec2 cell, glm::ivec2 cells) const;
+    std::uint64_t column(int x, int columns) const;
+    static std::uint64_t inColumn(std::uint64_t column, int y, int rows);
 
     std::uint64_t m_seed;
 };

@@ -4,6 +4,7 @@
 #include "window/MainWindow.h"
 #include "Support.h"
 #include <QApplication>
+#include <QDir>
 #include <QTemporaryDir>
 #include <cstdio>
 #include <gtest/gtest.h>
@@ -20,6 +21,15 @@ int waitToBeKilled() {
     std::fflush(stdout);
     return QApplication::exec();
 }
+/// Recipes are drawn and shaders compiled once for all processes of a run: most of the time a window needs for its first
+/// picture.
+void shareCaches(const QString& home) {
+    const QString shared = QString::fromLocal8Bit(qgetenv("XDG_RUNTIME_DIR")) + QStringLiteral("/stromar-tests");
+    if (qEnvironmentVariableIsEmpty("XDG_RUNTIME_DIR") || !QDir().mkpath(shared + QStringLiteral("/textures"))) return;
+    QDir().mkpath(home + QStringLiteral("/stromar"));
+    QFile::link(shared + QStringLiteral("/textures"), home + QStringLiteral("/stromar/textures"));
+    qputenv("MESA_SHADER_CACHE_DIR", (shared + QStringLiteral("/shaders")).toLocal8Bit());
+}
 } // namespace
 
 int main(int argc, char** argv) {
@@ -29,6 +39,7 @@ int main(int argc, char** argv) {
     if (qEnvironmentVariableIsEmpty("STROMAR_TEST_HOME")) qputenv("STROMAR_TEST_HOME", folder.path().toLocal8Bit());
     for (const char* kind : {"XDG_CONFIG_HOME", "XDG_CACHE_HOME", "XDG_DATA_HOME"})
         qputenv(kind, qgetenv("STROMAR_TEST_HOME"));
+    shareCaches(QString::fromLocal8Bit(qgetenv("STROMAR_TEST_HOME")));
     QCoreApplication::setOrganizationName(QStringLiteral("Stromar"));
     QCoreApplication::setApplicationName(QStringLiteral("Test"));
     QCoreApplication::setAttribute(Qt::AA_ShareOpenGLContexts);

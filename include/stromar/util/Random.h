@@ -3,8 +3,17 @@
 
 namespace stromar {
 
+/// The finaliser of SplitMix64 (Steele, Lea, Flood 2014).
+constexpr std::uint64_t splitMix(std::uint64_t x) {
+    x = (x ^ (x >> 30)) * 0xbf58476d1ce4e5b9ULL;
+    x = (x ^ (x >> 27)) * 0x94d049bb133111ebULL;
+    return x ^ (x >> 31);
+}
+
 /// Mixes a word into a hash. A good avalanche: every input bit reaches every output bit.
-std::uint64_t hashCombine(std::uint64_t hash, std::uint64_t word);
+constexpr std::uint64_t hashCombine(std::uint64_t hash, std::uint64_t word) {
+    return splitMix(splitMix(hash + 0x9e3779b97f4a7c15ULL) ^ (word * 0xd6e8feb86659fd93ULL + 0x2545f4914f6cdd1dULL));
+}
 
 /// A hash as a number in [0, 1).
 inline double unitOf(std::uint64_t hash) { return static_cast<double>(hash >> 11) * 0x1p-53; }
