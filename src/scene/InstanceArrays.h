@@ -6,14 +6,18 @@
 namespace stromar {
 
 /// Where the instances of a blade stand, as a graphics card reads it. It is there from when it is computed until it is
-/// released, and computed anew when it is wanted once more: for another context.
+/// released, and computed anew when it is wanted once more: for another context. The first n are spread over the whole
+/// tree, for any n: they can stand for all.
 class CInstances {
 public:
-    explicit CInstances(std::shared_ptr<const COrganMesh> organs) : m_organs(std::move(organs)) {}
+    explicit CInstances(std::shared_ptr<const COrganMesh> organs);
 
     void compute(const CProgress& progress);
     void release();
     std::size_t count() const { return m_organs->count(); }
+    std::size_t vertexCount() const { return m_organs->vertexCount(); }
+    /// Which of the mesh's is the i-th.
+    std::size_t source(std::size_t i) const { return static_cast<std::size_t>(std::uint64_t(i) * m_stride % count()); }
 
     struct Values {
         std::vector<glm::vec4> places;   ///< position and length
@@ -24,6 +28,7 @@ public:
 
 private:
     std::shared_ptr<const COrganMesh> m_organs;
+    std::uint64_t m_stride;
     Values m_values;
 };
 

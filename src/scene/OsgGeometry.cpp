@@ -2,6 +2,7 @@
 #include "BorrowedArrays.h"
 #include "InstanceArrays.h"
 #include <algorithm>
+#include <cmath>
 #include <osg/Array>
 #include <osg/PrimitiveSet>
 #include <osg/VertexAttribDivisor>
@@ -22,6 +23,11 @@ struct CInstancesOwner : osg::Referenced {
     explicit CInstancesOwner(std::shared_ptr<CInstances> all) : instances(std::move(all)) {}
     std::shared_ptr<CInstances> instances;
 };
+
+CInstances* instancesOf(const osg::Geometry& geometry) {
+    const auto* owner = dynamic_cast<const CInstancesOwner*>(geometry.getUserData());
+    return owner ? owner->instances.get() : nullptr;
+}
 
 /// The box of all instances: the blade's own says nothing.
 class CFixedBox : public osg::Drawable::ComputeBoundingBoxCallback {
@@ -69,6 +75,7 @@ void addInstances(osg::Geometry& geometry, const std::shared_ptr<CInstances>& in
 void addUniforms(osg::StateSet& state, const Rounding& rounding) {
     const glm::vec3 centre(rounding.centre);
     state.addUniform(new osg::Uniform("instanced", 1.0f));
+    state.addUniform(new osg::Uniform("growth", 1.0f));
     state.addUniform(new osg::Uniform("roundingCentre", osg::Vec3(centre.x, centre.y, centre.z)));
     state.addUniform(new osg::Uniform("rounding", osg::Vec2(static_cast<float>(rounding.share), static_cast<float>(rounding.minCosine))));
 }
@@ -135,16 +142,28 @@ void setSwayPlaces(osg::Geometry& geometry, const std::shared_ptr<const SwayPlac
 
 void setSwayPlaces(osg::Geometry& geometry, const SwayPlaces& places, const CTree& tree, const COrganMesh& organs) {
     const osg::ref_ptr<osg::Vec4Array> all = new osg::Vec4Array(static_cast<unsigned>(places.size()));
+    const CInstances& instances = *instancesOf(geometry);
     for (std::size_t i = 0; i < places.size(); ++i) {
-        const Flutter own = flutterOf(tree, organs.leaf(i));
-        (*all)[static_cast<unsigned>(i)] = {places[i].node, places[i].part, own.phase, own.hertz};
+        const std::size_t source = instances.source(i);
+        const Flutter own = flutterOf(tree, organs.leaf(source));
+        (*all)[static_cast<unsigned>(i)] = {places[source].node, places[source].part, own.phase, own.hertz};
     }
     geometry.setVertexAttribArray(kSwayPlaceAttribute, all, osg::Array::BIND_PER_VERTEX);
     geometry.getOrCreateStateSet()->setAttribute(new osg::VertexAttribDivisor(kSwayPlaceAttribute, 1));
 }
 
+void limitInstances(osg::Geometry& geometry, std::size_t vertices) {
+    const CInstances* instances = instancesOf(geometry);
+    if (!instances || instances->count() == 0) return;
+    const double share = std::min(1.0, double(vertices) / double(instances->vertexCount()));
+    const int shown = std::max(1, static_cast<int>(std::ceil(share * double(instances->count()))));
+    if (geometry.getPrimitiveSet(0)->getNumInstances() == shown) return;
+    geometry.getPrimitiveSet(0)->setNumInstances(shown);
+    geometry.getOrCreateStateSet()->getOrCreateUniform("growth", osg::Uniform::FLOAT)->set(static_cast<float>(1 / std::sqrt(share)));
+}
+
 void releaseInstances(osg::Geometry& geometry) {
-    if (const auto* owner = dynamic_cast<const CInstancesOwner*>(geometry.getUserData())) owner->instances->release();
+    if (CInstances* instances = instancesOf(geometry)) instances->release();
 }
 
 } // namespace stromar

@@ -57,6 +57,7 @@ uniform vec3 roundingCentre;
 uniform vec2 rounding; // how far normals look out of the crown; cosine to the blade's own, at least
 attribute vec4 instancePlace, instanceTurn; // foot and length; quaternion
 attribute float instanceWidth;
+uniform float growth; // of blades that stand for more than themselves
 uniform float swaying; // 0: the air is still
 uniform vec2 swayTime; // seconds; after how many all repeats, 0: never
 uniform vec2 swaySize; // of the table's pictures: nodes in a line, lines
@@ -98,7 +99,7 @@ vec3 flutter(vec3 v) {
 }
 vec3 stillPlace() {
     if (instanced < 0.5) return gl_Vertex.xyz;
-    return instancePlace.xyz + turned(instanceTurn, flutter(gl_Vertex.xyz * vec3(instanceWidth, instancePlace.w, instanceWidth)));
+    return instancePlace.xyz + turned(instanceTurn, flutter(gl_Vertex.xyz * growth * vec3(instanceWidth, instancePlace.w, instanceWidth)));
 }
 vec3 swayedPlace(vec3 place) { return swaying < 0.5 ? place : swayTo + turned(swayTurn, place - swayFrom); }
 vec3 placeOfVertex() {
@@ -155,7 +156,7 @@ void main() {
 inline constexpr const char* kTreeFragmentShader = R"(
 uniform mat4 osg_ViewMatrixInverse;
 uniform sampler2D picture, relief, gloss, under; // albedo; normals; roughness and what goes through; albedo from below
-uniform float leaf, colourVariation, tinted, generation, reliefDepth, underSide, smoothEdges, alphaCut;
+uniform float leaf, colourVariation, tinted, generation, reliefDepth, underSide, smoothEdges, alphaCut, softFrom, softTo;
 uniform int view; // 0 lit, 1 material, 2 occlusion, 3 normals
 varying vec3 place, normal, inShadow;
 varying float skyVisibility, shade, ground;
@@ -173,9 +174,15 @@ void main() {
     vec4 colour = texture2D(picture, gl_TexCoord[0].st);
     float cover = 1.0;
     if (leaf > 0.5) {
-        cover = colour.a;
-        if (smoothEdges > 0.5) cover = clamp((cover - alphaCut) / max(fwidth(cover), 1e-4) + 0.5, 0.0, 1.0);
-        if (cover < (smoothEdges > 0.5 ? 0.02 : alphaCut)) discard;
+        // A leaf of a few pixels covers parts of them; what lies behind one another in a pixel covers other parts.
+        vec2 footprint = max(abs(dFdx(gl_TexCoord[0].st)), abs(dFdy(gl_TexCoord[0].st)));
+        float soft = clamp((max(footprint.x, footprint.y) - softFrom) / (softTo - softFrom), 0.0, 1.0);
+        float chance = fract(noiseOfPixel() + 7.31 * shade) - 0.5;
+        if (smoothEdges > 0.5) {
+            cover = (colour.a - alphaCut) / max(max(fwidth(colour.a), soft), 1e-4) + 0.5;
+            cover = clamp(cover + soft * chance, 0.0, 1.0);
+            if (cover < 0.02) discard;
+        } else if (colour.a < alphaCut + soft * chance) discard;
         // Leaves let one see the stems that are in hand.
         if (tinted > -0.5 && mod(floor(gl_FragCoord.x) + floor(gl_FragCoord.y), 2.0) > 0.5) discard;
     }

@@ -24,6 +24,7 @@ public:
     /// Pixels of a side; 0 for no shadows.
     void setSize(int size);
     void setStale();
+    bool stale() const { return m_camera->getNodeMask() != 0; }
     /// After a frame: the map is there now.
     void setDrawn();
 

@@ -97,6 +97,8 @@ CViewScene::CViewScene()
     setInteger(m_state, "gloss", kGlossUnit);
     setInteger(m_state, "under", kUnderUnit);
     setFloat(m_state, "alphaCut", kAlphaCut);
+    setFloat(m_state, "softFrom", kSoftFrom);
+    setFloat(m_state, "softTo", kSoftTo);
     setFloat(m_state, "smoothEdges", 0);
     setFloat(m_state, "instanced", 0);
     setVector(m_state, "pass", {});
@@ -192,6 +194,9 @@ void CViewScene::setPass(const ViewPass& pass) {
     setVector(m_state, "pass", osg::Vec3(osg::Vec3d(pass.pixel.x(), pass.pixel.y(), pass.pattern)));
     const bool sameSun = pass.sun == m_pass.sun;
     m_pass = pass;
+    if (m_instancing)
+        for (auto& drawn : m_drawn) limitInstances(*drawn, pass.organVertices);
+    if (pass.organVertices > m_shadowVertices) m_shadows->setStale();
     if (!sameSun) aimShadows(m_shadows->aimedAt());
 }
 
@@ -337,6 +342,7 @@ void CViewScene::setQuality(int samples) {
 }
 
 void CViewScene::finishFrame() {
+    if (m_shadows->stale()) m_shadowVertices = m_pass.organVertices;
     m_shadows->setDrawn();
     if (!m_instancesAreNew || !m_look.leaves) return;
     for (const ViewPart& part : m_parts)

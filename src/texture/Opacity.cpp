@@ -43,21 +43,23 @@ void fillFrom(Weighted& large, Weighted& small) {
 
 std::uint8_t rounded(double v) { return static_cast<std::uint8_t>(std::lround(std::clamp(v, 0.0, 255.0))); }
 
-double coverage(const Pixels& pixels, double cut, double scale) {
-    const auto opaque = [&](const auto& p) { return p[3] * scale > 255 * cut; };
-    return double(std::ranges::count_if(pixels, opaque)) / double(pixels.size());
+double coverage(const Pixels& pixels, double cut, double scale, double soft) {
+    double sum = 0;
+    for (const auto& p : pixels) sum += coverOf(std::min(1.0, p[3] * scale / 255), cut, soft);
+    return sum / double(pixels.size());
 }
 
 /// By what opacities have to be multiplied for the wanted coverage. The blades' own edges make it monotonous.
-double scaleFor(const Pixels& pixels, double cut, double wanted) {
-    if (coverage(pixels, cut, 1) == wanted) return 1;
+double scaleFor(const Pixels& pixels, double cut, double soft, double wanted) {
+    if (coverage(pixels, cut, 1, soft) == wanted) return 1;
     double low = 0.25, high = 8;
     for (int i = 0; i < 14; ++i) {
         const double middle = std::sqrt(low * high);
-        (coverage(pixels, cut, middle) < wanted ? low : high) = middle;
+        (coverage(pixels, cut, middle, soft) < wanted ? low : high) = middle;
     }
     // The nearer of both sides: a few pixels can only be covered in steps.
-    return std::abs(coverage(pixels, cut, low) - wanted) < std::abs(coverage(pixels, cut, high) - wanted) ? low : high;
+    const auto error = [&](double scale) { return std::abs(coverage(pixels, cut, scale, soft) - wanted); };
+    return error(low) < error(high) ? low : high;
 }
 
 Pixels halved(const Pixels& large, int width, int height) {
@@ -96,15 +98,22 @@ void spreadColours(Pixels& pixels, int width, int height) {
     }
 }
 
+double softnessOf(double footprint) { return std::clamp((footprint - kSoftFrom) / (kSoftTo - kSoftFrom), 0.0, 1.0); }
+
+double coverOf(double opacity, double cut, double soft) {
+    if (soft <= 0) return opacity > cut;
+    return std::clamp((opacity - cut) / soft + 0.5, 0.0, 1.0);
+}
+
 std::vector<Pixels> mipmapsKeepingCoverage(const Pixels& pixels, int width, int height, double cut) {
-    const double wanted = coverage(pixels, cut, 1);
+    const double wanted = coverage(pixels, cut, 1, 0);
     std::vector<Pixels> levels{pixels};
     Pixels plain = pixels; // unscaled: errors do not add up
     while (width > 1 || height > 1) {
         plain = halved(plain, width, height);
         width = std::max(1, width / 2);
         height = std::max(1, height / 2);
-        const double scale = scaleFor(plain, cut, wanted);
+        const double scale = scaleFor(plain, cut, softnessOf(1.0 / std::max(width, height)), wanted);
         levels.push_back(plain);
         for (auto& p : levels.back()) p[3] = rounded(p[3] * scale);
     }

@@ -155,6 +155,10 @@ BENCHMARK_CAPTURE(BM_ViewportFrame, wind, "quaking_aspen", true)
     ->Name("Window/Viewport/quaking_aspen/wind")
     ->Unit(benchmark::kMillisecond)
     ->UseRealTime();
+BENCHMARK_CAPTURE(BM_ViewportFrame, oak, "english_oak", false)
+    ->Name("Window/Viewport/english_oak/still")
+    ->Unit(benchmark::kMillisecond)
+    ->UseRealTime();
 BENCHMARK_CAPTURE(BM_ViewportFrame, willow, "weeping_willow", false)
     ->Name("Window/Viewport/weeping_willow/still")
     ->Unit(benchmark::kMillisecond)

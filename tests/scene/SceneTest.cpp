@@ -1,11 +1,15 @@
 // Nodes and arrays, without an OpenGL context.
 #include "mesh/SampleTrees.h"
+#include "stromar/mesh/MeshBuilder.h"
+#include "stromar/model/MeshValues.h"
 #include "stromar/scene/OsgGeometry.h"
 #include "stromar/scene/ViewScene.h"
 #include <cstring>
 #include <gtest/gtest.h>
 #include <osg/Texture2D>
 #include <osg/TriangleFunctor>
+#include <set>
+#include <tuple>
 
 namespace stromar::test {
 
@@ -78,6 +82,45 @@ TEST(OsgGeometry, ForTheViewportKnowsHowOpenItLies) {
         EXPECT_TRUE(skyVisibility->getNormalize());
         EXPECT_EQ(std::memcmp(skyVisibility->getDataPointer(), mesh->skyVisibility.data(), mesh->vertexCount()), 0);
     }
+}
+
+TEST(OsgGeometry, AFewInstancesStandForAll) {
+    const CParams params = preset("quaking_aspen");
+    const auto tree = grow(params);
+    const std::vector<StemMesh> stems = meshAllStems(*tree, meshParamsOf(params), detailOf(Model::Full), CProgress());
+    const auto organs = meshOfOrgans(*tree, Organ::Leaf, plansOf(stems), meshParamsOf(params), detailOf(Model::Full), CProgress());
+    const osg::ref_ptr<osg::Geometry> geometry = makeInstancedGeometry(organs, CProgress());
+    const auto* places = static_cast<const glm::vec4*>(geometry->getVertexAttribArray(kInstancePlaceAttribute)->getDataPointer());
+    const std::size_t count = organs->count(), points = organs->blade().points.size();
+    const auto middle = [&](std::size_t first) {
+        glm::dvec3 sum(0);
+        for (std::size_t i = 0; i < first; ++i) sum += glm::dvec3(places[i]) / double(first);
+        return sum;
+    };
+    const auto growth = [&] {
+        float value = 0;
+        geometry->getStateSet()->getUniform("growth")->get(value);
+        return double(value);
+    };
+    EXPECT_EQ(growth(), 1);
+    const glm::dvec3 all = middle(count);
+    for (const std::size_t part : {4u, 50u}) {
+        limitInstances(*geometry, count * points / part);
+        const auto shown = static_cast<std::size_t>(geometry->getPrimitiveSet(0)->getNumInstances());
+        EXPECT_NEAR(double(shown), double(count) / double(part), 1);
+        EXPECT_NEAR(growth(), std::sqrt(double(part)), 0.01) << "the area stays";
+        EXPECT_LT(glm::distance(middle(shown), all), 0.02 * tree->height()) << "spread over the tree";
+    }
+    limitInstances(*geometry, count * points);
+    EXPECT_EQ(static_cast<std::size_t>(geometry->getPrimitiveSet(0)->getNumInstances()), count);
+    EXPECT_EQ(growth(), 1);
+    std::set<std::tuple<float, float, float>> drawn, there;
+    for (std::size_t i = 0; i < count; ++i) {
+        drawn.emplace(places[i].x, places[i].y, places[i].z);
+        const glm::vec3 at = organs->place(i).position;
+        there.emplace(at.x, at.y, at.z);
+    }
+    EXPECT_EQ(drawn, there) << "each once";
 }
 
 TEST(ViewScene, ShowsWhatItIsGiven) {

@@ -79,6 +79,7 @@ public:
     std::vector<glm::vec3> places(const std::vector<glm::vec3>& vertices, const std::vector<glm::vec4>& hang,
                                   const std::vector<InstancePlace>& instances = {}) {
         proc<PFNGLUNIFORM1FPROC>("glUniform1f")(at("instanced"), instances.empty() ? 0.f : 1.f);
+        proc<PFNGLUNIFORM1FPROC>("glUniform1f")(at("growth"), 1.f);
         glEnableClientState(GL_VERTEX_ARRAY);
         glVertexPointer(3, GL_FLOAT, 0, vertices.data());
         std::vector<glm::vec4> feet, turns;

@@ -19,6 +19,9 @@ constexpr unsigned kSkyVisibilityAttribute = 6; ///< of the shader; no driver us
 /// instances and how they are rounded.
 osg::ref_ptr<osg::Geometry> makeInstancedGeometry(const std::shared_ptr<const COrganMesh>& organs,
                                                  const CProgress& progress);
+/// Draws instances of at most so many vertices, one at least, evenly out of all and enlarged to keep their area: stochastic
+/// simplification (Cook et al. 2007). Nothing for other geometry. Only the thread that draws.
+void limitInstances(osg::Geometry& geometry, std::size_t vertices);
 /// Frees what the graphics card has a copy of. Another context has it computed anew. Only the thread that draws.
 void releaseInstances(osg::Geometry& geometry);
 /// Attributes of an instance: position and length; quaternion; width.

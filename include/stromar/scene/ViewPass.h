@@ -1,5 +1,7 @@
 #pragma once
+#include <cstddef>
 #include <cstdint>
+#include <limits>
 #include <osg/Vec2d>
 #include <span>
 #include <vector>
@@ -11,6 +13,8 @@ struct ViewPass {
     osg::Vec2d pixel{0, 0}; ///< shifted by so much, −0.5..0.5
     osg::Vec2d sun{0, 0};   ///< where on the sun's disc its light comes from, within the unit circle
     double pattern = 0;     ///< of the shadows' noise, 0..1
+    /// At most so many of a kind of organ, enlarged to stand for all.
+    std::size_t organVertices = std::numeric_limits<std::size_t>::max();
 
     /// The i-th of `count`.
     static ViewPass of(int i, int count);

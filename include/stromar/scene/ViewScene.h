@@ -127,6 +127,7 @@ private:
     ViewLook m_look;
     ViewPass m_pass;
     bool m_shadowsBehind = false; ///< they are those of an older tree
+    std::size_t m_shadowVertices = 0; ///< of a kind of organ, at most, when they were drawn
     int m_tinted = ViewPart::kNone;
 };
 

@@ -14,8 +14,15 @@ constexpr double kAlphaCut = 0.4;
 /// in what lies outside. Opacity stays. Linear in the pixels.
 void spreadColours(Pixels& pixels, int width, int height);
 
-/// The picture and its halves down to one pixel. In each the same part of the pixels is more opaque than `cut` as in
-/// the first: leaves do not fade away in the distance.
+/// A picture that is seen larger has hard edges; one of a few pixels only covers a part of them. 0 hard … 1 soft, where a
+/// pixel shows this part of the picture's side.
+double softnessOf(double footprint);
+constexpr double kSoftFrom = 0.12, kSoftTo = 0.37; ///< footprints
+/// How much of a pixel an opacity covers, 0..1.
+double coverOf(double opacity, double cut, double soft);
+
+/// The picture and its halves down to one pixel. Each covers as much as the first, as softly as it is drawn: leaves do not
+/// fade away in the distance.
 std::vector<Pixels> mipmapsKeepingCoverage(const Pixels& pixels, int width, int height, double cut = kAlphaCut);
 
 } // namespace stromar

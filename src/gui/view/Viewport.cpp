@@ -13,6 +13,7 @@ namespace stromar {
 namespace {
 constexpr std::chrono::milliseconds kSettle{200};
 constexpr double kClickPixels = 4; // a drag is longer
+constexpr std::size_t kMovingVertices = 4'000'000, kMovingVerticesInSoftware = 160'000; // of all leaves
 constexpr qint64 kQuickNs = 12'000'000; // a picture with its shadows
 constexpr int kShadowEvery = 6;         // poses, where it is slower
 constexpr double kDegreesPerPixel = 0.35;
@@ -70,7 +71,9 @@ void CViewport::paintGL() {
     QElapsedTimer clock;
     clock.start();
     const QSize pixels = (QSizeF(size()) * devicePixelRatioF()).toSize();
-    m_renderer.draw(defaultFramebufferObject(), pixels.width(), pixels.height(), m_camera);
+    ViewPass plain;
+    plain.organVertices = display::bestSamples() > 0 ? kMovingVertices : kMovingVerticesInSoftware; // a view that rests has all
+    m_renderer.draw(defaultFramebufferObject(), pixels.width(), pixels.height(), m_camera, plain);
     m_frameNs = clock.nsecsElapsed();
     ++m_frames;
     emit drawn();

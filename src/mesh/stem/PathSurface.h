@@ -38,10 +38,13 @@ public:
     /// The surface is centre + r(angle, s)·outwards + s·axis; the normal is the product of its two tangents.
     glm::dvec3 normalAt(const RingShape& ring, double angle, glm::dvec2 direction) const;
 
+    /// From the ring's centre to the surface.
+    double radiusAt(const RingShape& ring, double angle) const;
+    bool hasRootsAt(double along) const { return !m_roots.empty() && along < m_roots.height() * m_stem->length; }
+
     const CStem& stem() const { return *m_stem; }
 
 private:
-    double radiusAt(const RingShape& ring, double angle) const;
     double woodRadiusAt(double along) const;
 
     const CGeneration& m_generation;

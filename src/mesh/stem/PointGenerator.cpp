@@ -26,13 +26,14 @@ void CPointGenerator::startTube(const Tube& tube) {
         for (std::uint32_t i = 0; i < m_points; ++i)
             m_circle[i] = {std::cos(kTurn * i / m_points), std::sin(kTurn * i / m_points)};
     }
-    m_bark = m_surface.barkOf(stem);
+    m_bark.start(m_generation, stem, m_generation.paths[tube.path]);
     m_path.start(stem, m_generation.paths[tube.path], tube.maxTurn, tube.lobed);
     m_rings.clear();
     for (std::uint32_t i = 0; i < tube.ringCount; ++i)
         m_rings.push_back(shapeOf(tube, m_plan.rings[tube.firstRing + i]));
     lookAtForks(tube);
     setSlopes();
+    measureButtresses();
 }
 
 void CPointGenerator::lookAtForks(const Tube& tube) {
@@ -72,6 +73,30 @@ void CPointGenerator::setSlopes() {
     }
 }
 
+/// On the way up a root the surface is longer than the trunk: its bark hangs from where the roots end.
+void CPointGenerator::measureButtresses() {
+    m_buttresses.clear();
+    if (!m_tube->lobed || m_surface.roots() == 0) return;
+    std::size_t count = 0;
+    while (count + 1 < m_rings.size() && !m_rings[count].given && m_path.hasRootsAt(m_rings[count].along)) ++count;
+    m_buttresses.resize(count);
+    for (std::size_t r = count; r-- > 0;) {
+        const DrawnRing &ring = m_rings[r], &above = m_rings[r + 1];
+        const double up = above.along - ring.along;
+        for (std::uint32_t i = 0; i < ring.points; ++i) {
+            const double angle = angleOf(ring, i), out = m_path.radiusAt(ring, angle) - m_path.radiusAt(above, angle);
+            const double more = std::hypot(up, out) - up;
+            m_buttresses[r].push_back(more + (r + 1 < count ? m_buttresses[r + 1][i * above.points / ring.points] : 0));
+        }
+    }
+}
+
+/// Repeats at a point of a ring.
+double CPointGenerator::barkAt(std::size_t r, std::uint32_t i) const {
+    const double repeats = m_bark.at(m_rings[r].along);
+    return r < m_buttresses.size() ? repeats - m_bark.perMetre() * m_buttresses[r][i] : repeats;
+}
+
 double CPointGenerator::angleOf(const DrawnRing& ring, std::uint32_t i) const { return kTurn * i / ring.points; }
 
 void CPointGenerator::addRing(std::size_t r, VertexSink& sink) const {
@@ -80,14 +105,14 @@ void CPointGenerator::addRing(std::size_t r, VertexSink& sink) const {
     const auto points = static_cast<std::int32_t>(ring.points);
     for (std::int32_t i = ring.seam; i <= ring.seam + points; ++i) {
         const auto k = static_cast<std::uint32_t>((i % points + points) % points);
-        sink.add(pointAt(ring, k), normalAt(ring, k), around(ring, i), bark(ring.along), ring.skyVisibility);
+        sink.add(pointAt(ring, k), normalAt(ring, k), around(ring, i), barkAt(r, k), ring.skyVisibility);
     }
 }
 
 void CPointGenerator::addGivenRing(const DrawnRing& ring, VertexSink& sink) const {
     for (const ForkPoint& point : std::span(ring.given, ring.points + 1)) {
         const double open = ring.skyVisibility * (1 - kHiddenInFork * double(point.depth));
-        sink.add(point.position, point.normal, m_bark.around * double(point.turn), bark(double(point.along)),
+        sink.add(point.position, point.normal, m_bark.around() * double(point.turn), m_bark.at(double(point.along)),
                  static_cast<std::uint8_t>(open + 0.5));
     }
 }
@@ -97,7 +122,7 @@ void CPointGenerator::addTip(VertexSink& sink) const {
     for (std::uint32_t i = 0; i < below.points; ++i) {
         const glm::dvec3 left = pointAt(below, i), right = pointAt(below, (i + 1) % below.points);
         const glm::dvec3 face = glm::cross(right - left, tip.centre - left);
-        sink.add(tip.centre, glm::normalize(face), around(below, i + 0.5), bark(tip.along), tip.skyVisibility);
+        sink.add(tip.centre, glm::normalize(face), around(below, i + 0.5), m_bark.at(tip.along), tip.skyVisibility);
     }
 }
 
@@ -131,8 +156,8 @@ void CPointGenerator::addCollarRing(std::uint32_t ring, VertexSink& sink) const 
     for (std::uint32_t i = 0; i <= m_points; ++i) {
         const std::uint32_t k = i == m_points ? 0 : i;
         const SurfacePoint point = collarPointAt(ring, k);
-        const double below = m_bark.perMetre * glm::distance(point.position, pointAt(own, k));
-        sink.add(point.position, point.normal, around(own, i), bark(own.along) - below, open);
+        const double below = m_bark.perMetre() * glm::distance(point.position, pointAt(own, k));
+        sink.add(point.position, point.normal, around(own, i), m_bark.at(own.along) - below, open);
     }
 }
 
@@ -141,7 +166,7 @@ void CPointGenerator::addLid(bool base, VertexSink& sink) const {
     const DrawnRing& ring = base ? m_rings.front() : m_rings.back();
     const glm::dvec3 normal = base ? -ring.frame[2] : ring.frame[2];
     const auto add = [&](const glm::dvec3& point, glm::dvec2 at) {
-        sink.add(point, normal, m_bark.around * (0.5 + at.x / 8), bark(ring.along) + m_bark.around * at.y / 8,
+        sink.add(point, normal, m_bark.around() * (0.5 + at.x / 8), m_bark.at(ring.along) + m_bark.around() * at.y / 8,
                  ring.skyVisibility);
     };
     if (m_tube->middleOfLid(base)) add(ring.centre, {0, 0});
@@ -156,7 +181,7 @@ void CPointGenerator::addCollarLid(VertexSink& sink) const {
     double depth = kLidDepth * own.radius;
     for (std::uint32_t i = 0; i < m_points; ++i) depth += glm::dot(points[i].position - own.centre, inwards) / m_points;
     const auto add = [&](const glm::dvec3& point, glm::dvec2 at) {
-        sink.add(point, inwards, m_bark.around * (0.5 + at.x / 8), m_bark.around * at.y / 8, 0);
+        sink.add(point, inwards, m_bark.around() * (0.5 + at.x / 8), m_bark.around() * at.y / 8, 0);
     };
     add(own.centre + depth * inwards, {0, 0});
     for (std::uint32_t i = 0; i < m_points; ++i) add(points[i].position, m_circle[i]);

@@ -1,4 +1,5 @@
 #pragma once
+#include "stem/BarkScale.h"
 #include "stem/PathSurface.h"
 #include "stromar/mesh/MeshBuilder.h"
 #include <vector>
@@ -23,7 +24,7 @@ struct VertexSink {
 class CPointGenerator {
 public:
     CPointGenerator(const CGeneration& generation, const MeshPlan& plan, const CStemSurface& surface)
-        : m_generation(generation), m_plan(plan), m_surface(surface), m_path(generation, surface) {}
+        : m_generation(generation), m_plan(plan), m_surface(surface), m_path(generation, surface), m_bark(surface) {}
 
     /// Looks at all rings of a tube; the others speak of this one.
     void startTube(const Tube& tube);
@@ -48,6 +49,8 @@ private:
     DrawnRing shapeOf(const Tube& tube, const Ring& ring) const;
     std::uint8_t skyVisibilityAt(const Tube& tube, double along) const;
     void setSlopes();
+    void measureButtresses();
+    double barkAt(std::size_t ring, std::uint32_t i) const;
     const CStem& stem() const { return m_generation.stems[m_tube->stem]; }
     void lookAtForks(const Tube& tube);
     void addGivenRing(const DrawnRing& ring, VertexSink& sink) const;
@@ -61,19 +64,19 @@ private:
         return m_path.normalAt(ring, angleOf(ring, i), circle(ring, i));
     }
     double angleOf(const DrawnRing& ring, std::uint32_t i) const;
-    double around(const DrawnRing& ring, double i) const { return m_bark.around * i / ring.points; }
+    double around(const DrawnRing& ring, double i) const { return m_bark.around() * i / ring.points; }
     /// Cosine and sine of a point's angle.
     glm::dvec2 circle(const DrawnRing& ring, std::uint32_t i) const { return m_circle[i * (m_points / ring.points)]; }
-    double bark(double along) const { return m_bark.perMetre * along; }
 
     const CGeneration& m_generation;
     const MeshPlan& m_plan;
     const CStemSurface& m_surface;
     CPathSurface m_path;
-    CStemSurface::Bark m_bark{1, 1};
+    CBarkScale m_bark;
     const Tube* m_tube = nullptr;
     std::uint32_t m_points = 0; ///< of the first ring
     std::vector<DrawnRing> m_rings;
+    std::vector<std::vector<double>> m_buttresses; ///< of the rings from the lowest, by point: metres of bark more than of trunk above it
     std::vector<glm::dvec2> m_circle; ///< of the tube's first ring
 };
 

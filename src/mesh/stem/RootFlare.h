@@ -31,6 +31,7 @@ public:
     }
 
     bool empty() const { return m_roots.empty(); }
+    double height() const { return m_height; }
 
     Rise at(double angle, double along) const {
         const double left = 1 - along / m_height;

@@ -213,7 +213,7 @@ constexpr ParamInfo kNumbers[] = {
      .invalidates = kMeshOnly, .help = N_("How often the bark picture goes around the trunk; branches follow. Whole numbers leave no seam.")},
     {.key = "TextureWrapY", .label = N_("Bark repeats along"), .group = Group::Textures, .section = N_("Bark"),
      .field = field<&CommonParams::textureWrapY>, .range = {0.001, 1000}, .useful = {0.5, 20}, .step = 0.5, .decimals = 2, .defaults = {1},
-     .invalidates = kMeshOnly, .help = N_("How often the bark picture repeats from the trunk's base to its tip. Branches show it at the same scale.")},
+     .invalidates = kMeshOnly, .help = N_("How often the bark picture would repeat from the trunk's base to its tip if it stayed as thick. Thinner wood shows it smaller, undistorted.")},
     {.key = "LeafColourV", .label = N_("Colour variation"), .group = Group::Textures, .section = N_("Leaves"), .field = field<&CommonParams::leafColourV>,
      .range = {0, 1}, .useful = {0, 1}, .step = 0.05, .decimals = 2, .defaults = {0.5}, .invalidates = kPictures,
      .help = N_("How much leaves differ in hue and lightness, in the window and in its pictures. 0: all are alike.")},

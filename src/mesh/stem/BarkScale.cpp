@@ -1,0 +1,53 @@
+#include "stem/BarkScale.h"
+#include <algorithm>
+#include <cmath>
+#include <limits>
+
+namespace stromar {
+
+void CBarkScale::start(const CGeneration& generation, const CStem& stem, const CPath& path) {
+    m_bark = m_surface.barkOf(stem);
+    m_pieces.clear();
+    std::vector<const CPath*> upwards{&path};
+    while (upwards.back()->source >= 0)
+        upwards.push_back(&generation.paths[stem.firstPath + static_cast<std::uint32_t>(upwards.back()->source)]);
+    for (std::size_t i = upwards.size(); i-- > 0;)
+        add(stem, generation.segmentsOf(*upwards[i]),
+            i > 0 ? generation.segmentsOf(*upwards[i - 1]).front().start : std::numeric_limits<double>::infinity());
+}
+
+void CBarkScale::add(const CStem& stem, std::span<const CSegment> segments, double until) {
+    const double base = std::max(m_surface.minRadius(), stem.radius);
+    const auto scaleAt = [&](const CSegment& segment, double t) {
+        return base > 0 ? std::max(m_surface.minRadius(), m_surface.woodRadius(stem, segment, t)) / base : 1;
+    };
+    for (const CSegment& segment : segments) {
+        if (segment.start >= until) return;
+        const Piece* below = m_pieces.empty() ? nullptr : &m_pieces.back();
+        const double repeats = below ? below->repeats + m_bark.perMetre * within(*below, 1) : 0;
+        m_pieces.push_back({segment.start, segment.length, repeats, scaleAt(segment, 0), scaleAt(segment, 1)});
+    }
+}
+
+double CBarkScale::at(double along) const {
+    if (m_pieces.empty()) return m_bark.perMetre * along;
+    const auto above = std::ranges::upper_bound(m_pieces, along, {}, &Piece::start);
+    const Piece& piece = above == m_pieces.begin() ? *above : *(above - 1);
+    return piece.repeats + m_bark.perMetre * within(piece, (along - piece.start) / piece.length);
+}
+
+/// The integral of the inverse of the radius, which runs evenly from end to end but for kFinest.
+double CBarkScale::within(const Piece& piece, double part) {
+    const double change = piece.high - piece.low, high = piece.low + part * change;
+    const auto integral = [&](double from, double to) { // over a part where it is not kFinest
+        const double low = piece.low + from * change, ratio = (piece.low + to * change) / low;
+        return (to - from) / low * (std::abs(ratio - 1) < 1e-6 ? 1 : std::log(ratio) / (ratio - 1));
+    };
+    if (piece.low >= kFinest && high >= kFinest) return piece.length * integral(0, part);
+    if (piece.low < kFinest && high < kFinest) return piece.length * part / kFinest;
+    const double crossing = (kFinest - piece.low) / change;
+    return piece.length * (piece.low < kFinest ? crossing / kFinest + integral(crossing, part)
+                                               : integral(0, crossing) + (part - crossing) / kFinest);
+}
+
+} // namespace stromar
