@@ -8,6 +8,7 @@ namespace stromar {
 void CBarkScale::start(const CGeneration& generation, const CStem& stem, const CPath& path) {
     m_bark = m_surface.barkOf(stem);
     m_pieces.clear();
+    m_finest = stem.radius > 0 ? std::clamp(m_surface.minRadius() / stem.radius, kFinest, 1.0) : 1;
     std::vector<const CPath*> upwards{&path};
     while (upwards.back()->source >= 0)
         upwards.push_back(&generation.paths[stem.firstPath + static_cast<std::uint32_t>(upwards.back()->source)]);
@@ -19,7 +20,7 @@ void CBarkScale::start(const CGeneration& generation, const CStem& stem, const C
 void CBarkScale::add(const CStem& stem, std::span<const CSegment> segments, double until) {
     const double base = std::max(m_surface.minRadius(), stem.radius);
     const auto scaleAt = [&](const CSegment& segment, double t) {
-        return base > 0 ? std::max(m_surface.minRadius(), m_surface.woodRadius(stem, segment, t)) / base : 1;
+        return base > 0 ? m_surface.woodRadius(stem, segment, t) / base : 1;
     };
     for (const CSegment& segment : segments) {
         if (segment.start >= until) return;
@@ -36,18 +37,18 @@ double CBarkScale::at(double along) const {
     return piece.repeats + m_bark.perMetre * within(piece, (along - piece.start) / piece.length);
 }
 
-/// The integral of the inverse of the radius, which runs evenly from end to end but for kFinest.
-double CBarkScale::within(const Piece& piece, double part) {
+/// The integral of the inverse of the radius, which runs evenly from end to end but where it is least.
+double CBarkScale::within(const Piece& piece, double part) const {
     const double change = piece.high - piece.low, high = piece.low + part * change;
-    const auto integral = [&](double from, double to) { // over a part where it is not kFinest
+    const auto integral = [&](double from, double to) { // over a part where it is more
         const double low = piece.low + from * change, ratio = (piece.low + to * change) / low;
         return (to - from) / low * (std::abs(ratio - 1) < 1e-6 ? 1 : std::log(ratio) / (ratio - 1));
     };
-    if (piece.low >= kFinest && high >= kFinest) return piece.length * integral(0, part);
-    if (piece.low < kFinest && high < kFinest) return piece.length * part / kFinest;
-    const double crossing = (kFinest - piece.low) / change;
-    return piece.length * (piece.low < kFinest ? crossing / kFinest + integral(crossing, part)
-                                               : integral(0, crossing) + (part - crossing) / kFinest);
+    if (piece.low >= m_finest && high >= m_finest) return piece.length * integral(0, part);
+    if (piece.low < m_finest && high < m_finest) return piece.length * part / m_finest;
+    const double crossing = (m_finest - piece.low) / change;
+    return piece.length * (piece.low < m_finest ? crossing / m_finest + integral(crossing, part)
+                                               : integral(0, crossing) + (part - crossing) / m_finest);
 }
 
 } // namespace stromar

@@ -28,12 +28,13 @@ private:
         double low, high;              ///< radii in those of the base
     };
     /// Metres of the base's scale in a part of a piece.
-    static double within(const Piece& piece, double part);
+    double within(const Piece& piece, double part) const;
 
     void add(const CStem& stem, std::span<const CSegment> segments, double until);
 
     const CStemSurface& m_surface;
     CStemSurface::Bark m_bark{1, 1};
+    double m_finest = kFinest;
     std::vector<Piece> m_pieces;
 };
 
