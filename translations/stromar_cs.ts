@@ -1291,10 +1291,6 @@
         <translation>Opakování kůry podél</translation>
     </message>
     <message>
-        <source>How often the bark picture repeats from the trunk&apos;s base to its tip. Branches show it at the same scale.</source>
-        <translation>Kolikrát se obrázek kůry opakuje od paty kmene k jeho špičce. Větve ho ukazují ve stejném měřítku.</translation>
-    </message>
-    <message>
         <source>Species</source>
         <translation>Druh</translation>
     </message>
@@ -2449,6 +2445,10 @@
     <message>
         <source>one solid has no levels of detail and does not move in the wind</source>
         <translation>jedno těleso nemá úrovně detailů a nehýbe se ve větru</translation>
+    </message>
+    <message>
+        <source>How often the bark picture would repeat from the trunk&apos;s base to its tip if it stayed as thick. Thinner wood shows it smaller, undistorted.</source>
+        <translation>Kolikrát by se obrázek kůry opakoval od paty kmene ke špičce, kdyby zůstal stejně tlustý. Tenčí dřevo jej ukazuje menší, nezkreslený.</translation>
     </message>
 </context>
 <context>

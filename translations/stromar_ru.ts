@@ -1291,10 +1291,6 @@
         <translation>Повторов коры вдоль</translation>
     </message>
     <message>
-        <source>How often the bark picture repeats from the trunk&apos;s base to its tip. Branches show it at the same scale.</source>
-        <translation>Сколько раз картинка коры повторяется от основания ствола до вершины. Ветви показывают её в том же масштабе.</translation>
-    </message>
-    <message>
         <source>Species</source>
         <translation>Порода</translation>
     </message>
@@ -2449,6 +2445,10 @@
     <message>
         <source>one solid has no levels of detail and does not move in the wind</source>
         <translation>единое тело не имеет уровней детализации и не движется на ветру</translation>
+    </message>
+    <message>
+        <source>How often the bark picture would repeat from the trunk&apos;s base to its tip if it stayed as thick. Thinner wood shows it smaller, undistorted.</source>
+        <translation>Сколько раз рисунок коры повторился бы от основания ствола до вершины, если бы тот оставался той же толщины. На тонкой древесине он мельче и не искажён.</translation>
     </message>
 </context>
 <context>

@@ -1291,10 +1291,6 @@
         <translation>Ponovitve lubja vzdolž</translation>
     </message>
     <message>
-        <source>How often the bark picture repeats from the trunk&apos;s base to its tip. Branches show it at the same scale.</source>
-        <translation>Kolikokrat se slika lubja ponovi od dna debla do vrha. Veje jo kažejo v istem merilu.</translation>
-    </message>
-    <message>
         <source>Species</source>
         <translation>Vrsta</translation>
     </message>
@@ -2449,6 +2445,10 @@
     <message>
         <source>one solid has no levels of detail and does not move in the wind</source>
         <translation>eno telo nima ravni podrobnosti in se ne giblje v vetru</translation>
+    </message>
+    <message>
+        <source>How often the bark picture would repeat from the trunk&apos;s base to its tip if it stayed as thick. Thinner wood shows it smaller, undistorted.</source>
+        <translation>Kako pogosto bi se slika lubja ponovila od dna debla do vrha, če bi to ostalo enako debelo. Tanjši les jo kaže manjšo, nepopačeno.</translation>
     </message>
 </context>
 <context>
