@@ -2450,6 +2450,30 @@
         <source>How often the bark picture would repeat from the trunk&apos;s base to its tip if it stayed as thick. Thinner wood shows it smaller, undistorted.</source>
         <translation>Kolikrát by se obrázek kůry opakoval od paty kmene ke špičce, kdyby zůstal stejně tlustý. Tenčí dřevo jej ukazuje menší, nezkreslený.</translation>
     </message>
+    <message>
+        <source>Bark of level 1</source>
+        <translation>Kůra úrovně 1</translation>
+    </message>
+    <message>
+        <source>The picture on branches, which have a material of their own then. The trunk shows it where it is as thin as they are. Empty: as the trunk.</source>
+        <translation>Obrázek na větvích, které pak mají vlastní materiál. Kmen jej ukazuje tam, kde je stejně tenký jako ony. Prázdné: jako kmen.</translation>
+    </message>
+    <message>
+        <source>Bark of level 2</source>
+        <translation>Kůra úrovně 2</translation>
+    </message>
+    <message>
+        <source>The picture on branches of branches, which have a material of their own then. Thin branches show it too. Empty: as level 1.</source>
+        <translation>Obrázek na větvích větví, které pak mají vlastní materiál. Ukazují jej i tenké větve. Prázdné: jako úroveň 1.</translation>
+    </message>
+    <message>
+        <source>Bark of level 3</source>
+        <translation>Kůra úrovně 3</translation>
+    </message>
+    <message>
+        <source>The picture on level 3 and deeper, which have a material of their own then. Thin stems of level 2 show it too. Empty: as level 2.</source>
+        <translation>Obrázek na úrovni 3 a hlubších, které pak mají vlastní materiál. Ukazují jej i tenké stonky úrovně 2. Prázdné: jako úroveň 2.</translation>
+    </message>
 </context>
 <context>
     <name>stromar::CCurveEditor</name>

@@ -2450,6 +2450,30 @@
         <source>How often the bark picture would repeat from the trunk&apos;s base to its tip if it stayed as thick. Thinner wood shows it smaller, undistorted.</source>
         <translation>Сколько раз рисунок коры повторился бы от основания ствола до вершины, если бы тот оставался той же толщины. На тонкой древесине он мельче и не искажён.</translation>
     </message>
+    <message>
+        <source>Bark of level 1</source>
+        <translation>Кора уровня 1</translation>
+    </message>
+    <message>
+        <source>The picture on branches, which have a material of their own then. The trunk shows it where it is as thin as they are. Empty: as the trunk.</source>
+        <translation>Картинка на ветвях, у которых тогда свой материал. Ствол показывает её там, где он так же тонок. Пусто: как ствол.</translation>
+    </message>
+    <message>
+        <source>Bark of level 2</source>
+        <translation>Кора уровня 2</translation>
+    </message>
+    <message>
+        <source>The picture on branches of branches, which have a material of their own then. Thin branches show it too. Empty: as level 1.</source>
+        <translation>Картинка на ветвях ветвей, у которых тогда свой материал. Тонкие ветви тоже показывают её. Пусто: как уровень 1.</translation>
+    </message>
+    <message>
+        <source>Bark of level 3</source>
+        <translation>Кора уровня 3</translation>
+    </message>
+    <message>
+        <source>The picture on level 3 and deeper, which have a material of their own then. Thin stems of level 2 show it too. Empty: as level 2.</source>
+        <translation>Картинка на уровне 3 и глубже, у которых тогда свой материал. Тонкие стебли уровня 2 тоже показывают её. Пусто: как уровень 2.</translation>
+    </message>
 </context>
 <context>
     <name>stromar::CCurveEditor</name>

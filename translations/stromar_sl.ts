@@ -2450,6 +2450,30 @@
         <source>How often the bark picture would repeat from the trunk&apos;s base to its tip if it stayed as thick. Thinner wood shows it smaller, undistorted.</source>
         <translation>Kako pogosto bi se slika lubja ponovila od dna debla do vrha, če bi to ostalo enako debelo. Tanjši les jo kaže manjšo, nepopačeno.</translation>
     </message>
+    <message>
+        <source>Bark of level 1</source>
+        <translation>Lubje stopnje 1</translation>
+    </message>
+    <message>
+        <source>The picture on branches, which have a material of their own then. The trunk shows it where it is as thin as they are. Empty: as the trunk.</source>
+        <translation>Slika na vejah, ki imajo potem svoj material. Deblo jo kaže, kjer je tako tanko kot one. Prazno: kot deblo.</translation>
+    </message>
+    <message>
+        <source>Bark of level 2</source>
+        <translation>Lubje stopnje 2</translation>
+    </message>
+    <message>
+        <source>The picture on branches of branches, which have a material of their own then. Thin branches show it too. Empty: as level 1.</source>
+        <translation>Slika na vejah vej, ki imajo potem svoj material. Kažejo jo tudi tanke veje. Prazno: kot stopnja 1.</translation>
+    </message>
+    <message>
+        <source>Bark of level 3</source>
+        <translation>Lubje stopnje 3</translation>
+    </message>
+    <message>
+        <source>The picture on level 3 and deeper, which have a material of their own then. Thin stems of level 2 show it too. Empty: as level 2.</source>
+        <translation>Slika na stopnji 3 in globlje, ki ima potem svoj material. Kažejo jo tudi tanka stebla stopnje 2. Prazno: kot stopnja 2.</translation>
+    </message>
 </context>
 <context>
     <name>stromar::CCurveEditor</name>

@@ -84,7 +84,8 @@ std::vector<Material> materialsOf(const TreeModel& model, const std::vector<Mesh
         textures = format.pictures == Pictures::Inside ? ExportedTextures::Embed : ExportedTextures::Copy;
     for (const Surface surface : kSurfaces) {
         const SurfaceInfo& info = surfaceOf(surface);
-        if (!isInEveryFile(info) && !isUsed(lods, surface)) continue;
+        const bool shown = shownSurface(model.params, surface) == surface && isUsed(lods, surface);
+        if (!isInEveryFile(info) && !shown) continue;
         Material& material = materials.emplace_back(Material{surface, info.name, {}, {}, info.colour, info.cutOut});
         if (format.pictures == Pictures::None) continue;
         material.picture = textureOf(model, surface, treeFolder);

@@ -58,8 +58,8 @@ void keepPicture(const TextureMaps& maps, const fs::path& file) {
 }
 
 TwigSource twigSource(const TreeModel& model, const fs::path& folder) {
-    return {textureOf(model.params, Surface::Leaf, folder), textureOf(model.params, Surface::Bark, folder),
-            surfaceOf(Surface::Bark).colour};
+    const Surface bark = shownSurface(model.params, model.twig->wood->surface);
+    return {textureOf(model.params, Surface::Leaf, folder), textureOf(model.params, bark, folder), surfaceOf(bark).colour};
 }
 } // namespace
 

@@ -132,8 +132,8 @@ void addObject(Out& out, const CMesh& mesh, const MeshChunk& part, const std::st
 
 /// Names have at most ten letters: "branch2_12".
 std::string objectName(std::size_t mesh, const CMesh& whole, std::size_t part) {
-    const std::string base = whole.surface != Surface::Bark ? whole.name
-                             : mesh == 0                    ? "trunk"
+    const std::string base = !isBark(whole.surface) ? whole.name
+                             : mesh == 0            ? "trunk"
                                                             : "branch" + std::to_string(mesh);
     return base + "_" + std::to_string(part);
 }

@@ -1,4 +1,5 @@
 #include "stromar/mesh/Mesh.h"
+#include <algorithm>
 #include <cmath>
 #include <glm/common.hpp>
 #include <glm/geometric.hpp>
@@ -41,6 +42,11 @@ std::optional<TriangleHit> meetMesh(const CMesh& mesh, const glm::dvec3& from, c
     return nearest;
 }
 
+std::uint8_t thinnessOf(double radius, double trunk) {
+    if (radius <= 0 || trunk <= 0) return 255;
+    return static_cast<std::uint8_t>(std::clamp(VertexLook::kThinnessOfHalf * std::log2(trunk / radius) + 0.5, 0.0, 255.0));
+}
+
 std::shared_ptr<CMesh> allocateMesh(std::string name, Surface surface, std::size_t vertices, std::size_t indices) {
     auto mesh = std::make_shared<CMesh>();
     mesh->name = std::move(name);
@@ -48,7 +54,7 @@ std::shared_ptr<CMesh> allocateMesh(std::string name, Surface surface, std::size
     mesh->positions.resize(vertices);
     mesh->normals.resize(vertices);
     mesh->texCoords.resize(vertices);
-    mesh->skyVisibility.resize(vertices);
+    mesh->looks.resize(vertices);
     mesh->indices.resize(indices);
     return mesh;
 }

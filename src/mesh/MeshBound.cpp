@@ -12,7 +12,7 @@ namespace stromar {
 namespace {
 constexpr double kRingsPerReach = 14; // of a flare or roots
 constexpr double kRoundEndRings = 40; // likewise a round end
-constexpr double kBytesPerVertex = 2 * sizeof(glm::vec3) + sizeof(glm::vec2) + 1;
+constexpr double kBytesPerVertex = 2 * sizeof(glm::vec3) + sizeof(glm::vec2) + sizeof(VertexLook);
 constexpr double kCopies = 2;           // the mesh, and what the graphics card or a writer gets
 
 /// Of stems of one thickness in a generation.

@@ -33,7 +33,7 @@ Crown crownOf(const Meshes& meshes) {
 std::uint8_t ambientAt(const Crown& crown, const CMesh& mesh, std::size_t vertex) {
     const float outside = std::min(1.0f, glm::length((mesh.positions[vertex] - crown.centre) / crown.radii));
     const float light = kInTheMiddle + (1 - kInTheMiddle) * outside * outside;
-    return static_cast<std::uint8_t>(light * static_cast<float>(mesh.skyVisibility[vertex]) + 0.5f);
+    return static_cast<std::uint8_t>(light * static_cast<float>(mesh.looks[vertex].skyVisibility) + 0.5f);
 }
 
 std::vector<glm::vec4> tangentsOf(const CMesh& mesh) {

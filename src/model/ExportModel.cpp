@@ -17,7 +17,9 @@ std::size_t sum(const ExportModel& model, Count&& count) {
 } // namespace
 
 std::size_t ExportModel::materialIndex(const CMesh& mesh) const {
-    const auto own = std::ranges::find(materials, mesh.surface, &Material::surface);
+    auto own = std::ranges::find(materials, mesh.surface, &Material::surface);
+    for (auto bark = std::ranges::find(kBarks, mesh.surface); own == materials.end() && bark != kBarks.begin();)
+        own = std::ranges::find(materials, *--bark, &Material::surface);
     assert(own != materials.end());
     return static_cast<std::size_t>(own - materials.begin());
 }

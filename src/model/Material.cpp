@@ -1,13 +1,23 @@
 #include "stromar/model/Material.h"
 #include "stromar/params/ParamTable.h"
+#include <algorithm>
 #include <iterator>
 
 namespace stromar {
 
 namespace {
 using T = TextParams;
+template <auto Texture>
+bool isChosen(const CParams& params) {
+    return !(params.text.*Texture).empty();
+}
+constexpr glm::vec3 kBarkColour{0.42f, 0.34f, 0.26f};
+template <auto Texture>
+constexpr SurfaceInfo barkOfLevel(const char* name) {
+    return {name, kBarkColour, false, Texture, "", &isChosen<Texture>};
+}
 constexpr SurfaceInfo kSurfaceTable[] = {
-    {"bark", {0.42f, 0.34f, 0.26f}, false, &T::barkTexture, "bark.png", nullptr},
+    {"bark", kBarkColour, false, &T::barkTexture, "bark.png", nullptr},
     {"leaf", {0.30f, 0.45f, 0.18f}, true, &T::leafTexture, "leaf.png", nullptr},
     {"blossom", {0.95f, 0.88f, 0.90f}, true, &T::blossomTexture, "leaf:blossom", &hasBlossoms},
     {"fruit",
@@ -17,6 +27,9 @@ constexpr SurfaceInfo kSurfaceTable[] = {
      "bark:smooth spots=0 light=#c8402c dark=#7c1c18",
      &hasFruits},
     {"twig", {0.30f, 0.45f, 0.18f}, true, nullptr, "", nullptr},
+    barkOfLevel<&T::bark1Texture>("bark_1"),
+    barkOfLevel<&T::bark2Texture>("bark_2"),
+    barkOfLevel<&T::bark3Texture>("bark_3"),
 };
 static_assert(std::size(kSurfaceTable) == kSurfaces.size());
 } // namespace
@@ -26,6 +39,13 @@ const SurfaceInfo& surfaceOf(Surface surface) { return kSurfaceTable[static_cast
 bool hasSurface(const CParams& params, Surface surface) {
     const SurfaceInfo& info = surfaceOf(surface);
     return info.texture && (!info.borne || info.borne(params));
+}
+
+Surface shownSurface(const CParams& params, Surface surface) {
+    if (!isBark(surface)) return surface;
+    auto bark = std::ranges::find(kBarks, surface);
+    while (bark != kBarks.begin() && !hasSurface(params, *bark)) --bark;
+    return *bark;
 }
 
 } // namespace stromar

@@ -10,7 +10,8 @@
 namespace stromar {
 
 namespace {
-static_assert(sizeof(osg::Vec3) == sizeof(glm::vec3) && sizeof(osg::Vec2) == sizeof(glm::vec2));
+static_assert(sizeof(osg::Vec3) == sizeof(glm::vec3) && sizeof(osg::Vec2) == sizeof(glm::vec2) &&
+              sizeof(osg::Vec2ub) == sizeof(VertexLook));
 
 template <typename Array, typename Source>
 osg::ref_ptr<Array> copied(const Source& values) {
@@ -50,13 +51,13 @@ void addBlade(osg::Geometry& geometry, const LeafBlade& blade) {
         (*normals)[i] = osg::Vec3(osg::Vec3d(point.normal.x, point.normal.y, point.normal.z));
         (*texCoords)[i] = {point.texCoord.x, point.texCoord.y};
     }
-    const osg::ref_ptr<osg::UByteArray> skyVisibility = new osg::UByteArray(count);
-    std::ranges::fill(*skyVisibility, 255);
-    skyVisibility->setNormalize(true);
+    const osg::ref_ptr<osg::Vec2ubArray> looks = new osg::Vec2ubArray(count);
+    std::ranges::fill(*looks, osg::Vec2ub(255, 0));
+    looks->setNormalize(true);
     geometry.setVertexArray(places);
     geometry.setNormalArray(normals, osg::Array::BIND_PER_VERTEX);
     geometry.setTexCoordArray(0, texCoords, osg::Array::BIND_PER_VERTEX);
-    geometry.setVertexAttribArray(kSkyVisibilityAttribute, skyVisibility, osg::Array::BIND_PER_VERTEX);
+    geometry.setVertexAttribArray(kLookAttribute, looks, osg::Array::BIND_PER_VERTEX);
 }
 
 void addInstances(osg::Geometry& geometry, const std::shared_ptr<CInstances>& instances) {
@@ -108,10 +109,9 @@ osg::ref_ptr<osg::Geometry> makeViewGeometry(const std::shared_ptr<const CMesh>&
                              Array::BIND_PER_VERTEX);
     geometry->setTexCoordArray(0, new CBorrowedArray(mesh, mesh->texCoords, Array::Vec2ArrayType, 2, GL_FLOAT),
                                Array::BIND_PER_VERTEX);
-    const osg::ref_ptr<Array> skyVisibility =
-        new CBorrowedArray(mesh, mesh->skyVisibility, Array::UByteArrayType, 1, GL_UNSIGNED_BYTE);
-    skyVisibility->setNormalize(true);
-    geometry->setVertexAttribArray(kSkyVisibilityAttribute, skyVisibility, Array::BIND_PER_VERTEX);
+    const osg::ref_ptr<Array> looks = new CBorrowedArray(mesh, mesh->looks, Array::Vec2ubArrayType, 2, GL_UNSIGNED_BYTE);
+    looks->setNormalize(true);
+    geometry->setVertexAttribArray(kLookAttribute, looks, Array::BIND_PER_VERTEX);
     geometry->addPrimitiveSet(new CBorrowedTriangles(mesh));
     geometry->getBound();
     return geometry;

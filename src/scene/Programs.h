@@ -19,7 +19,7 @@ inline osg::ref_ptr<osg::Program> makeProgram(const char* name, const std::strin
 inline osg::ref_ptr<osg::Program> makeTreeProgram(const char* name, const std::string& vertex,
                                                   const std::string& fragment) {
     osg::ref_ptr<osg::Program> program = makeProgram(name, kPlaceFunctions + vertex, fragment);
-    program->addBindAttribLocation("openAt", kSkyVisibilityAttribute);
+    program->addBindAttribLocation("look", kLookAttribute);
     program->addBindAttribLocation("instancePlace", kInstancePlaceAttribute);
     program->addBindAttribLocation("instanceTurn", kInstanceTurnAttribute);
     program->addBindAttribLocation("instanceWidth", kInstanceWidthAttribute);

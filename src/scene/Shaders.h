@@ -128,9 +128,11 @@ inline constexpr const char* kTreeVertexShader = R"(
 uniform vec3 crownMiddle, crownSize, sun;
 uniform mat4 shadowMatrix;
 uniform float shadowOffset; // metres
-attribute float openAt;
+uniform vec2 neighbourFrom, neighbourRate; // of the barks of thicker and of thinner wood
+attribute vec2 look; // part of the sky that is seen, thinness of the wood
 varying vec3 place, normal, inShadow;
 varying float skyVisibility, shade, ground;
+varying vec2 neighbours; // shares
 void main() {
     swayAngle = 0.0;
     vec3 own = stillPlace(), front = stillNormal(own), named = front;
@@ -147,7 +149,8 @@ void main() {
     inShadow = (shadowMatrix * vec4(place + shadowOffset * (sun + normal * sign(dot(normal, sun))), 1.0)).xyz;
     // Inside the crown less of the sky is seen.
     vec3 out_ = (own - crownMiddle) / crownSize;
-    skyVisibility = (0.35 + 0.65 * smoothstep(0.05, 1.0, length(out_) * 0.8 + 0.25 * out_.z)) * openAt;
+    skyVisibility = (0.35 + 0.65 * smoothstep(0.05, 1.0, length(out_) * 0.8 + 0.25 * out_.z)) * look.x;
+    neighbours = clamp((look.y - neighbourFrom) * neighbourRate, 0.0, 1.0);
     // All corners of a leaf share its normal: a number of its own.
     shade = fract(sin(dot(named, vec3(127.1, 311.7, 74.7))) * 437.5);
 }
@@ -157,17 +160,18 @@ inline constexpr const char* kTreeFragmentShader = R"(
 uniform mat4 osg_ViewMatrixInverse;
 uniform sampler2D picture, relief, gloss, under; // albedo; normals; roughness and what goes through; albedo from below
 uniform float leaf, colourVariation, tinted, generation, reliefDepth, underSide, smoothEdges, alphaCut, softFrom, softTo;
+uniform sampler2D olderPicture, olderRelief, olderGloss, youngerPicture, youngerRelief, youngerGloss;
+uniform vec2 neighbourRate;
 uniform int view; // 0 lit, 1 material, 2 occlusion, 3 normals
 varying vec3 place, normal, inShadow;
 varying float skyVisibility, shade, ground;
-vec3 withRelief(vec3 n) {
+varying vec2 neighbours; // shares
+vec3 withRelief(vec3 n, vec3 bump) {
     vec3 along = dFdx(place), up = dFdy(place);
     vec2 du = dFdx(gl_TexCoord[0].st), dv = dFdy(gl_TexCoord[0].st);
     vec3 across = cross(up, n), ahead = cross(n, along);
     vec3 t = across * du.x + ahead * dv.x, b = across * du.y + ahead * dv.y;
     float size = inversesqrt(max(max(dot(t, t), dot(b, b)), 1e-30));
-    vec3 bump = texture2D(relief, gl_TexCoord[0].st).xyz * 2.0 - 1.0;
-    bump.xy *= reliefDepth;
     return normalize(mat3(t * size, b * size, n) * bump);
 }
 void main() {
@@ -191,7 +195,20 @@ void main() {
     vec3 n = normalize(normal);
     bool back = leaf > 0.5 && dot(n, toEye) < 0.0;
     if (back) n = -n;
-    if (reliefDepth > 0.0) n = withRelief(n);
+    vec3 bump = vec3(0.0, 0.0, 1.0);
+    if (reliefDepth > 0.0) bump = texture2D(relief, gl_TexCoord[0].st).xyz * 2.0 - 1.0;
+    vec2 shares = vec2(0.0);
+    // Another bark shows first in the furrows.
+    if (neighbourRate != vec2(0.0)) shares = smoothstep(0.25, 0.75, neighbours + 0.4 * (0.5 - dot(colour.rgb, vec3(0.333))));
+    if (neighbourRate.x != 0.0) {
+        colour = mix(colour, texture2D(olderPicture, gl_TexCoord[0].st), shares.x);
+        bump = mix(bump, texture2D(olderRelief, gl_TexCoord[0].st).xyz * 2.0 - 1.0, shares.x);
+    }
+    if (neighbourRate.y != 0.0) {
+        colour = mix(colour, texture2D(youngerPicture, gl_TexCoord[0].st), shares.y);
+        bump = mix(bump, texture2D(youngerRelief, gl_TexCoord[0].st).xyz * 2.0 - 1.0, shares.y);
+    }
+    if (bump.z < 1.0) n = withRelief(n, bump);
 #if BEST
     bool fromBelow = back && underSide > 0.5;
     if (fromBelow) colour.rgb = texture2D(under, gl_TexCoord[0].st).rgb;
@@ -206,6 +223,8 @@ void main() {
     if (back && !fromBelow) albedo = mix(albedo, vec3(dot(albedo, vec3(0.3, 0.6, 0.1))), 0.25) * 1.15;
 #if BEST
     vec2 skin = texture2D(gloss, gl_TexCoord[0].st).rg;
+    if (neighbourRate.x != 0.0) skin = mix(skin, texture2D(olderGloss, gl_TexCoord[0].st).rg, shares.x);
+    if (neighbourRate.y != 0.0) skin = mix(skin, texture2D(youngerGloss, gl_TexCoord[0].st).rg, shares.y);
 #else
     vec2 skin = vec2(0.8, 0.6);
 #endif

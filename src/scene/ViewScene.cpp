@@ -5,10 +5,10 @@
 #include "Shaders.h"
 #include "ShadowMap.h"
 #include "SwayTables.h"
-#include "stromar/scene/SurfaceMaps.h"
 #include "stromar/model/Material.h"
 #include "stromar/scene/Daylight.h"
 #include "stromar/scene/OsgGeometry.h"
+#include "stromar/scene/SurfaceMaps.h"
 #include "stromar/texture/Opacity.h"
 #include <algorithm>
 #include <cmath>
@@ -96,6 +96,8 @@ CViewScene::CViewScene()
     setInteger(m_state, "relief", kReliefUnit);
     setInteger(m_state, "gloss", kGlossUnit);
     setInteger(m_state, "under", kUnderUnit);
+    nameNeighbourPictures(*m_state);
+    setNeighbours(*m_state, {});
     setFloat(m_state, "alphaCut", kAlphaCut);
     setFloat(m_state, "softFrom", kSoftFrom);
     setFloat(m_state, "softTo", kSoftTo);
@@ -132,11 +134,22 @@ void CViewScene::addParts() {
         osg::StateSet* state = geometry->getOrCreateStateSet();
         if (!state->getUniform("generation")) setFloat(state, "generation", part.generation);
         setFloat(state, "colourVariation", part.colourVariation);
+        setNeighbours(*state, part.neighbours);
         m_surfaces[static_cast<std::size_t>(part.surface)]->addChild(geometry);
         m_drawn.push_back(geometry);
     }
     m_instancesAreNew = true;
     hangParts();
+    shareBarks();
+}
+
+/// Gives every bark the pictures of those that it gives way to.
+void CViewScene::shareBarks() {
+    const auto stateOf = [&](Surface surface) { return m_surfaces[static_cast<std::size_t>(surface)]->getOrCreateStateSet(); };
+    for (const ViewPart& part : m_parts) {
+        for (std::size_t i = 0; i < part.neighbours.size(); ++i)
+            if (part.neighbours[i].rate != 0) shareSurface(*stateOf(part.surface), i, *stateOf(part.neighbours[i].surface));
+    }
 }
 
 /// Gives all that is drawn its places on the axes of the swaying tree.
@@ -217,12 +230,14 @@ std::vector<ViewPart> viewPartsOf(const TreeModel& model, const std::vector<View
         const auto same = std::ranges::find(known, shown, source);
         ViewPart part = same != known.end() ? *same : ViewPart{make(), surface, generation};
         part.*source = shown;
+        part.surface = surface;
         part.colourVariation = model.params.common.leafColourV;
+        if (isBark(surface)) part.neighbours = neighbourBarksOf(model, surface);
         parts.push_back(std::move(part));
     };
     model.visitMeshes(
         [&](const std::shared_ptr<const CMesh>& mesh, int generation) {
-            add(mesh, &ViewPart::mesh, mesh->surface, generation, [&] { return makeViewGeometry(mesh); });
+            add(mesh, &ViewPart::mesh, shownSurface(model.params, mesh->surface), generation, [&] { return makeViewGeometry(mesh); });
         },
         [&](const std::shared_ptr<const COrganMesh>& organs, int generation) {
             add(organs, &ViewPart::organs, organs->surface(), generation,
@@ -242,7 +257,7 @@ void CViewScene::setLook(const ViewLook& look) {
     stromar::show(*m_wireframe, look.wireframe == Wireframe::Over);
     stromar::show(*m_grass->node(), look.backdrop == Backdrop::Sky);
     for (const Surface surface : kSurfaces)
-        stromar::show(*m_surfaces[static_cast<std::size_t>(surface)], look.leaves || surface == Surface::Bark);
+        stromar::show(*m_surfaces[static_cast<std::size_t>(surface)], look.leaves || isBark(surface));
     m_root->removeChild(m_person);
     if (look.ground) m_root->addChild(m_person); // only then does it take room
     if (!sameSun || !m_state->getUniform("sun")) updateLight();
@@ -258,7 +273,7 @@ std::optional<ViewHit> CViewScene::pickSwayed(const osg::Vec3d& from, const osg:
     std::optional<ViewHit> nearest;
     double distance = 0;
     for (const ViewPart& part : m_parts) {
-        if (part.surface != Surface::Bark && !m_look.leaves) continue;
+        if (!isBark(part.surface) && !m_look.leaves) continue;
         const auto mesh = swayedMesh(part);
         const auto met = meetMesh(*mesh, start, ray);
         if (!met || (nearest && met->distance >= distance)) continue;
@@ -313,6 +328,7 @@ std::optional<ViewHit> CViewScene::pick(const osg::Vec3d& from, const osg::Vec3d
 void CViewScene::setSurface(Surface surface, const SurfaceMaps& maps) {
     if (m_shadows && surfaceOf(surface).cutOut) m_shadows->setStale();
     showSurface(*m_surfaces[static_cast<std::size_t>(surface)]->getOrCreateStateSet(), maps);
+    if (isBark(surface)) shareBarks();
 }
 
 void CViewScene::startContext(int samples, bool instancing) {

@@ -18,6 +18,7 @@ std::shared_ptr<const TreeModel> smallModel() {
         CParams params = preset("quaking_aspen");
         weberPenn(params).level[1].branches = 6;
         weberPenn(params).level[2].branches = 4;
+        params.text.bark1Texture = params.text.bark2Texture = "";
         return createAnew(params, detailOf(Model::Simple));
     }();
     return model;
@@ -82,6 +83,21 @@ TEST_P(Export, PutsPicturesBesideTheModel) {
         names.insert(
             {"tree_bark_normal.png", "tree_bark_roughness.png", "tree_leaf_normal.png", "tree_leaf_roughness.png"});
     EXPECT_EQ(m_folder.names(), names) << "other files lie about";
+}
+
+TEST_P(Export, ABarkOfALevelIsAMaterialOfItsOwn) {
+    TreeModel model = *smallModel();
+    model.params.text.bark2Texture = "bark:birch seed=4";
+    exportModel(model, {}, target(), CProgress(2));
+    if (format().pictures == Pictures::None) return;
+    std::string content;
+    for (const std::string& name : m_folder.names())
+        if (!name.ends_with(".png")) content += readFile(m_folder / name);
+    EXPECT_GE(countOf(content, "bark_2"), 1u);
+    EXPECT_EQ(countOf(content, "bark_1"), 0u) << "shows that of the trunk";
+    EXPECT_EQ(fs::exists(m_folder / "tree_bark_2.png"), copiesPictures());
+    if (!copiesPictures()) return;
+    EXPECT_EQ(readFile(m_folder / "tree_bark_2.png"), readFile(textureOf(model.params, Surface::Bark2, {})));
 }
 
 TEST_P(Export, HoldsNothingOfThisMachine) {

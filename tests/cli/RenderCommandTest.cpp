@@ -24,6 +24,12 @@ struct Picture {
         for (int& c : sum) c /= static_cast<int>((x1 - x0) * (y1 - y0));
         return sum;
     }
+    std::size_t red(unsigned y0, unsigned y1) const { ///< pixels
+        std::size_t count = 0;
+        for (std::size_t i = 4 * std::size_t{y0} * width; i < 4 * std::size_t{y1} * width; i += 4)
+            count += rgba[i] > rgba[i + 1] + 60 && rgba[i] > rgba[i + 2] + 60;
+        return count;
+    }
 };
 
 Picture readPng(const std::filesystem::path& path) {
@@ -58,6 +64,17 @@ protected:
 
 bool isGreen(const std::array<int, 4>& c) { return c[1] > c[0] && c[1] > c[2]; }
 } // namespace
+
+TEST_F(Render, ThinWoodTakesOnTheBarkOfBranches) {
+    const Words bare{"--set", "Levels=1", "--set", "0Taper=1", "--set", "1BarkTexture=bark:smooth light=#ff0000 dark=#ee0000"};
+    const Picture trunk = render(bare);
+    EXPECT_EQ(trunk.red(0, trunk.height), 0u) << "without branches there is no such bark";
+    Words branches = bare;
+    branches[1] = "Levels=2";
+    const Picture tree = render(branches);
+    EXPECT_EQ(tree.red(tree.height * 17 / 20, tree.height), 0u) << "the foot of the trunk";
+    EXPECT_GT(tree.red(0, tree.height / 2), 200u);
+}
 
 /// Mesa draws without the extension as older drivers do.
 TEST_F(Render, OpenGlBeforeInstancesDrawsTheSame) {

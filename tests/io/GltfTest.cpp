@@ -133,8 +133,8 @@ TEST(Shading, TheCrownsInsideAndForksAreDarker) {
     ASSERT_GT(outsides, 100u);
     EXPECT_LT(inside / double(insides), 0.75 * outside / double(outsides));
     const CMesh& branches = *model.stems[1];
-    EXPECT_LT(branches.skyVisibility[0], 140) << "the foot of a branch";
-    EXPECT_GT(*std::ranges::max_element(branches.skyVisibility), 250);
+    EXPECT_LT(branches.looks[0].skyVisibility, 140) << "the foot of a branch";
+    EXPECT_GT(std::ranges::max(branches.looks, {}, &VertexLook::skyVisibility).skyVisibility, 250);
 }
 
 class BlenderReads : public testing::TestWithParam<const char*> {

@@ -35,7 +35,7 @@ double signedVolume(const CMesh& mesh, std::size_t firstIndex, std::size_t index
 bool sameBytes(const CMesh& a, const CMesh& b) {
     return a.name == b.name && a.surface == b.surface && sameArray(a.positions, b.positions) &&
            sameArray(a.normals, b.normals) && sameArray(a.texCoords, b.texCoords) &&
-           sameArray(a.skyVisibility, b.skyVisibility) && sameArray(a.indices, b.indices);
+           sameArray(a.looks, b.looks) && sameArray(a.indices, b.indices);
 }
 
 std::size_t invertedSurfaces(const MeshPlan& plan, const CMesh& mesh) {

@@ -1,6 +1,8 @@
 // Nodes and arrays, without an OpenGL context.
 #include "mesh/SampleTrees.h"
 #include "stromar/mesh/MeshBuilder.h"
+#include "stromar/app/TreeCreator.h"
+#include "stromar/model/Material.h"
 #include "stromar/model/MeshValues.h"
 #include "stromar/scene/OsgGeometry.h"
 #include "stromar/scene/ViewScene.h"
@@ -76,11 +78,11 @@ TEST(OsgGeometry, ForTheViewportKnowsHowOpenItLies) {
     for (const auto& mesh : aspenMeshes()) {
         EXPECT_EQ(makeGeometry(*mesh)->getNumVertexAttribArrays(), 0u) << "files do not";
         const osg::ref_ptr<osg::Geometry> geometry = makeViewGeometry(mesh);
-        const auto* skyVisibility = geometry->getVertexAttribArray(kSkyVisibilityAttribute);
-        ASSERT_TRUE(skyVisibility);
-        ASSERT_EQ(skyVisibility->getNumElements(), mesh->vertexCount());
-        EXPECT_TRUE(skyVisibility->getNormalize());
-        EXPECT_EQ(std::memcmp(skyVisibility->getDataPointer(), mesh->skyVisibility.data(), mesh->vertexCount()), 0);
+        const auto* looks = geometry->getVertexAttribArray(kLookAttribute);
+        ASSERT_TRUE(looks);
+        ASSERT_EQ(looks->getNumElements(), mesh->vertexCount());
+        EXPECT_TRUE(looks->getNormalize());
+        EXPECT_EQ(std::memcmp(looks->getDataPointer(), mesh->looks.data(), mesh->vertexCount() * sizeof(VertexLook)), 0);
     }
 }
 
@@ -180,6 +182,66 @@ TEST(ViewScene, TheStageDoesNotChangeWhatIsFramed) {
     const auto trunk = makeGeometry(*aspenMeshes().front());
     scene.show({{trunk, Surface::Bark}});
     EXPECT_NEAR(scene.root()->getBound().radius(), trunk->getBound().radius(), 0.01 * trunk->getBound().radius());
+}
+
+class Barks : public testing::Test {
+protected:
+    /// Three levels, each less than half as thick as the one before.
+    std::shared_ptr<const TreeModel> model() const {
+        CTreeCreator creator;
+        return creator.create(m_params, detailOf(Model::Simple), CProgress());
+    }
+    std::vector<ViewPart> parts() const { return viewPartsOf(*model(), {}, CProgress()); }
+
+    CParams m_params = preset("quaking_aspen");
+};
+
+TEST_F(Barks, ThoseOfLevelsWithoutOneAreThatOfTheLevelBefore) {
+    TextParams& text = m_params.text;
+    text.bark1Texture = text.bark2Texture = text.bark3Texture = "";
+    for (const Surface bark : kBarks) EXPECT_EQ(shownSurface(m_params, bark), Surface::Bark);
+    text.bark2Texture = "bark:smooth";
+    EXPECT_EQ(shownSurface(m_params, Surface::Bark1), Surface::Bark);
+    EXPECT_EQ(shownSurface(m_params, Surface::Bark2), Surface::Bark2);
+    EXPECT_EQ(shownSurface(m_params, Surface::Bark3), Surface::Bark2);
+    EXPECT_EQ(shownSurface(m_params, Surface::Leaf), Surface::Leaf);
+}
+
+TEST_F(Barks, GiveWayToOneAnotherWhereWoodGetsThinner) {
+    TextParams& text = m_params.text;
+    text.bark1Texture = text.bark3Texture = "";
+    text.bark2Texture = "bark:smooth";
+    const auto shown = parts();
+    ASSERT_GE(shown.size(), 3u);
+    const auto tree = model()->tree;
+    const auto thinness = [&](std::size_t generation) {
+        double sum = 0;
+        for (const CStem& stem : tree->generation(generation).stems) sum += stem.radius;
+        return thinnessOf(sum / double(tree->generation(generation).stems.size()), tree->generation(0).stems[0].radius) / 255.0f;
+    };
+    for (const ViewPart& part : shown) {
+        const auto& [older, younger] = part.neighbours;
+        const auto share = [](const NeighbourBark& bark, float at) { return (at - bark.from) * bark.rate; };
+        if (part.generation == 0 || part.generation == 1) {
+            EXPECT_EQ(part.surface, Surface::Bark);
+            EXPECT_EQ(older.rate, 0);
+            EXPECT_EQ(younger.surface, Surface::Bark2);
+            EXPECT_NEAR(share(younger, thinness(1)), 0, 1e-5);
+            EXPECT_NEAR(share(younger, thinness(2)), 1, 1e-5);
+        } else if (part.generation >= 2) {
+            EXPECT_EQ(part.surface, Surface::Bark2);
+            EXPECT_EQ(older.surface, Surface::Bark);
+            EXPECT_NEAR(share(older, thinness(2)), 0, 1e-5);
+            EXPECT_NEAR(share(older, thinness(1)), 1, 1e-5);
+            EXPECT_EQ(younger.rate, 0);
+        }
+    }
+}
+
+TEST_F(Barks, AreSharedOnlyWhereThereAreSeveral) {
+    m_params.text.bark1Texture = m_params.text.bark2Texture = m_params.text.bark3Texture = "";
+    for (const ViewPart& part : parts())
+        for (const NeighbourBark& other : part.neighbours) EXPECT_EQ(other.rate, 0);
 }
 
 TEST(ViewScene, SaysWhichPictureIsMissing) {

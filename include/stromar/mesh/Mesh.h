@@ -11,12 +11,28 @@
 
 namespace stromar {
 
-enum class Surface { Bark, Leaf, Blossom, Fruit, Twig };
-inline constexpr std::array kSurfaces{Surface::Bark, Surface::Leaf, Surface::Blossom, Surface::Fruit, Surface::Twig};
+enum class Surface { Bark, Leaf, Blossom, Fruit, Twig, Bark1, Bark2, Bark3 };
+inline constexpr std::array kSurfaces{Surface::Bark, Surface::Leaf,  Surface::Blossom, Surface::Fruit,
+                                      Surface::Twig, Surface::Bark1, Surface::Bark2,   Surface::Bark3};
+/// Of stems, by generation; deeper ones have the last.
+inline constexpr std::array kBarks{Surface::Bark, Surface::Bark1, Surface::Bark2, Surface::Bark3};
+constexpr Surface barkOf(std::size_t generation) { return kBarks[generation < kBarks.size() ? generation : kBarks.size() - 1]; }
+constexpr bool isBark(Surface surface) { return surface == Surface::Bark || surface >= Surface::Bark1; }
 
 struct Bounds {
     glm::vec3 min, max;
 };
+
+/// What only a picture shows of a vertex.
+struct VertexLook {
+    std::uint8_t skyVisibility = 255; ///< 255: sees the whole sky as far as its own stem is concerned; 0: none
+    std::uint8_t thinness = 0;        ///< of the wood: kThinnessOfHalf for each time that it is half as thick as the trunk
+
+    static constexpr int kThinnessOfHalf = 24;
+    bool operator==(const VertexLook&) const = default;
+};
+/// VertexLook::thinness. Radii in metres.
+std::uint8_t thinnessOf(double radius, double trunk);
 
 /// Triangles of one generation of stems, or of all leaves. Metres, z up; counter-clockwise seen from outside.
 /// Vertices at the seam of the bark are doubled; leaves are flat and meant to be seen from both sides.
@@ -27,14 +43,14 @@ public:
     RawVector<glm::vec3> positions;
     RawVector<glm::vec3> normals; ///< unit
     RawVector<glm::vec2> texCoords;
-    RawVector<std::uint8_t> skyVisibility; ///< 255: sees the whole sky as far as its own stem is concerned; 0: none
+    RawVector<VertexLook> looks;
     RawVector<std::uint32_t> indices; ///< three per triangle
 
     std::size_t vertexCount() const { return positions.size(); }
     std::size_t triangleCount() const { return indices.size() / 3; }
     std::size_t bytes() const { return bytesOf(vertexCount(), indices.size()); }
     static constexpr std::size_t bytesOf(std::size_t vertices, std::size_t indices) {
-        return vertices * (2 * sizeof(glm::vec3) + sizeof(glm::vec2) + 1) + indices * sizeof(std::uint32_t);
+        return vertices * (2 * sizeof(glm::vec3) + sizeof(glm::vec2) + sizeof(VertexLook)) + indices * sizeof(std::uint32_t);
     }
     double area() const; ///< of its triangles, m²
     /// Of a mesh with vertices.

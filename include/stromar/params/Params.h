@@ -26,6 +26,7 @@ struct CommonParams {
 /// What a file says in words. Texture paths are relative to the file; empty = the built-in picture.
 struct TextParams {
     std::string species, author, description, likedSeeds, barkTexture, leafTexture, blossomTexture, fruitTexture;
+    std::string bark1Texture, bark2Texture, bark3Texture; ///< of a generation; empty: as the one before
 
     bool operator==(const TextParams&) const = default;
 };

@@ -10,10 +10,10 @@ namespace stromar {
 /// A copy of the mesh, ready to be drawn, its bounding box computed. Any thread, as long as it is not yet in a scene.
 osg::ref_ptr<osg::Geometry> makeGeometry(const CMesh& mesh);
 
-/// The same for the viewport, whose shader also wants to know how open each vertex lies (CMesh::skyVisibility). It
+/// The same for the viewport, whose shader also wants to know the look of each vertex (CMesh::looks). It
 /// borrows the vertices of the mesh, and holds it.
 osg::ref_ptr<osg::Geometry> makeViewGeometry(const std::shared_ptr<const CMesh>& mesh);
-constexpr unsigned kSkyVisibilityAttribute = 6; ///< of the shader; no driver uses it for anything else
+constexpr unsigned kLookAttribute = 6; ///< of the shader; no driver uses it for anything else
 
 /// Instances of one blade, for a shader that puts them in their places: OpenGL 3.3. Its uniforms say that there are
 /// instances and how they are rounded.

@@ -1,6 +1,7 @@
 #pragma once
 #include "stromar/model/Light.h"
 #include "stromar/model/ModelSway.h"
+#include "stromar/scene/NeighbourBarks.h"
 #include "stromar/scene/SurfaceMaps.h"
 #include "stromar/scene/ViewPass.h"
 #include <array>
@@ -29,6 +30,7 @@ struct ViewPart {
     std::shared_ptr<const CMesh> mesh{};        ///< what it shows: this
     std::shared_ptr<const COrganMesh> organs{}; ///< or these
     double colourVariation = 0;                 ///< of its leaves, 0..1
+    NeighbourBarks neighbours{};                ///< of the bark of stems
 };
 
 /// What the model shows, ready for the viewport. Parts of `known` that show the same are taken over. Any thread. Throws
@@ -102,6 +104,7 @@ private:
     void updateCrown();
     void updateLight();
     void hangParts();
+    void shareBarks();
     void aimAtPose();
     void aimShadows(const osg::BoundingBox& box);
     std::shared_ptr<const CMesh> swayedMesh(const ViewPart& part) const;

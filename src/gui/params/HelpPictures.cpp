@@ -106,7 +106,7 @@ Picture makePicture(const ParamRef& ref, const Demonstration& shown, const QPale
     const Turn turn = above || inWind ? Turn() : widestView(model.meshes());
     picture.caption = captionOf(*ref.info, shown.value);
     if (inWind) {
-        for (const auto& mesh : blown(made)) addFaces(picture, *mesh, mesh->surface == Surface::Bark ? bark : leaf, turn, above);
+        for (const auto& mesh : blown(made)) addFaces(picture, *mesh, isBark(mesh->surface) ? bark : leaf, turn, above);
         std::ranges::sort(picture.faces, {}, &Face::depth);
         return picture;
     }

@@ -100,7 +100,7 @@ std::shared_ptr<const CMesh> COrganMesh::expanded(const CProgress& progress) con
         VertexSink sink = sinkAt(*mesh, points * i);
         for (const LeafBlade::Point& point : m_blade.points) {
             const glm::dvec3 place = placer.place(point);
-            sink.add(place, m_rounding.turned(placer.normal(point), place), point.texCoord.x, point.texCoord.y, 255);
+            sink.add(place, m_rounding.turned(placer.normal(point), place), point.texCoord.x, point.texCoord.y, {});
         }
         std::uint32_t* index = mesh->indices.data() + corners * i;
         for (const std::uint32_t corner : m_blade.indices) *index++ = static_cast<std::uint32_t>(points * i) + corner;

@@ -188,7 +188,7 @@ private:
         auto mesh = allocateMesh("solid", Surface::Bark, m_positions.size(), m_indices.size());
         std::ranges::copy(m_positions, mesh->positions.begin());
         std::ranges::copy(m_indices, mesh->indices.begin());
-        std::ranges::fill(mesh->skyVisibility, std::uint8_t{255});
+        std::ranges::fill(mesh->looks, VertexLook{});
         for (std::size_t v = 0; v < m_positions.size(); ++v)
             mesh->texCoords[v] = {m_positions[v].x + m_positions[v].y, m_positions[v].z};
         setNormals(*mesh);

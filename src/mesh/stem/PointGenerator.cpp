@@ -49,8 +49,8 @@ void CPointGenerator::lookAtForks(const Tube& tube) {
 }
 
 CPointGenerator::DrawnRing CPointGenerator::shapeOf(const Tube& tube, const Ring& ring) const {
-    DrawnRing shape{m_path.shapeAt(ring.segment, ring.t), 0, ring.points};
-    shape.skyVisibility = skyVisibilityAt(tube, shape.along);
+    DrawnRing shape{m_path.shapeAt(ring.segment, ring.t), {}, ring.points};
+    shape.look = {skyVisibilityAt(tube, shape.along), m_surface.thinness(shape.radius)};
     return shape;
 }
 
@@ -63,6 +63,10 @@ std::uint8_t CPointGenerator::skyVisibilityAt(const Tube& tube, double along) co
     const double hidden = inside ? kHiddenInFork : stem.parent >= 0 ? kHiddenInCollar : kHiddenAtGround;
     const double radii = (along - start) / std::max(1e-9, stem.radius);
     return static_cast<std::uint8_t>(255 * (1 - hidden * std::exp(-std::max(0.0, radii) / kHiddenReach)) + 0.5);
+}
+
+VertexLook CPointGenerator::lookAt(const DrawnRing& ring, double skyVisibility) const {
+    return {static_cast<std::uint8_t>(skyVisibility + 0.5), ring.look.thinness};
 }
 
 void CPointGenerator::setSlopes() {
@@ -105,15 +109,15 @@ void CPointGenerator::addRing(std::size_t r, VertexSink& sink) const {
     const auto points = static_cast<std::int32_t>(ring.points);
     for (std::int32_t i = ring.seam; i <= ring.seam + points; ++i) {
         const auto k = static_cast<std::uint32_t>((i % points + points) % points);
-        sink.add(pointAt(ring, k), normalAt(ring, k), around(ring, i), barkAt(r, k), ring.skyVisibility);
+        sink.add(pointAt(ring, k), normalAt(ring, k), around(ring, i), barkAt(r, k), ring.look);
     }
 }
 
 void CPointGenerator::addGivenRing(const DrawnRing& ring, VertexSink& sink) const {
     for (const ForkPoint& point : std::span(ring.given, ring.points + 1)) {
-        const double open = ring.skyVisibility * (1 - kHiddenInFork * double(point.depth));
+        const double open = ring.look.skyVisibility * (1 - kHiddenInFork * double(point.depth));
         sink.add(point.position, point.normal, m_bark.around() * double(point.turn), m_bark.at(double(point.along)),
-                 static_cast<std::uint8_t>(open + 0.5));
+                 lookAt(ring, open));
     }
 }
 
@@ -122,7 +126,7 @@ void CPointGenerator::addTip(VertexSink& sink) const {
     for (std::uint32_t i = 0; i < below.points; ++i) {
         const glm::dvec3 left = pointAt(below, i), right = pointAt(below, (i + 1) % below.points);
         const glm::dvec3 face = glm::cross(right - left, tip.centre - left);
-        sink.add(tip.centre, glm::normalize(face), around(below, i + 0.5), m_bark.at(tip.along), tip.skyVisibility);
+        sink.add(tip.centre, glm::normalize(face), around(below, i + 0.5), m_bark.at(tip.along), tip.look);
     }
 }
 
@@ -152,12 +156,12 @@ void CPointGenerator::addCollarRing(std::uint32_t ring, VertexSink& sink) const 
     const DrawnRing& own = m_rings.front();
     const double share = double(ring) / m_tube->collarRings;
     const double hidden = 255 * (1 - kHiddenInCollar);
-    const auto open = static_cast<std::uint8_t>(hidden + share * (own.skyVisibility - hidden) + 0.5);
+    const VertexLook look = lookAt(own, hidden + share * (own.look.skyVisibility - hidden));
     for (std::uint32_t i = 0; i <= m_points; ++i) {
         const std::uint32_t k = i == m_points ? 0 : i;
         const SurfacePoint point = collarPointAt(ring, k);
         const double below = m_bark.perMetre() * glm::distance(point.position, pointAt(own, k));
-        sink.add(point.position, point.normal, around(own, i), m_bark.at(own.along) - below, open);
+        sink.add(point.position, point.normal, around(own, i), m_bark.at(own.along) - below, look);
     }
 }
 
@@ -167,7 +171,7 @@ void CPointGenerator::addLid(bool base, VertexSink& sink) const {
     const glm::dvec3 normal = base ? -ring.frame[2] : ring.frame[2];
     const auto add = [&](const glm::dvec3& point, glm::dvec2 at) {
         sink.add(point, normal, m_bark.around() * (0.5 + at.x / 8), m_bark.at(ring.along) + m_bark.around() * at.y / 8,
-                 ring.skyVisibility);
+                 ring.look);
     };
     if (m_tube->middleOfLid(base)) add(ring.centre, {0, 0});
     for (std::uint32_t i = 0; i < ring.points; ++i) add(pointAt(ring, i), circle(ring, i));
@@ -181,7 +185,7 @@ void CPointGenerator::addCollarLid(VertexSink& sink) const {
     double depth = kLidDepth * own.radius;
     for (std::uint32_t i = 0; i < m_points; ++i) depth += glm::dot(points[i].position - own.centre, inwards) / m_points;
     const auto add = [&](const glm::dvec3& point, glm::dvec2 at) {
-        sink.add(point, inwards, m_bark.around() * (0.5 + at.x / 8), m_bark.around() * at.y / 8, 0);
+        sink.add(point, inwards, m_bark.around() * (0.5 + at.x / 8), m_bark.around() * at.y / 8, lookAt(own, 0));
     };
     add(own.centre + depth * inwards, {0, 0});
     for (std::uint32_t i = 0; i < m_points; ++i) add(points[i].position, m_circle[i]);

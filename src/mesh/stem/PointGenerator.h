@@ -11,12 +11,12 @@ struct VertexSink {
     glm::vec3* position;
     glm::vec3* normal;
     glm::vec2* texCoord;
-    std::uint8_t* skyVisibility;
-    void add(const glm::dvec3& p, const glm::dvec3& n, double u, double v, std::uint8_t open) {
+    VertexLook* look;
+    void add(const glm::dvec3& p, const glm::dvec3& n, double u, double v, VertexLook own) {
         *position++ = glm::vec3(p);
         *normal++ = glm::vec3(n);
         *texCoord++ = glm::vec2(u, v);
-        *skyVisibility++ = open;
+        *look++ = own;
     }
 };
 
@@ -40,7 +40,7 @@ public:
 private:
     /// One of a tube, and how it is drawn.
     struct DrawnRing : RingShape {
-        std::uint8_t skyVisibility; ///< as in CMesh
+        VertexLook look;
         std::uint32_t points;
         const ForkPoint* given = nullptr; ///< its points, at a fork
         std::int32_t seam = 0;            ///< the point it starts at, counted over whole turns
@@ -48,6 +48,7 @@ private:
 
     DrawnRing shapeOf(const Tube& tube, const Ring& ring) const;
     std::uint8_t skyVisibilityAt(const Tube& tube, double along) const;
+    VertexLook lookAt(const DrawnRing& ring, double skyVisibility) const;
     void setSlopes();
     void measureButtresses();
     double barkAt(std::size_t ring, std::uint32_t i) const;

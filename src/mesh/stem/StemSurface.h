@@ -1,5 +1,6 @@
 #pragma once
 #include "stem/RootFlare.h"
+#include "stromar/mesh/Mesh.h"
 #include "stromar/mesh/MeshParams.h"
 #include "stromar/tree/Tree.h"
 #include <algorithm>
@@ -23,6 +24,9 @@ public:
     double thickness(double radius) const {
         return m_trunkRadius > 0 ? std::min(1.0, std::sqrt(radius / m_trunkRadius)) : 1;
     }
+
+    /// As in VertexLook.
+    std::uint8_t thinness(double radius) const { return thinnessOf(radius, m_trunkRadius); }
 
     /// Radius at a place of a segment, before lobes and the least radius.
     double woodRadius(const CStem& stem, const CSegment& segment, double t) const {

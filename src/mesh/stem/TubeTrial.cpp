@@ -24,7 +24,7 @@ bool CTubeTrial::write(const MeshPlan& plan, const Tube& tube) {
     m_mesh.positions.resize(m_tube.vertexCount());
     m_mesh.normals.resize(m_tube.vertexCount());
     m_mesh.texCoords.resize(m_tube.vertexCount());
-    m_mesh.skyVisibility.resize(m_tube.vertexCount());
+    m_mesh.looks.resize(m_tube.vertexCount());
     m_mesh.indices.resize(m_tube.indexCount());
     CPointGenerator points(m_generation, plan, m_surface);
     return writeTube(plan, m_tube, points, m_mesh);

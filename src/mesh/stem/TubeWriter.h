@@ -7,7 +7,7 @@ namespace stromar {
 /// A place in a mesh to write vertices to.
 inline VertexSink sinkAt(CMesh& mesh, std::size_t vertex) {
     return {mesh.positions.data() + vertex, mesh.normals.data() + vertex, mesh.texCoords.data() + vertex,
-            mesh.skyVisibility.data() + vertex};
+            mesh.looks.data() + vertex};
 }
 
 /// Writes a tube's vertices and triangles to its place in the mesh, whose arrays have the room. False when its collar

@@ -88,19 +88,19 @@ std::shared_ptr<const CMesh> straightLeaves(const CStraightStem& stem, const std
         VertexSink sink = sinkAt(*mesh, points * i);
         for (const LeafBlade::Point& point : blade.points)
             sink.add(placer.place(point), placer.normal(point), point.texCoord.x, point.texCoord.y,
-                     255);
+                     {});
         for (const std::uint32_t corner : blade.indices) *index++ = static_cast<std::uint32_t>(points * i) + corner;
     }
     return mesh;
 }
 
 /// The half of the wood that is seen.
-std::shared_ptr<const CMesh> straightWood(const CStraightStem& stem, double minRadius) {
+std::shared_ptr<const CMesh> straightWood(const CStraightStem& stem, double minRadius, Surface bark) {
     constexpr std::uint32_t kAcross = 5;
     const std::span<const CSegment> segments = stem.segments();
     const auto rings = static_cast<std::uint32_t>(segments.size()) + 1;
     const auto mesh =
-        allocateMesh("wood", Surface::Bark, std::size_t{rings} * kAcross, std::size_t{rings - 1} * (kAcross - 1) * 6);
+        allocateMesh("wood", bark, std::size_t{rings} * kAcross, std::size_t{rings - 1} * (kAcross - 1) * 6);
     VertexSink sink = sinkAt(*mesh, 0);
     std::uint32_t* index = mesh->indices.data();
     for (std::uint32_t r = 0; r < rings; ++r) {
@@ -110,7 +110,7 @@ std::shared_ptr<const CMesh> straightWood(const CStraightStem& stem, double minR
         for (std::uint32_t i = 0; i < kAcross; ++i) {
             const double angle = pi * (1 - double(i) / (kAcross - 1));
             const glm::dvec3 out(std::cos(angle), 0, std::sin(angle));
-            sink.add(radius * out + glm::dvec3(0, tip ? segment.end() : segment.start, 0), out, 0.5, 0.5, 255);
+            sink.add(radius * out + glm::dvec3(0, tip ? segment.end() : segment.start, 0), out, 0.5, 0.5, {});
             if (r == 0 || i == 0) continue;
             const std::uint32_t here = r * kAcross + i, below = here - kAcross;
             for (const std::uint32_t corner : {below - 1, below, here, below - 1, here, here - 1}) *index++ = corner;
@@ -194,7 +194,7 @@ std::shared_ptr<const Twig> twigAt(const TwigPlace& place, const StemSet& twigs,
     const LeafBlade blade = makeBlade(params.leaf, detailOf(Model::Full, 3));
     auto twig = std::make_shared<Twig>();
     twig->leaves = straightLeaves(stem, leaves, blade, season.size);
-    twig->wood = straightWood(stem, params.minRadius);
+    twig->wood = straightWood(stem, params.minRadius, barkOf(place.generation));
     twig->length = stem.length();
     twig->turn = spread.turn;
     twig->flat = spread.flat;

@@ -69,7 +69,7 @@ public:
                 facePoints();
             }
             for (std::size_t i = 0; i < m_points.size(); ++i)
-                sink.add(m_points[i].place, normalOf(m_points[i]), double(i % 2), double(i / 2) / m_plan.rows, 255);
+                sink.add(m_points[i].place, normalOf(m_points[i]), double(i % 2), double(i / 2) / m_plan.rows, {});
             for (const std::uint32_t corner : m_corners) *index++ = first + corner;
             first += static_cast<std::uint32_t>(m_points.size());
         }

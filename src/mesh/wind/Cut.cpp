@@ -79,16 +79,16 @@ private:
         const float t = da * db < 0 ? da / (da - db) : 0.5f;
         return append(glm::mix(m_mesh->positions[a], m_mesh->positions[b], t),
                       glm::normalize(glm::mix(m_mesh->normals[a], m_mesh->normals[b], t)),
-                      glm::mix(m_mesh->texCoords[a], m_mesh->texCoords[b], t), m_mesh->skyVisibility[a], m_places[side],
+                      glm::mix(m_mesh->texCoords[a], m_mesh->texCoords[b], t), m_mesh->looks[a], m_places[side],
                       m_above[side]);
     }
 
-    std::uint32_t append(const glm::vec3& place, const glm::vec3& normal, const glm::vec2& texCoord, std::uint8_t open,
+    std::uint32_t append(const glm::vec3& place, const glm::vec3& normal, const glm::vec2& texCoord, VertexLook look,
                          const SwayPlace& hang, bool above) {
         m_mesh->positions.push_back(place);
         m_mesh->normals.push_back(normal);
         m_mesh->texCoords.push_back(texCoord);
-        m_mesh->skyVisibility.push_back(open);
+        m_mesh->looks.push_back(look);
         m_places.push_back(hang);
         m_above.push_back(above);
         return static_cast<std::uint32_t>(m_places.size()) - 1;
@@ -101,7 +101,7 @@ private:
         for (const Edge& edge : edges) {
             const glm::vec3 normal(0, 0, edge.above ? -1 : 1);
             const auto copied = [&](const glm::vec3& place, std::uint32_t like) {
-                return append(place, normal, glm::vec2(place.x, place.y), 255, m_places[like], edge.above);
+                return append(place, normal, glm::vec2(place.x, place.y), {}, m_places[like], edge.above);
             };
             const glm::vec3 from = m_mesh->positions[edge.from], to = m_mesh->positions[edge.to];
             const std::uint32_t a = copied(from, edge.from), b = copied(to, edge.to), c = copied(middle, edge.from);
