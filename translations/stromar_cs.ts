@@ -2474,6 +2474,38 @@
         <source>The picture on level 3 and deeper, which have a material of their own then. Thin stems of level 2 show it too. Empty: as level 2.</source>
         <translation>Obrázek na úrovni 3 a hlubších, které pak mají vlastní materiál. Ukazují jej i tenké stonky úrovně 2. Prázdné: jako úroveň 2.</translation>
     </message>
+    <message>
+        <source>curved</source>
+        <translation>prohnutý</translation>
+    </message>
+    <message>
+        <source>cupped</source>
+        <translation>miskovitý</translation>
+    </message>
+    <message>
+        <source>wavy</source>
+        <translation>zvlněný</translation>
+    </message>
+    <message>
+        <source>rolled</source>
+        <translation>svinutý</translation>
+    </message>
+    <message>
+        <source>The leaf has a mesh of its own.</source>
+        <translation>List má vlastní síť.</translation>
+    </message>
+    <message>
+        <source>The mesh keeps its proportions.</source>
+        <translation>Síť si zachová své poměry.</translation>
+    </message>
+    <message>
+        <source>Mesh</source>
+        <translation>Síť</translation>
+    </message>
+    <message>
+        <source>A mesh in place of a card: mesh:curved and the like, or a file (.obj, .glb …) whose foot is the origin; its path starts at the file&apos;s folder. The leaf texture lies on it by its texture coordinates.</source>
+        <translation>Síť místo karty: mesh:curved a podobné, nebo soubor (.obj, .glb …), jehož pata je počátek; cesta začíná ve složce souboru. Textura listu na ní leží podle jejích texturovacích souřadnic.</translation>
+    </message>
 </context>
 <context>
     <name>stromar::CCurveEditor</name>
@@ -2713,6 +2745,10 @@
     <message>
         <source>Save the changes of %1?</source>
         <translation>Uložit změny v %1?</translation>
+    </message>
+    <message>
+        <source>Meshes (*.obj *.glb *.gltf *.fbx *.dae *.ply *.stl);;All files (*)</source>
+        <translation>Sítě (*.obj *.glb *.gltf *.fbx *.dae *.ply *.stl);;Všechny soubory (*)</translation>
     </message>
 </context>
 <context>
@@ -3065,6 +3101,22 @@
     <message>
         <source>Texture Workshop…</source>
         <translation>Dílna textur…</translation>
+    </message>
+    <message>
+        <source>none</source>
+        <translation>žádná</translation>
+    </message>
+    <message>
+        <source>Choose a mesh</source>
+        <translation>Vybrat síť</translation>
+    </message>
+    <message>
+        <source>Built in</source>
+        <translation>Vestavěné</translation>
+    </message>
+    <message>
+        <source>A mesh that comes with Stromar</source>
+        <translation>Síť, která je součástí Stromaru</translation>
     </message>
 </context>
 <context>

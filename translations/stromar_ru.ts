@@ -2474,6 +2474,38 @@
         <source>The picture on level 3 and deeper, which have a material of their own then. Thin stems of level 2 show it too. Empty: as level 2.</source>
         <translation>Картинка на уровне 3 и глубже, у которых тогда свой материал. Тонкие стебли уровня 2 тоже показывают её. Пусто: как уровень 2.</translation>
     </message>
+    <message>
+        <source>curved</source>
+        <translation>изогнутый</translation>
+    </message>
+    <message>
+        <source>cupped</source>
+        <translation>чашевидный</translation>
+    </message>
+    <message>
+        <source>wavy</source>
+        <translation>волнистый</translation>
+    </message>
+    <message>
+        <source>rolled</source>
+        <translation>скрученный</translation>
+    </message>
+    <message>
+        <source>The leaf has a mesh of its own.</source>
+        <translation>У листа своя сетка.</translation>
+    </message>
+    <message>
+        <source>The mesh keeps its proportions.</source>
+        <translation>Сетка сохраняет свои пропорции.</translation>
+    </message>
+    <message>
+        <source>Mesh</source>
+        <translation>Сетка</translation>
+    </message>
+    <message>
+        <source>A mesh in place of a card: mesh:curved and the like, or a file (.obj, .glb …) whose foot is the origin; its path starts at the file&apos;s folder. The leaf texture lies on it by its texture coordinates.</source>
+        <translation>Сетка вместо карточки: mesh:curved и подобные, или файл (.obj, .glb …), основание которого — начало координат; путь начинается в папке файла. Текстура листа ложится по её текстурным координатам.</translation>
+    </message>
 </context>
 <context>
     <name>stromar::CCurveEditor</name>
@@ -2713,6 +2745,10 @@
     <message>
         <source>Save the changes of %1?</source>
         <translation>Сохранить изменения в %1?</translation>
+    </message>
+    <message>
+        <source>Meshes (*.obj *.glb *.gltf *.fbx *.dae *.ply *.stl);;All files (*)</source>
+        <translation>Сетки (*.obj *.glb *.gltf *.fbx *.dae *.ply *.stl);;Все файлы (*)</translation>
     </message>
 </context>
 <context>
@@ -3065,6 +3101,22 @@
     <message>
         <source>Texture Workshop…</source>
         <translation>Мастерская текстур…</translation>
+    </message>
+    <message>
+        <source>none</source>
+        <translation>нет</translation>
+    </message>
+    <message>
+        <source>Choose a mesh</source>
+        <translation>Выбрать сетку</translation>
+    </message>
+    <message>
+        <source>Built in</source>
+        <translation>Встроенные</translation>
+    </message>
+    <message>
+        <source>A mesh that comes with Stromar</source>
+        <translation>Сетка из комплекта Stromar</translation>
     </message>
 </context>
 <context>

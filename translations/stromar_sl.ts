@@ -2452,7 +2452,7 @@
     </message>
     <message>
         <source>Bark of level 1</source>
-        <translation>Lubje stopnje 1</translation>
+        <translation>Lubje ravni 1</translation>
     </message>
     <message>
         <source>The picture on branches, which have a material of their own then. The trunk shows it where it is as thin as they are. Empty: as the trunk.</source>
@@ -2460,19 +2460,51 @@
     </message>
     <message>
         <source>Bark of level 2</source>
-        <translation>Lubje stopnje 2</translation>
+        <translation>Lubje ravni 2</translation>
     </message>
     <message>
         <source>The picture on branches of branches, which have a material of their own then. Thin branches show it too. Empty: as level 1.</source>
-        <translation>Slika na vejah vej, ki imajo potem svoj material. Kažejo jo tudi tanke veje. Prazno: kot stopnja 1.</translation>
+        <translation>Slika na vejah vej, ki imajo potem svoj material. Kažejo jo tudi tanke veje. Prazno: kot raven 1.</translation>
     </message>
     <message>
         <source>Bark of level 3</source>
-        <translation>Lubje stopnje 3</translation>
+        <translation>Lubje ravni 3</translation>
     </message>
     <message>
         <source>The picture on level 3 and deeper, which have a material of their own then. Thin stems of level 2 show it too. Empty: as level 2.</source>
-        <translation>Slika na stopnji 3 in globlje, ki ima potem svoj material. Kažejo jo tudi tanka stebla stopnje 2. Prazno: kot stopnja 2.</translation>
+        <translation>Slika na ravni 3 in globlje, ki ima potem svoj material. Kažejo jo tudi tanka stebla ravni 2. Prazno: kot raven 2.</translation>
+    </message>
+    <message>
+        <source>curved</source>
+        <translation>ukrivljen</translation>
+    </message>
+    <message>
+        <source>cupped</source>
+        <translation>skledast</translation>
+    </message>
+    <message>
+        <source>wavy</source>
+        <translation>valovit</translation>
+    </message>
+    <message>
+        <source>rolled</source>
+        <translation>zvit</translation>
+    </message>
+    <message>
+        <source>The leaf has a mesh of its own.</source>
+        <translation>List ima svojo mrežo.</translation>
+    </message>
+    <message>
+        <source>The mesh keeps its proportions.</source>
+        <translation>Mreža obdrži svoja razmerja.</translation>
+    </message>
+    <message>
+        <source>Mesh</source>
+        <translation>Mreža</translation>
+    </message>
+    <message>
+        <source>A mesh in place of a card: mesh:curved and the like, or a file (.obj, .glb …) whose foot is the origin; its path starts at the file&apos;s folder. The leaf texture lies on it by its texture coordinates.</source>
+        <translation>Mreža namesto ploskve: mesh:curved in podobne ali datoteka (.obj, .glb …), katere vznožje je izhodišče; pot se začne v mapi datoteke. Tekstura lista leži na njej po njenih koordinatah teksture.</translation>
     </message>
 </context>
 <context>
@@ -2713,6 +2745,10 @@
     <message>
         <source>Save the changes of %1?</source>
         <translation>Shranim spremembe v %1?</translation>
+    </message>
+    <message>
+        <source>Meshes (*.obj *.glb *.gltf *.fbx *.dae *.ply *.stl);;All files (*)</source>
+        <translation>Mreže (*.obj *.glb *.gltf *.fbx *.dae *.ply *.stl);;Vse datoteke (*)</translation>
     </message>
 </context>
 <context>
@@ -3065,6 +3101,22 @@
     <message>
         <source>Texture Workshop…</source>
         <translation>Delavnica tekstur…</translation>
+    </message>
+    <message>
+        <source>none</source>
+        <translation>brez</translation>
+    </message>
+    <message>
+        <source>Choose a mesh</source>
+        <translation>Izberite mrežo</translation>
+    </message>
+    <message>
+        <source>Built in</source>
+        <translation>Vgrajene</translation>
+    </message>
+    <message>
+        <source>A mesh that comes with Stromar</source>
+        <translation>Mreža, ki pride s Stromarjem</translation>
     </message>
 </context>
 <context>

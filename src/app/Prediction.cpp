@@ -1,4 +1,5 @@
 #include "stromar/app/Prediction.h"
+#include "stromar/app/LeafMesh.h"
 #include "stromar/app/Methods.h"
 #include "stromar/app/Pictures.h"
 #include "stromar/mesh/MeshBound.h"
@@ -35,7 +36,7 @@ std::string memoryText(double bytes) {
 
 Prediction predictSize(const CParams& params, const Detail& detail, const CProgress& progress) {
     const SizeBound bound = methodOf(params).bound(params, progress);
-    const MeshParams mesh = meshParamsOf(params);
+    const MeshParams mesh = meshParamsWithLeaf(params);
     // Where few leaves are left, there may be none by chance.
     const double left = mesh.seasonOf(Organ::Leaf).share, leaves = bound.organs[static_cast<std::size_t>(Organ::Leaf)];
     const bool onCards = (left == 1 || left * leaves > kManyLeaves) && showsCards(params, bound, mesh, detail);

@@ -1,4 +1,5 @@
 #include "stromar/app/TreeCreator.h"
+#include "stromar/app/LeafMesh.h"
 #include "stromar/app/Methods.h"
 #include "stromar/app/Prediction.h"
 #include "stromar/model/MeshValues.h"
@@ -47,7 +48,7 @@ public:
     CModelMaker(CTreeCreator& creator, const CParams& params, const Detail& detail, const CProgress& progress)
         : m_tree(*creator.m_tree), m_builder(*creator.m_builder), m_growth(creator.m_growth),
           m_made(creator.m_made[rowOf(detail)]), m_params(params),
-          m_mesh(meshParamsOf(params)), m_detail(detail), m_progress(progress),
+          m_mesh(meshParamsWithLeaf(params)), m_detail(detail), m_progress(progress),
           m_model(std::make_shared<TreeModel>()) {
         m_model->params = params;
         m_model->age = creator.m_treeAge;

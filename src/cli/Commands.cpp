@@ -1,6 +1,7 @@
 #include "Commands.h"
 #include "stromar/app/Export.h"
 #include "stromar/app/Formats.h"
+#include "stromar/app/LeafMesh.h"
 #include "stromar/app/Methods.h"
 #include "stromar/app/Prediction.h"
 #include "stromar/mesh/check/Crossings.h"
@@ -46,13 +47,17 @@ void applySetting(CParams& params, const CommonOptions& common, const std::strin
     if (result == SetResult::Clamped) say(common, "--set: warning: " + problem.text);
 }
 
-/// Recipes are read when they are drawn, which may be late or never; a wrong one is told at once.
-void refuseBadRecipes(const CParams& params, const CTreeFile& file) {
+/// Recipes and meshes are read when they are drawn, which may be late or never; a wrong one is told at once.
+void tryFile(const ParamRef& ref, const CParams& params) {
+    if (ref.info->picture() && isRecipe(ref.text(params))) const CRecipe recipe(ref.text(params));
+    if (ref.info->file() && !ref.info->picture()) leafMeshOf(params);
+}
+
+void refuseBadFiles(const CParams& params, const CTreeFile& file) {
     Messages faults;
     for (const ParamRef& ref : allParams(params.block())) {
-        if (!ref.info->picture() || !isRecipe(ref.text(params))) continue;
         try {
-            const CRecipe recipe(ref.text(params));
+            tryFile(ref, params);
         } catch (const CError& e) {
             if (ref.differs(params, file.params())) throw CUsageError("--set: " + ref.key() + ": " + e.what());
             faults.push_back(file.errorAt(ref, e.what()));
@@ -87,7 +92,7 @@ CParams readParams(const CommonOptions& common) {
     for (const Message& warning : file.warnings()) say(common, warning.toString());
     CParams params = file.params();
     for (const std::string& setting : common.settings) applySetting(params, common, setting);
-    refuseBadRecipes(params, file);
+    refuseBadFiles(params, file);
     tellOfTexts(params, file, common);
     return params;
 }

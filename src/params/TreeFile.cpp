@@ -382,7 +382,9 @@ CTreeFile CTreeFile::read(const std::filesystem::path& path) {
     std::error_code unreadable; // reading says it better
     if (std::filesystem::is_directory(path, unreadable))
         throw CInputError({{Severity::Error, path.string(), 0, 0, "this is a folder, not a .tree file"}});
-    return parse(readFile(path), path.string());
+    CTreeFile file = parse(readFile(path), path.string());
+    file.m_params.folder = path.parent_path();
+    return file;
 }
 
 CTreeFile CTreeFile::parse(const std::string& text, const std::string& name) { return CParser(name).parse(text); }

@@ -135,7 +135,7 @@ varying float skyVisibility, shade, ground;
 varying vec2 neighbours; // shares
 void main() {
     swayAngle = 0.0;
-    vec3 own = stillPlace(), front = stillNormal(own), named = front;
+    vec3 own = stillPlace(), front = stillNormal(own);
     findSway();
     if (swayAngle != 0.0) {
         own = stillPlace();
@@ -151,8 +151,9 @@ void main() {
     vec3 out_ = (own - crownMiddle) / crownSize;
     skyVisibility = (0.35 + 0.65 * smoothstep(0.05, 1.0, length(out_) * 0.8 + 0.25 * out_.z)) * look.x;
     neighbours = clamp((look.y - neighbourFrom) * neighbourRate, 0.0, 1.0);
-    // All corners of a leaf share its normal: a number of its own.
-    shade = fract(sin(dot(named, vec3(127.1, 311.7, 74.7))) * 437.5);
+    // What all corners of a leaf share gives it a number of its own.
+    vec3 facing = instanced < 0.5 ? gl_Normal : turned(instanceTurn, vec3(0.0, 0.0, 1.0));
+    shade = fract(sin(dot(facing, vec3(127.1, 311.7, 74.7))) * 437.5);
 }
 )";
 

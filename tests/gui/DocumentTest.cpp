@@ -126,12 +126,29 @@ TEST(Document, UndoAfterSavingElsewhereKeepsThePictures) {
     document.save(first);
     const ParamRef bark = *findParam("BarkTexture");
     document.setValue(bark, std::string("bark.png"), 0);
+    document.setValue(*findParam("LeafMesh"), std::string("leaf.obj"), 0);
+    document.setValue(*findParam("2BarkTexture"), std::string("bark:birch"), 0);
     document.setValue(paramRef("Scale"), 12, 0);
+    EXPECT_EQ(document.params().folder, folder.path().toStdString());
     document.save(folder.filePath(QStringLiteral("sub/b.tree")));
     EXPECT_EQ(document.params().text.barkTexture, "../bark.png");
+    EXPECT_EQ(document.params().text.leafMesh, "../leaf.obj");
+    EXPECT_EQ(document.params().text.bark2Texture, "bark:birch") << "no path";
     document.history().undo();
     EXPECT_EQ(document.params().text.barkTexture, "../bark.png") << "the same picture as before";
+    EXPECT_EQ(document.params().text.leafMesh, "../leaf.obj");
+    EXPECT_EQ(document.params().folder, folder.filePath(QStringLiteral("sub")).toStdString()) << "where its paths start";
     EXPECT_EQ(valueOf(document, "Scale"), 10);
+}
+
+TEST(Document, ABuiltInMeshIsNoPath) {
+    QTemporaryDir folder;
+    CDocument document;
+    document.setValue(*findParam("LeafMesh"), std::string("mesh:curved"), 0);
+    document.save(folder.filePath(QStringLiteral("a.tree")));
+    document.save(folder.filePath(QStringLiteral("../b.tree")));
+    EXPECT_EQ(document.params().text.leafMesh, "mesh:curved");
+    QFile::remove(folder.filePath(QStringLiteral("../b.tree")));
 }
 
 TEST(Document, AnUnnamedTreeWithARelativePictureCanBeSaved) {

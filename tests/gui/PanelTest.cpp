@@ -4,6 +4,7 @@
 #include "params/ParamPanel.h"
 #include "params/ParamRow.h"
 #include "Support.h"
+#include "stromar/mesh/LeafMeshes.h"
 #include <QApplication>
 #include <QCheckBox>
 #include <QClipboard>
@@ -19,6 +20,7 @@
 #include <QSpinBox>
 #include <QTabBar>
 #include <QTimer>
+#include <QToolButton>
 #include <QWheelEvent>
 #include <gtest/gtest.h>
 
@@ -43,6 +45,24 @@ void enter(const CParamEditor& editor, double value) {
         choice->setCurrentIndex(static_cast<int>(value));
     else
         editor.findChild<QCheckBox*>()->setChecked(value != 0);
+}
+
+TEST(Panel, FilesAreTypedOrChosenAmongWhatIsBuiltIn) {
+    CParamPanel panel;
+    CParams params;
+    QObject::connect(&panel, &CParamPanel::edited,
+                     [&](const ParamRef& ref, const ParamValue& value, int) { ref.setValue(params, value); });
+    const auto* line = panel.findChild<QLineEdit*>(QStringLiteral("LeafMesh"));
+    ASSERT_TRUE(line);
+    const auto buttons = line->parentWidget()->findChildren<QToolButton*>();
+    const auto menu = std::ranges::find_if(buttons, [](const QToolButton* button) { return button->menu(); });
+    ASSERT_NE(menu, buttons.end());
+    const QList<QAction*> built = (*menu)->menu()->actions();
+    ASSERT_EQ(static_cast<std::size_t>(built.size()), builtInLeaves().size());
+    built[1]->trigger();
+    EXPECT_EQ(params.text.leafMesh, "mesh:" + std::string(builtInLeaves()[1].name));
+    panel.showParams(params, params);
+    EXPECT_EQ(line->text().toStdString(), params.text.leafMesh);
 }
 
 TEST(Panel, EveryRowHasAnEditorThatShowsAndSets) {

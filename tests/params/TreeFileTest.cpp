@@ -24,7 +24,8 @@ CParams allChanged() {
     CParams params;
     for (const ParamRef& ref : numberParams()) EXPECT_TRUE(ref.set(params, otherValue(*ref.info, ref.get(params))));
     params.text = {"Oak # 1",   "A \"B\" C", "  Žluťoučký kůň  ", "4 17", "bark, old.png",
-                   "#leaf.png", "",          "leaf:blossom",       "bark:birch", "", "twig.png"};
+                   "#leaf.png", "",          "leaf:blossom",       "bark:birch", "", "twig.png",
+                   "mesh:wavy"};
     return params;
 }
 

@@ -1,8 +1,11 @@
 #pragma once
 #include "stromar/tree/Tree.h"
 #include <array>
+#include <memory>
 
 namespace stromar {
+
+struct LeafBlade;
 
 /// The shape of a leaf: an outline, or a card for a picture. Angles in radians.
 struct LeafForm {
@@ -13,6 +16,7 @@ struct LeafForm {
     double stalk = 0;    ///< parts of the length
     double aspect = 1;   ///< width / length
     double rounding = 0; ///< 0..1: how far normals look out of the crown
+    std::shared_ptr<const LeafBlade> mesh{}; ///< in place of both; null: none
 };
 
 /// What a season leaves of an organ: a part of them, in a part of their size.

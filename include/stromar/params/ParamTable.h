@@ -150,7 +150,7 @@ struct ParamInfo {
     double overStep = 1;          ///< to which its editor snaps
     std::string_view overLabel{}; ///< what x is
     // Of a text.
-    std::string_view recipes{}; ///< of a picture: which recipes are offered, "bark" or "leaf"
+    std::string_view recipes{}; ///< of a file: what is built in, recipes of pictures "bark" or "leaf", or "mesh"
     bool block = false;         ///< of several lines, between """ in files
     bool shown = true;          ///< as a row of the panel
 
@@ -165,7 +165,8 @@ struct ParamInfo {
     constexpr int lastLevel() const { return perLevel() ? kParamLevels - 1 : firstLevel; }
     /// Read, kept and written, but without any effect: no editor.
     constexpr bool unused() const { return numeric() && invalidates.stage == Stage::None; }
-    constexpr bool picture() const { return !recipes.empty(); }
+    constexpr bool file() const { return !recipes.empty(); }
+    constexpr bool picture() const { return file() && recipes != "mesh"; }
 
     /// Of a number.
     double get(const CParams&, int level = 0) const;

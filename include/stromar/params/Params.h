@@ -2,6 +2,7 @@
 #include "stromar/params/Degrees.h"
 #include <any>
 #include <cassert>
+#include <filesystem>
 #include <string>
 #include <utility>
 
@@ -23,10 +24,11 @@ struct CommonParams {
     bool operator==(const CommonParams&) const = default;
 };
 
-/// What a file says in words. Texture paths are relative to the file; empty = the built-in picture.
+/// What a file says in words. Paths are relative to the file; empty = the built-in picture.
 struct TextParams {
     std::string species, author, description, likedSeeds, barkTexture, leafTexture, blossomTexture, fruitTexture;
     std::string bark1Texture, bark2Texture, bark3Texture; ///< of a generation; empty: as the one before
+    std::string leafMesh; ///< a file, or a built-in one; empty: as LeafForm says
 
     bool operator==(const TextParams&) const = default;
 };
@@ -37,6 +39,7 @@ class CParams {
 public:
     CommonParams common{};
     TextParams text;
+    std::filesystem::path folder; ///< where paths in texts start: that of the file they were read from. Not compared
 
     /// The defaults of Weber and Penn's method, which files without a method have.
     CParams();

@@ -11,24 +11,27 @@ namespace stromar {
 namespace fs = std::filesystem;
 
 namespace {
-/// The values that name pictures.
-std::vector<ParamRef> picturesIn(const CParams& params) {
+/// Not built in.
+bool isPath(const std::string& text) { return !text.empty() && !isRecipe(text) && !text.starts_with("mesh:"); }
+
+/// The values that name files.
+std::vector<ParamRef> filesIn(const CParams& params) {
     std::vector<ParamRef> refs;
-    std::ranges::copy_if(allParams(params.block()), std::back_inserter(refs), [](const ParamRef& ref) { return ref.info->picture(); });
+    std::ranges::copy_if(allParams(params.block()), std::back_inserter(refs), [](const ParamRef& ref) { return ref.info->file(); });
     return refs;
 }
 
 CParams rebased(CParams params, const fs::path& from, const fs::path& to) {
     if (from == to) return params;
-    for (const ParamRef& ref : picturesIn(params)) ref.setValue(params, rebasedPath(ref.text(params), from, to));
+    for (const ParamRef& ref : filesIn(params)) ref.setValue(params, rebasedPath(ref.text(params), from, to));
     return params;
 }
 
-/// Pictures by their whole paths, for a document without a folder.
+/// Files by their whole paths, for a document without a folder.
 CParams withWholePaths(CParams params, const fs::path& folder) {
-    for (const ParamRef& ref : picturesIn(params))
-        if (const std::string picture = ref.text(params); !picture.empty() && !isRecipe(picture) && !folder.empty())
-            ref.setValue(params, (folder / picture).lexically_normal().generic_string());
+    for (const ParamRef& ref : filesIn(params))
+        if (const std::string path = ref.text(params); isPath(path) && !folder.empty())
+            ref.setValue(params, (folder / path).lexically_normal().generic_string());
     return params;
 }
 } // namespace
@@ -77,7 +80,7 @@ private:
 };
 
 std::string rebasedPath(const std::string& path, const fs::path& from, const fs::path& to) {
-    if (path.empty() || from.empty() || isRecipe(path) || fs::path(path).is_absolute()) return path;
+    if (!isPath(path) || from.empty() || fs::path(path).is_absolute()) return path;
     std::error_code problem;
     const fs::path whole = fs::weakly_canonical(fs::absolute(from, problem) / path, problem);
     if (problem) return path;
@@ -113,7 +116,7 @@ void CDocument::open(const QString& path) {
 void CDocument::replace(const PlacePtr& place) {
     m_history.clear();
     m_place = place;
-    m_params = m_place->file->params();
+    setParams(m_place->file->params());
     emit nameChanged();
     emit replaced();
 }
@@ -156,7 +159,7 @@ void CDocument::save(const QString& path) {
     m_place->file = file;
     m_place->path = target;
     m_place->diverged = false;
-    m_params = file->params();
+    setParams(file->params());
     emit nameChanged();
 }
 
@@ -185,15 +188,20 @@ void CDocument::setValues(const QString& text, const ParamValues& values) {
     });
 }
 
+void CDocument::setParams(CParams params) {
+    m_params = std::move(params);
+    m_params.folder = folder();
+}
+
 void CDocument::assign(const CParams& params, const fs::path& from) {
-    m_params = rebased(params, from, folder());
+    setParams(rebased(params, from, folder()));
     emit changed();
     emit nameChanged();
 }
 
 void CDocument::assign(const PlacePtr& place, const CParams& params, const fs::path& from) {
     m_place = place;
-    m_params = rebased(params, from, folder());
+    setParams(rebased(params, from, folder()));
     emit nameChanged();
     emit replaced();
 }

@@ -73,6 +73,7 @@ private:
     using PlacePtr = std::shared_ptr<Place>;
 
     /// Paths of pictures in `params` start at `folder`.
+    void setParams(CParams params);
     void assign(const CParams& params, const std::filesystem::path& folder);
     void assign(const PlacePtr& place, const CParams& params, const std::filesystem::path& folder);
     PlacePtr newPlace(CTreeFile file, const QString& path, const QString& name);

@@ -148,17 +148,19 @@ void CFileController::savePreset() {
     }
 }
 
-// Pictures on the tree
+// Pictures on the tree, and meshes of its leaves
 
-void CFileController::chooseTexture(const ParamRef& text) {
+void CFileController::chooseFile(const ParamRef& text) {
     const QString start =
         m_document.folder().empty() ? fromPath(dataFolder() / "textures") : fromPath(m_document.folder());
     const QString path = QFileDialog::getOpenFileName(
-        m_window, trText(text.info->label), start, tr("Pictures (*.png *.jpg *.jpeg *.tga *.tif *.tiff *.bmp);;All files (*)"));
-    if (!path.isEmpty()) setTexture(text, path);
+        m_window, trText(text.info->label), start,
+        text.info->picture() ? tr("Pictures (*.png *.jpg *.jpeg *.tga *.tif *.tiff *.bmp);;All files (*)")
+                             : tr("Meshes (*.obj *.glb *.gltf *.fbx *.dae *.ply *.stl);;All files (*)"));
+    if (!path.isEmpty()) setFile(text, path);
 }
 
-void CFileController::setTexture(const ParamRef& text, const QString& path) {
+void CFileController::setFile(const ParamRef& text, const QString& path) {
     const bool saved = !m_document.path().isEmpty();
     const std::string own = saved ? rebasedPath(QFileInfo(path).fileName().toStdString(),
                                                 toPath(QFileInfo(path).absolutePath()), m_document.folder())
@@ -186,7 +188,7 @@ void CFileController::drop(const QString& path, const QPoint& at) {
     }
     QMenu menu;
     const auto offer = [&](const QString& text, const char* key) {
-        menu.addAction(text, this, [this, path, key] { setTexture(*findParam(key, m_document.params().block()), path); });
+        menu.addAction(text, this, [this, path, key] { setFile(*findParam(key, m_document.params().block()), path); });
     };
     offer(tr("As the &bark"), "BarkTexture");
     offer(tr("As the &leaf"), "LeafTexture");

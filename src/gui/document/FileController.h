@@ -33,7 +33,7 @@ public:
     bool saveOrChoose();
     void chooseAndSave();
     void savePreset();
-    void chooseTexture(const ParamRef& text);
+    void chooseFile(const ParamRef& text);
     void openWorkshop(const ParamRef& text);
     /// Asks whether changes are to be saved; false: the user wants to go on with them.
     bool mayLoseChanges();
@@ -58,7 +58,7 @@ signals:
     void recentChanged();
 
 private:
-    void setTexture(const ParamRef& text, const QString& path);
+    void setFile(const ParamRef& text, const QString& path);
     void onFileChanged();
     void remember(const QString& path);
     void tellError(const QString& title, const QString& text);

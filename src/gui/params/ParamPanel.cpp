@@ -5,6 +5,7 @@
 #include "params/ParamEditor.h"
 #include "params/ParamRow.h"
 #include "window/QtText.h"
+#include "stromar/mesh/LeafMeshes.h"
 #include "stromar/texture/Draw.h"
 #include <QAbstractButton>
 #include <QApplication>
@@ -241,7 +242,7 @@ void CParamPanel::addText(const ParamRef& ref) {
     auto* label = new QLabel(trText(ref.info->label));
     label->setMinimumWidth(100);
     layout->addWidget(label);
-    layout->addWidget(ref.info->picture() ? makePathEditor(ref, line) : line, 1);
+    layout->addWidget(ref.info->file() ? makePathEditor(ref, line) : line, 1);
     m_page->addWidget(row);
     m_sections.back().rows.push_back(row);
     m_lines.emplace_back(ref, line);
@@ -252,31 +253,41 @@ void CParamPanel::addText(const ParamRef& ref) {
 }
 
 QWidget* CParamPanel::makePathEditor(const ParamRef& ref, QLineEdit* line) {
-    line->setPlaceholderText(tr("built in"));
+    line->setPlaceholderText(ref.info->picture() ? tr("built in") : tr("none"));
     line->setClearButtonEnabled(true);
     auto* row = new QWidget;
     auto* layout = new QHBoxLayout(row);
     layout->setContentsMargins(0, 0, 0, 0);
     auto* choose = new QToolButton;
     choose->setText(tr("Load…"));
-    choose->setToolTip(tr("Choose a picture"));
+    choose->setToolTip(ref.info->picture() ? tr("Choose a picture") : tr("Choose a mesh"));
     layout->addWidget(line, 1);
     layout->addWidget(choose);
     connect(choose, &QToolButton::clicked, this, [this, ref] { emit pathWanted(ref); });
     auto* drawn = new QToolButton;
-    drawn->setText(tr("Draw"));
-    drawn->setToolTip(tr("A picture that Stromar draws; the words behind its name can be changed"));
     drawn->setPopupMode(QToolButton::InstantPopup);
-    auto* menu = new QMenu(drawn);
-    const std::string start = std::string(ref.info->recipes) + ":";
-    for (const std::string& recipe : plainRecipes(ref.info->recipes))
-        menu->addAction(trText(std::string_view(recipe).substr(start.size())), this,
-                        [this, ref, recipe] { emit edited(ref, recipe, 0); });
-    menu->addSeparator();
-    menu->addAction(tr("Texture Workshop…"), this, [this, ref] { emit workshopWanted(ref); });
-    drawn->setMenu(menu);
+    drawn->setMenu(makeBuiltInMenu(ref, drawn));
+    drawn->setText(ref.info->picture() ? tr("Draw") : tr("Built in"));
+    drawn->setToolTip(ref.info->picture() ? tr("A picture that Stromar draws; the words behind its name can be changed")
+                                          : tr("A mesh that comes with Stromar"));
     layout->addWidget(drawn);
     return row;
+}
+
+QMenu* CParamPanel::makeBuiltInMenu(const ParamRef& ref, QWidget* parent) {
+    auto* menu = new QMenu(parent);
+    const auto add = [&](std::string_view label, const std::string& text) {
+        menu->addAction(trText(label), this, [this, ref, text] { emit edited(ref, text, 0); });
+    };
+    if (!ref.info->picture()) {
+        for (const BuiltInLeaf& leaf : builtInLeaves()) add(leaf.label, "mesh:" + std::string(leaf.name));
+        return menu;
+    }
+    const std::size_t start = ref.info->recipes.size() + 1;
+    for (const std::string& recipe : plainRecipes(ref.info->recipes)) add(std::string_view(recipe).substr(start), recipe);
+    menu->addSeparator();
+    menu->addAction(tr("Texture Workshop…"), this, [this, ref] { emit workshopWanted(ref); });
+    return menu;
 }
 
 void CParamPanel::showParams(const CParams& params, const CParams& saved) {

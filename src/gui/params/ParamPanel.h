@@ -7,6 +7,7 @@
 
 class QAbstractButton;
 class QLineEdit;
+class QMenu;
 class QTabWidget;
 class QVBoxLayout;
 
@@ -81,6 +82,7 @@ private:
     void groupCurves();
     void finishTab();
     QWidget* makePathEditor(const ParamRef& ref, QLineEdit* line);
+    QMenu* makeBuiltInMenu(const ParamRef& ref, QWidget* parent);
     void updateVisibility();
     void setLocked(const ParamRef& ref, bool locked);
     void updateTouched();

@@ -253,7 +253,7 @@ void CMainWindow::makeStatusBar() {
 }
 
 void CMainWindow::connectParts() {
-    connect(m_panel, &CParamPanel::pathWanted, m_files, &CFileController::chooseTexture);
+    connect(m_panel, &CParamPanel::pathWanted, m_files, &CFileController::chooseFile);
     connect(m_panel, &CParamPanel::workshopWanted, m_files, &CFileController::openWorkshop);
     const auto relight = [this] { m_viewController->setLook([this](ViewLook& look) { m_light->applyTo(look); }); };
     connect(m_light, &CLightPanel::changed, this, relight);
@@ -526,7 +526,7 @@ void CMainWindow::throwDice() {
 }
 
 void CMainWindow::chooseTexture(const char* key) {
-    m_files->chooseTexture(*findParam(key, m_document->params().block()));
+    m_files->chooseFile(*findParam(key, m_document->params().block()));
 }
 
 void CMainWindow::stop() {

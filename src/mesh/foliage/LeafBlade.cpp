@@ -89,6 +89,11 @@ public:
         for (const std::uint32_t corner : {0u, 1u, 3u, 0u, 3u, 2u}) m_blade.indices.push_back(first + corner);
     }
 
+    void add(const LeafBlade& mesh) {
+        m_blade = mesh;
+        for (LeafBlade::Point& point : m_blade.points) point.place.y += m_stalk;
+    }
+
     /// The card once more, turned about its length, so that all stand at equal angles.
     void addPlanes(int planes) {
         const LeafBlade one = m_blade;
@@ -144,9 +149,17 @@ private:
     bool m_card;
     LeafBlade m_blade;
 };
+
+LeafBlade onStalk(const LeafBlade& mesh, double stalk) {
+    CBladeMaker maker(0, stalk, true);
+    maker.add(mesh);
+    maker.addStalk();
+    return maker.take();
+}
 } // namespace
 
 LeafBlade makeBlade(const LeafForm& form, const Detail& detail) {
+    if (form.mesh) return onStalk(*form.mesh, form.stalk);
     const bool close = detail.model == Model::Full && detail.lod <= 1;
     const bool card = !form.outline || !close;
     CBladeMaker maker(close ? form.fold : 0, form.stalk, card);

@@ -35,10 +35,17 @@ constexpr Inactive kNeedsLobeDepth = [](const CParams& p, int) -> string_view {
 constexpr Inactive kNeedsRoots = [](const CParams& p, int) -> string_view {
     return p.common.roots > 0 ? "" : N_("The trunk has no roots.");
 };
+constexpr string_view kHasMesh = N_("The leaf has a mesh of its own.");
+constexpr Inactive kNeedsNoMesh = [](const CParams& p, int) { return p.text.leafMesh.empty() ? string_view() : kHasMesh; };
+constexpr Inactive kNeedsNoFile = [](const CParams& p, int) {
+    return p.text.leafMesh.empty() || p.text.leafMesh.starts_with("mesh:") ? string_view() : N_("The mesh keeps its proportions.");
+};
 constexpr Inactive kNeedsOutline = [](const CParams& p, int) -> string_view {
+    if (!p.text.leafMesh.empty()) return kHasMesh;
     return p.common.leafForm != 0 ? "" : N_("A card shows what its texture shows: set Form to outline.");
 };
 constexpr Inactive kNeedsCards = [](const CParams& p, int) -> string_view {
+    if (!p.text.leafMesh.empty()) return kHasMesh;
     return p.common.leafForm == 0 ? "" : N_("Only cards have several planes: set Form to card.");
 };
 constexpr Inactive kNeedsSeasons = [](const CParams& p, int) -> string_view {
@@ -75,6 +82,8 @@ constexpr ParamInfo kTexts[] = {
      .invalidates = kPictures, .help = N_("The picture on level 3 and deeper, which have a material of their own then. Thin stems of level 2 show it too. Empty: as level 2."), .recipes = "bark"},
     {.key = "LeafTexture", .label = N_("Leaf texture"), .group = Group::Textures, .section = N_("Leaves"), .field = field<&TextParams::leafTexture>,
      .invalidates = kPictures, .help = N_("The picture on the leaves, transparent outside the blade. A recipe as leaf:oak seed=3 is drawn. Empty takes the built-in one."), .recipes = "leaf"},
+    {.key = "LeafMesh", .label = N_("Mesh"), .group = Group::Leaves, .section = N_("Blade"), .field = field<&TextParams::leafMesh>,
+     .invalidates = kLeafMesh, .help = N_("A mesh in place of a card: mesh:curved and the like, or a file (.obj, .glb …) whose foot is the origin; its path starts at the file's folder. The leaf texture lies on it by its texture coordinates."), .recipes = "mesh"},
     {.key = "BlossomTexture", .label = N_("Blossom texture"), .group = Group::Textures, .section = N_("Blossoms and fruits"), .field = field<&TextParams::blossomTexture>,
      .invalidates = kPictures, .help = N_("The picture on the blossoms. Empty draws leaf:blossom."), .recipes = "leaf"},
     {.key = "FruitTexture", .label = N_("Fruit texture"), .group = Group::Textures, .section = N_("Blossoms and fruits"), .field = field<&TextParams::fruitTexture>,
@@ -150,7 +159,7 @@ constexpr ParamInfo kNumbers[] = {
      .range = {0, 1}, .useful = {0, 1}, .step = 1, .defaults = {0}, .invalidates = kLeafMesh,
      .help = N_("A card is a rectangle with the leaf texture. An outline is cut to the shape and needs no transparency."),
      .words = kLeafForms,
-     .demo = {"LeafShape=4 1Branches=1 1DownAngle=90 1Length=0.05 2DownAngle=0 Leaves=-1 LeafScale=0.8 LeafScaleX=0.9 LeafBend=0", {}, true}},
+     .inactive = kNeedsNoMesh, .demo = {"LeafShape=4 1Branches=1 1DownAngle=90 1Length=0.05 2DownAngle=0 Leaves=-1 LeafScale=0.8 LeafScaleX=0.9 LeafBend=0", {}, true}},
     {.key = "LeafPlanes", .label = N_("Planes"), .group = Group::Leaves, .section = N_("Blade"), .field = field<&CommonParams::leafPlanes>,
      .range = {1, 6}, .useful = {1, 3}, .step = 1, .defaults = {1}, .invalidates = kLeafMesh,
      .help = N_("How many cards, turned about their length, make one leaf: 2 or 3 for tufts and twigs of needles."),
@@ -162,7 +171,7 @@ constexpr ParamInfo kNumbers[] = {
     {.key = "LeafScaleX", .label = N_("Width"), .group = Group::Leaves, .section = N_("Blade"), .field = field<&CommonParams::leafScaleX>,
      .range = {0.001, 100}, .useful = {0.05, 2}, .step = 0.05, .decimals = 2, .defaults = {0.5}, .invalidates = kLeavesOnly,
      .help = N_("The width of a leaf as a part of its length."),
-     .demo = {.values = {0.2, 0.6, 1.2}}},
+     .inactive = kNeedsNoFile, .demo = {.values = {0.2, 0.6, 1.2}}},
     {.key = "LeafStalk", .label = N_("Stalk"), .group = Group::Leaves, .section = N_("Blade"), .field = field<&CommonParams::leafStalk>,
      .range = {0, 5}, .useful = {0, 1}, .step = 0.05, .decimals = 2, .defaults = {0}, .invalidates = kLeafMesh,
      .help = N_("The length of the stalk between stem and blade, as a part of the leaf's length."),
@@ -170,7 +179,7 @@ constexpr ParamInfo kNumbers[] = {
     {.key = "LeafFold", .label = N_("Fold"), .group = Group::Leaves, .section = N_("Blade"), .unit = Unit::Degree,
      .field = field<&CommonParams::leafFold>, .range = {-80, 80}, .useful = {0, 45}, .step = 1, .decimals = 1, .defaults = {0},
      .invalidates = kLeafMesh, .help = N_("How far each half of a leaf is folded up along its midrib."),
-     .demo = {"Leaves=-1 LeafScale=0.8 LeafForm=1 1Length=0.05 LeafScaleX=0.8 LeafBend=0", {0, 25, 60}}},
+     .inactive = kNeedsNoMesh, .demo = {"Leaves=-1 LeafScale=0.8 LeafForm=1 1Length=0.05 LeafScaleX=0.8 LeafBend=0", {0, 25, 60}}},
     {.key = "LeafRounding", .label = N_("Rounding"), .group = Group::Leaves, .section = N_("Shading"), .field = field<&CommonParams::leafRounding>,
      .range = {0, 1}, .useful = {0, 1}, .step = 0.05, .decimals = 2, .defaults = {0}, .invalidates = kLeafMesh,
      .help = N_("Shades the leaves as if they were the surface of one round crown: softer light on dense crowns.")},

@@ -1,0 +1,14 @@
+#pragma once
+#include "stromar/mesh/OrganMesh.h"
+#include <filesystem>
+
+namespace stromar {
+
+/// All triangles of a model file as one mesh in the file's axes; v of its texture coordinates counts upwards, as bottom-left
+/// pictures have it. What formats there are, assimp says (.obj, .glb, .gltf, .fbx, .dae, .ply, .stl …). At most
+/// kMaxLeafPoints. Throws CError, which names the file.
+LeafBlade readLeafMesh(const std::filesystem::path& file);
+
+constexpr std::size_t kMaxLeafPoints = 20'000;
+
+} // namespace stromar

@@ -1,0 +1,51 @@
+#include "stromar/app/LeafMesh.h"
+#include "stromar/io/LeafMeshReader.h"
+#include "stromar/mesh/LeafMeshes.h"
+#include "stromar/model/MeshValues.h"
+#include "stromar/util/Error.h"
+#include <map>
+#include <mutex>
+
+namespace stromar {
+
+namespace fs = std::filesystem;
+
+namespace {
+/// What was read of a file, and when that was written.
+struct ReadMesh {
+    fs::file_time_type written;
+    std::shared_ptr<const LeafBlade> mesh;
+};
+
+std::shared_ptr<const LeafBlade> meshIn(const fs::path& file) {
+    static std::mutex mutex;
+    static std::map<fs::path, ReadMesh> known;
+    std::error_code problem; // reading says it better
+    const fs::file_time_type written = fs::last_write_time(file, problem);
+    const std::lock_guard lock(mutex);
+    ReadMesh& own = known[file];
+    if (!own.mesh || own.written != written) own = {written, std::make_shared<const LeafBlade>(readLeafMesh(file))};
+    return own.mesh;
+}
+} // namespace
+
+std::shared_ptr<const LeafBlade> leafMeshOf(const CParams& params) {
+    const std::string& name = params.text.leafMesh;
+    if (name.empty()) return nullptr;
+    if (const BuiltInLeaf* own = builtInLeaf(name)) return std::make_shared<const LeafBlade>(own->make());
+    const fs::path file = params.folder / name;
+    try {
+        return std::make_shared<const LeafBlade>(bladeOf(*meshIn(file), params.common.leafScaleX));
+    } catch (const CError& e) {
+        const std::string text = e.what();
+        throw CError(text.starts_with(file.string()) ? text : file.string() + ": " + text);
+    }
+}
+
+MeshParams meshParamsWithLeaf(const CParams& params) {
+    MeshParams mesh = meshParamsOf(params);
+    mesh.leaf.mesh = leafMeshOf(params);
+    return mesh;
+}
+
+} // namespace stromar

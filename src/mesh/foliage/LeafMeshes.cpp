@@ -1,0 +1,110 @@
+#include "stromar/mesh/LeafMeshes.h"
+#include "stromar/util/Error.h"
+#include "stromar/util/Translatable.h"
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <glm/common.hpp>
+#include <glm/geometric.hpp>
+#include <glm/mat3x3.hpp>
+#include <numbers>
+#include <string>
+
+namespace stromar {
+
+namespace {
+constexpr std::string_view kBook = "mesh:";
+constexpr int kAcross = 4, kAlong = 6; // cells of a built-in blade
+
+/// Height over a place of the card: x −0.5 .. 0.5 and y 0 .. 1. In parts of the width.
+using Relief = double (*)(double x, double y);
+
+double curved(double, double y) { return 0.9 * y * (0.45 - y); }
+double cupped(double x, double y) { return 1.1 * x * x + 0.25 * (y - 0.5) * (y - 0.5); }
+double wavy(double x, double y) { return 0.35 * std::abs(x) * std::sin(3 * std::numbers::pi * y + (x < 0 ? 1.3 : 0)) - 0.3 * y * y; }
+double rolled(double x, double y) { return -1.6 * x * x - 0.5 * y * y; }
+
+/// The normal of a relief, by its slopes.
+glm::dvec3 normalOf(Relief relief, double x, double y) {
+    constexpr double d = 1e-4;
+    return glm::normalize(glm::dvec3(relief(x - d, y) - relief(x + d, y), relief(x, y - d) - relief(x, y + d), 2 * d));
+}
+
+template <Relief relief>
+LeafBlade sheet() {
+    LeafBlade blade;
+    for (int row = 0; row <= kAlong; ++row)
+        for (int column = 0; column <= kAcross; ++column) {
+            const double u = double(column) / kAcross, v = double(row) / kAlong, x = u - 0.5;
+            blade.points.push_back({{x, v, relief(x, v) - relief(0, 0)}, normalOf(relief, x, v), {u, v}});
+            if (row == kAlong || column == kAcross) continue;
+            const auto low = static_cast<std::uint32_t>(row * (kAcross + 1) + column), high = low + kAcross + 1;
+            for (const std::uint32_t corner : {low, low + 1, high + 1, low, high + 1, high}) blade.indices.push_back(corner);
+        }
+    return blade;
+}
+
+constexpr BuiltInLeaf kBuiltIn[] = {{"curved", N_("curved"), &sheet<curved>},
+                                    {"cupped", N_("cupped"), &sheet<cupped>},
+                                    {"wavy", N_("wavy"), &sheet<wavy>},
+                                    {"rolled", N_("rolled"), &sheet<rolled>}};
+
+struct Box {
+    glm::dvec3 min, max;
+    glm::dvec3 size() const { return max - min; }
+};
+
+Box boxOf(const LeafBlade& mesh) {
+    Box box{mesh.points.front().place, mesh.points.front().place};
+    for (const LeafBlade::Point& point : mesh.points) box = {glm::min(box.min, point.place), glm::max(box.max, point.place)};
+    return box;
+}
+
+int thinnest(const glm::dvec3& size) {
+    int axis = 2; // of equal ones the last: leaves that lie in a plane of two axes mostly face the third
+    for (const int other : {1, 0})
+        if (size[other] < size[axis]) axis = other;
+    return axis;
+}
+
+/// Columns: across, along, up of a mesh.
+glm::dmat3 axesOf(const LeafBlade& mesh, const Box& box) {
+    const int up = thinnest(box.size());
+    const auto reach = [&](int axis) { return std::max(std::abs(box.min[axis]), std::abs(box.max[axis])); };
+    const int one = (up + 1) % 3, two = (up + 2) % 3, along = reach(one) > reach(two) ? one : two;
+    glm::dvec3 facing(0), ahead(0);
+    double sum = 0;
+    for (const LeafBlade::Point& point : mesh.points) sum += point.normal[up];
+    facing[up] = sum < 0 ? -1 : 1;
+    ahead[along] = std::abs(box.min[along]) > std::abs(box.max[along]) ? -1 : 1;
+    return {glm::cross(ahead, facing), ahead, facing};
+}
+} // namespace
+
+std::span<const BuiltInLeaf> builtInLeaves() { return kBuiltIn; }
+
+const BuiltInLeaf* builtInLeaf(std::string_view name) {
+    if (!name.starts_with(kBook)) return nullptr;
+    const auto found = std::ranges::find(kBuiltIn, name.substr(kBook.size()), &BuiltInLeaf::name);
+    if (found != std::end(kBuiltIn)) return found;
+    std::string known;
+    for (const BuiltInLeaf& leaf : kBuiltIn) known += (known.empty() ? "" : ", ") + std::string(kBook) + std::string(leaf.name);
+    throw CError("there is no " + std::string(name) + "; there are " + known);
+}
+
+LeafBlade bladeOf(LeafBlade mesh, double aspect) {
+    if (mesh.points.empty()) throw CError("it has no triangles");
+    const Box box = boxOf(mesh);
+    const glm::dmat3 axes = axesOf(mesh, box);
+    const glm::dvec3 reach = glm::max(box.max * axes, box.min * axes), size = glm::abs(box.size() * axes);
+    if (!(reach.y > 0) || !(size.x > 0) || !std::isfinite(reach.y) || !std::isfinite(size.x))
+        throw CError("it has no length or no width");
+    const glm::dvec3 scale = glm::dvec3(1 / aspect, 1, 1 / aspect) / reach.y;
+    for (LeafBlade::Point& point : mesh.points) {
+        point.place = scale * (point.place * axes);
+        point.normal = glm::normalize((point.normal * axes) / scale);
+    }
+    return mesh;
+}
+
+} // namespace stromar
