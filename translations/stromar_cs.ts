@@ -2506,6 +2506,58 @@
         <source>A mesh in place of a card: mesh:curved and the like, or a file (.obj, .glb …) whose foot is the origin; its path starts at the file&apos;s folder. The leaf texture lies on it by its texture coordinates.</source>
         <translation>Síť místo karty: mesh:curved a podobné, nebo soubor (.obj, .glb …), jehož pata je počátek; cesta začíná ve složce souboru. Textura listu na ní leží podle jejích texturovacích souřadnic.</translation>
     </message>
+    <message>
+        <source>Leaf texture 2</source>
+        <translation>Textura listu 2</translation>
+    </message>
+    <message>
+        <source>Leaf texture 3</source>
+        <translation>Textura listu 3</translation>
+    </message>
+    <message>
+        <source>Leaf texture 4</source>
+        <translation>Textura listu 4</translation>
+    </message>
+    <message>
+        <source>Mesh 2</source>
+        <translation>Síť 2</translation>
+    </message>
+    <message>
+        <source>Kinds</source>
+        <translation>Druhy</translation>
+    </message>
+    <message>
+        <source>Mesh 3</source>
+        <translation>Síť 3</translation>
+    </message>
+    <message>
+        <source>Mesh 4</source>
+        <translation>Síť 4</translation>
+    </message>
+    <message>
+        <source>Share 2</source>
+        <translation>Podíl 2</translation>
+    </message>
+    <message>
+        <source>Share 3</source>
+        <translation>Podíl 3</translation>
+    </message>
+    <message>
+        <source>Share 4</source>
+        <translation>Podíl 4</translation>
+    </message>
+    <message>
+        <source>The picture on leaves of this kind, which have a material of their own then. Empty: as the first kind.</source>
+        <translation>Obrázek na listech tohoto druhu, které pak mají vlastní materiál. Prázdné: jako první druh.</translation>
+    </message>
+    <message>
+        <source>The mesh of leaves of this kind. Empty: as the first kind.</source>
+        <translation>Síť listů tohoto druhu. Prázdné: jako první druh.</translation>
+    </message>
+    <message>
+        <source>The part of the leaves that is of this kind, with a texture or a mesh of its own.</source>
+        <translation>Část listů, která je tohoto druhu, s vlastní texturou nebo sítí.</translation>
+    </message>
 </context>
 <context>
     <name>stromar::CCurveEditor</name>

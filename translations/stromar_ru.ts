@@ -2506,6 +2506,58 @@
         <source>A mesh in place of a card: mesh:curved and the like, or a file (.obj, .glb …) whose foot is the origin; its path starts at the file&apos;s folder. The leaf texture lies on it by its texture coordinates.</source>
         <translation>Сетка вместо карточки: mesh:curved и подобные, или файл (.obj, .glb …), основание которого — начало координат; путь начинается в папке файла. Текстура листа ложится по её текстурным координатам.</translation>
     </message>
+    <message>
+        <source>Leaf texture 2</source>
+        <translation>Текстура листа 2</translation>
+    </message>
+    <message>
+        <source>Leaf texture 3</source>
+        <translation>Текстура листа 3</translation>
+    </message>
+    <message>
+        <source>Leaf texture 4</source>
+        <translation>Текстура листа 4</translation>
+    </message>
+    <message>
+        <source>Mesh 2</source>
+        <translation>Сетка 2</translation>
+    </message>
+    <message>
+        <source>Kinds</source>
+        <translation>Виды</translation>
+    </message>
+    <message>
+        <source>Mesh 3</source>
+        <translation>Сетка 3</translation>
+    </message>
+    <message>
+        <source>Mesh 4</source>
+        <translation>Сетка 4</translation>
+    </message>
+    <message>
+        <source>Share 2</source>
+        <translation>Доля 2</translation>
+    </message>
+    <message>
+        <source>Share 3</source>
+        <translation>Доля 3</translation>
+    </message>
+    <message>
+        <source>Share 4</source>
+        <translation>Доля 4</translation>
+    </message>
+    <message>
+        <source>The picture on leaves of this kind, which have a material of their own then. Empty: as the first kind.</source>
+        <translation>Картинка на листьях этого вида, у которых тогда свой материал. Пусто: как первый вид.</translation>
+    </message>
+    <message>
+        <source>The mesh of leaves of this kind. Empty: as the first kind.</source>
+        <translation>Сетка листьев этого вида. Пусто: как первый вид.</translation>
+    </message>
+    <message>
+        <source>The part of the leaves that is of this kind, with a texture or a mesh of its own.</source>
+        <translation>Часть листьев этого вида, со своей текстурой или сеткой.</translation>
+    </message>
 </context>
 <context>
     <name>stromar::CCurveEditor</name>

@@ -2506,6 +2506,58 @@
         <source>A mesh in place of a card: mesh:curved and the like, or a file (.obj, .glb …) whose foot is the origin; its path starts at the file&apos;s folder. The leaf texture lies on it by its texture coordinates.</source>
         <translation>Mreža namesto ploskve: mesh:curved in podobne ali datoteka (.obj, .glb …), katere vznožje je izhodišče; pot se začne v mapi datoteke. Tekstura lista leži na njej po njenih koordinatah teksture.</translation>
     </message>
+    <message>
+        <source>Leaf texture 2</source>
+        <translation>Tekstura lista 2</translation>
+    </message>
+    <message>
+        <source>Leaf texture 3</source>
+        <translation>Tekstura lista 3</translation>
+    </message>
+    <message>
+        <source>Leaf texture 4</source>
+        <translation>Tekstura lista 4</translation>
+    </message>
+    <message>
+        <source>Mesh 2</source>
+        <translation>Mreža 2</translation>
+    </message>
+    <message>
+        <source>Kinds</source>
+        <translation>Vrste</translation>
+    </message>
+    <message>
+        <source>Mesh 3</source>
+        <translation>Mreža 3</translation>
+    </message>
+    <message>
+        <source>Mesh 4</source>
+        <translation>Mreža 4</translation>
+    </message>
+    <message>
+        <source>Share 2</source>
+        <translation>Delež 2</translation>
+    </message>
+    <message>
+        <source>Share 3</source>
+        <translation>Delež 3</translation>
+    </message>
+    <message>
+        <source>Share 4</source>
+        <translation>Delež 4</translation>
+    </message>
+    <message>
+        <source>The picture on leaves of this kind, which have a material of their own then. Empty: as the first kind.</source>
+        <translation>Slika na listih te vrste, ki imajo potem svoj material. Prazno: kot prva vrsta.</translation>
+    </message>
+    <message>
+        <source>The mesh of leaves of this kind. Empty: as the first kind.</source>
+        <translation>Mreža listov te vrste. Prazno: kot prva vrsta.</translation>
+    </message>
+    <message>
+        <source>The part of the leaves that is of this kind, with a texture or a mesh of its own.</source>
+        <translation>Del listov, ki je te vrste, s svojo teksturo ali mrežo.</translation>
+    </message>
 </context>
 <context>
     <name>stromar::CCurveEditor</name>

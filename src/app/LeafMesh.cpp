@@ -29,8 +29,8 @@ std::shared_ptr<const LeafBlade> meshIn(const fs::path& file) {
 }
 } // namespace
 
-std::shared_ptr<const LeafBlade> leafMeshOf(const CParams& params) {
-    const std::string& name = params.text.leafMesh;
+std::shared_ptr<const LeafBlade> leafMeshOf(const CParams& params, std::size_t kind) {
+    const std::string& name = params.text.*kLeafMeshes[kind];
     if (name.empty()) return nullptr;
     if (const BuiltInLeaf* own = builtInLeaf(name)) return std::make_shared<const LeafBlade>(own->make());
     const fs::path file = params.folder / name;
@@ -44,7 +44,8 @@ std::shared_ptr<const LeafBlade> leafMeshOf(const CParams& params) {
 
 MeshParams meshParamsWithLeaf(const CParams& params) {
     MeshParams mesh = meshParamsOf(params);
-    mesh.leaf.mesh = leafMeshOf(params);
+    mesh.leaf.mesh = leafMeshOf(params, 0);
+    for (std::size_t other = 0; other < mesh.otherLeaves.size(); ++other) mesh.otherLeaves[other].mesh = leafMeshOf(params, other + 1);
     return mesh;
 }
 

@@ -4,6 +4,7 @@
 #include "stromar/texture/Draw.h"
 #include "stromar/util/Random.h"
 #include "stromar/util/Text.h"
+#include <algorithm>
 #include <cassert>
 #include <cmath>
 #include <cstdlib>
@@ -59,7 +60,10 @@ void keepPicture(const TextureMaps& maps, const fs::path& file) {
 
 TwigSource twigSource(const TreeModel& model, const fs::path& folder) {
     const Surface bark = shownSurface(model.params, model.twig->wood->surface);
-    return {textureOf(model.params, Surface::Leaf, folder), textureOf(model.params, bark, folder), surfaceOf(bark).colour};
+    TwigSource source{{}, textureOf(model.params, bark, folder), surfaceOf(bark).colour};
+    for (std::size_t kind = 0; kind < kLeafKinds; ++kind)
+        source.leaves[kind] = textureOf(model.params, shownSurface(model.params, kLeafSurfaces[kind]), folder);
+    return source;
 }
 } // namespace
 
@@ -75,7 +79,7 @@ std::string pictureOf(const CParams& params, Surface surface) {
     assert(surfaceOf(surface).texture);
     const std::string& own = params.text.*surfaceOf(surface).texture;
     std::string chosen = own.empty() ? surfaceOf(surface).standard : own;
-    const bool ages = surface == Surface::Leaf && isRecipe(chosen) && chosen.find(" season=") == std::string::npos;
+    const bool ages = isLeaf(surface) && isRecipe(chosen) && chosen.find(" season=") == std::string::npos;
     return ages ? chosen + seasonWords(params) : chosen;
 }
 
@@ -87,8 +91,10 @@ fs::path textureOf(const CParams& params, Surface surface, const fs::path& folde
 }
 
 bool isBakeable(const CParams& params) {
-    const std::string leaf = pictureOf(params, Surface::Leaf);
-    return isRecipe(leaf) || lowerCase(fs::path(leaf).extension().string()) == ".png";
+    return std::ranges::all_of(kLeafSurfaces, [&](Surface surface) {
+        const std::string leaf = pictureOf(params, shownSurface(params, surface));
+        return isRecipe(leaf) || lowerCase(fs::path(leaf).extension().string()) == ".png";
+    });
 }
 
 SurfaceTextures texturesOf(const CParams& params, const fs::path& folder) {

@@ -70,7 +70,7 @@ public:
         for (const Organ organ : kOrgans) organs[static_cast<std::size_t>(organ)] = growOrgans(organ);
         keepTree(organs);
         m_model->milliseconds.structure += watch.lap();
-        for (const Organ organ : kOrgans) m_model->organs[static_cast<std::size_t>(organ)] = meshOrgans(organ);
+        for (const Organ organ : kOrgans) std::ranges::copy(meshOrgans(organ), std::back_inserter(m_model->organs));
         if (m_model->twig)
             m_model->cards = meshOfTwigs(m_asCards, m_tree, *m_made.leafCounts, *m_model->twig, m_mesh, m_detail, m_progress);
         auto& ms = m_model->milliseconds;
@@ -158,13 +158,13 @@ private:
         m_model->tree = m_made.tree;
     }
 
-    std::shared_ptr<const COrganMesh> meshOrgans(Organ organ) {
+    const OrganMeshes& meshOrgans(Organ organ) {
         MadeOrgans& made = m_made.organs[static_cast<std::size_t>(organ)];
-        if (!made.mesh || meshIsStale(made.params, m_params, Invalidation::kLeaves)) {
-            made.mesh = meshOfOrgans(*m_model->tree, organ, m_plans, m_mesh, m_detail, m_progress, asCards(organ));
+        if (made.meshes.empty() || meshIsStale(made.params, m_params, Invalidation::kLeaves)) {
+            made.meshes = meshOfOrgans(*m_model->tree, organ, m_plans, m_mesh, m_detail, m_progress, asCards(organ));
             made.params = m_params;
         }
-        return made.mesh;
+        return made.meshes;
     }
 
     const CTree& m_tree;

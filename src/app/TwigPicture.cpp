@@ -77,10 +77,10 @@ public:
     explicit CTwigCamera(const Twig& twig)
         : m_low(twig.low), m_scale(glm::dvec2(kSide) / (twig.high - twig.low)), m_samples(kSide * kSide) {}
 
-    /// lookAt(texCoord) → Look
+    /// Those of some indices. lookAt(texCoord) → Look
     template <typename LookAt>
-    void draw(const CMesh& mesh, LookAt&& lookAt) {
-        for (std::size_t t = 0; t < mesh.indices.size(); t += 3) drawTriangle(mesh, &mesh.indices[t], lookAt);
+    void draw(const CMesh& mesh, std::size_t begin, std::size_t end, LookAt&& lookAt) {
+        for (std::size_t t = begin; t < end; t += 3) drawTriangle(mesh, &mesh.indices[t], lookAt);
     }
 
     TextureMaps picture() const;
@@ -206,17 +206,23 @@ std::uint64_t hashOfFile(std::uint64_t hash, const fs::path& file) {
 std::uint64_t twigHash(const Twig& twig, const TwigSource& source) {
     std::uint64_t hash = hashCombine(kLookVersion, kSize);
     for (const auto& mesh : {twig.wood, twig.leaves}) hash = hashOf(hashOf(hash, mesh->positions), mesh->texCoords);
-    return hashOfFile(hashOfFile(hash, source.leaf), source.bark);
+    hash = hashOf(hash, twig.kinds);
+    for (std::size_t kind = 0; kind < kLeafKinds; ++kind)
+        if (twig.kinds[kind] < twig.kinds[kind + 1]) hash = hashOfFile(hash, source.leaves[kind]);
+    return hashOfFile(hash, source.bark);
 }
 
 TextureMaps drawTwig(const Twig& twig, const TwigSource& source, const CProgress& progress) {
     CTwigCamera camera(twig);
-    const CLeafLook leaf(source.leaf);
-    progress.poll();
     const double samples = std::sqrt(twig.leafArea) * camera.perMetre(); // that a leaf is long
-    const int pixels = std::clamp(static_cast<int>(leaf.height() / std::max(1.0, samples)), 1, 8);
-    camera.draw(*twig.wood, [look = barkLook(source)](const glm::vec2&) { return look; });
-    camera.draw(*twig.leaves, [&](const glm::vec2& place) { return leaf.at(place, pixels); });
+    camera.draw(*twig.wood, 0, twig.wood->indices.size(), [look = barkLook(source)](const glm::vec2&) { return look; });
+    for (std::size_t kind = 0; kind < kLeafKinds; ++kind) {
+        progress.poll();
+        if (twig.kinds[kind] == twig.kinds[kind + 1]) continue;
+        const CLeafLook leaf(source.leaves[kind]);
+        const int pixels = std::clamp(static_cast<int>(leaf.height() / std::max(1.0, samples)), 1, 8);
+        camera.draw(*twig.leaves, twig.kinds[kind], twig.kinds[kind + 1], [&](const glm::vec2& place) { return leaf.at(place, pixels); });
+    }
     progress.poll();
     return camera.picture();
 }

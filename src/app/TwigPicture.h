@@ -1,13 +1,15 @@
 #pragma once
 #include "stromar/mesh/twig/Twig.h"
 #include "stromar/texture/TextureMaps.h"
+#include <array>
 #include <filesystem>
 
 namespace stromar {
 
 /// What a picture of a twig is made of.
 struct TwigSource {
-    std::filesystem::path leaf, bark; ///< pictures; of a bark that is no PNG only `plainBark` is seen
+    std::array<std::filesystem::path, kLeafKinds> leaves; ///< pictures, by kind
+    std::filesystem::path bark; ///< picture; of a bark that is no PNG only `plainBark` is seen
     glm::vec3 plainBark;              ///< 0..1
 };
 

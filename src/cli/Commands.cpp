@@ -50,7 +50,8 @@ void applySetting(CParams& params, const CommonOptions& common, const std::strin
 /// Recipes and meshes are read when they are drawn, which may be late or never; a wrong one is told at once.
 void tryFile(const ParamRef& ref, const CParams& params) {
     if (ref.info->picture() && isRecipe(ref.text(params))) const CRecipe recipe(ref.text(params));
-    if (ref.info->file() && !ref.info->picture()) leafMeshOf(params);
+    for (std::size_t kind = 0; kind < kLeafKinds; ++kind)
+        if (&ref.text(params) == &(params.text.*kLeafMeshes[kind])) leafMeshOf(params, kind);
 }
 
 void refuseBadFiles(const CParams& params, const CTreeFile& file) {
@@ -138,7 +139,7 @@ Json boundsInfo(const TreeModel& model) {
 double leafAreaKept(const TreeModel& model) {
     if (const Twig* twig = model.twig.get())
         return std::min(1.0, model.cards->area() * twig->shownArea / twig->cardArea() / twig->allLeafArea);
-    const auto all = double(model.tree->organs(Organ::Leaf)->total), drawn = double(model.leaves()->count());
+    const auto all = double(model.tree->organs(Organ::Leaf)->total), drawn = double(model.leafCount());
     return drawn > 0 ? std::min(1.0, kMaxLeafGrowth * kMaxLeafGrowth * drawn / all) : all > 0 ? 0 : 1;
 }
 
@@ -282,8 +283,11 @@ bool checkMeshes(const CommonOptions& common, const ModelOptions& options, const
         const MeshFaults faults = checkStems(*model->tree, static_cast<int>(g), all[g], g > 0 ? &all[g - 1] : nullptr);
         sound &= printFaults(all[g].mesh->name, faults, out);
     }
-    if (!model->cards || model->leaves()->count() > 0)
-        sound &= printFaults(model->leaves()->name(), checkLeaves(*model->leaves()->expanded(progress)), out);
+    for (std::size_t kind = 0; kind < kLeafKinds; ++kind) {
+        const COrganMesh& leaves = *model->leaves(kind);
+        if (leaves.count() > 0 || (kind == 0 && !model->cards))
+            sound &= printFaults(leaves.name(), checkLeaves(*leaves.expanded(progress)), out);
+    }
     if (model->cards) sound &= printFaults(model->cards->name, checkLeaves(*model->cards), out);
     out << countCrossings(*model->tree, progress) << " pairs of stems that are not parent and child run through each other\n";
     out << (sound ? "all sound\n" : "something is wrong\n");

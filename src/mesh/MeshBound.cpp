@@ -116,11 +116,24 @@ struct OrganBound {
     double grown = 0, vertices = 0, corners = 0;
 };
 
+/// Of so many leaves those of a kind, which is chosen by chance.
+double kindBound(double leaves, double share) {
+    if (share <= 0 || share >= 1) return leaves * share;
+    return std::min(leaves, leaves * share + 6 * std::sqrt(leaves * share * (1 - share)) + 6);
+}
+
 /// Of so many that are grown. Which of them have fallen is chance: of none or all of them it is known.
 OrganBound drawnBound(double grown, Organ organ, const MeshParams& params, const Detail& detail) {
     if (params.seasonOf(organ).share <= 0) return {grown, 0, 0};
-    const LeafBlade blade = bladeOf(params, organ, detail);
-    return {grown, grown * double(blade.points.size()), grown * double(blade.indices.size())};
+    OrganBound bound{grown, 0, 0};
+    for (std::size_t kind = 0; kind < (organ == Organ::Leaf ? kLeafKinds : 1); ++kind) {
+        const double count = organ == Organ::Leaf ? kindBound(grown, params.shareOf(kind)) : grown;
+        if (count <= 0) continue;
+        const LeafBlade blade = bladeOf(params, organ, detail, kind);
+        bound.vertices += count * double(blade.points.size());
+        bound.corners += count * double(blade.indices.size());
+    }
+    return bound;
 }
 
 /// Rectangles, for those on twigs.

@@ -19,7 +19,7 @@ glm::vec3 squareTo(const glm::vec3& n) {
 Crown crownOf(const Meshes& meshes) {
     Bounds all{glm::vec3(INFINITY), glm::vec3(-INFINITY)};
     const auto isLeafy = [](const auto& mesh) {
-        return mesh->surface == Surface::Leaf || mesh->surface == Surface::Twig;
+        return isLeaf(mesh->surface) || mesh->surface == Surface::Twig;
     };
     const bool leaves = std::ranges::any_of(meshes, isLeafy);
     for (const auto& mesh : meshes) {

@@ -18,8 +18,8 @@ std::size_t sum(const ExportModel& model, Count&& count) {
 
 std::size_t ExportModel::materialIndex(const CMesh& mesh) const {
     auto own = std::ranges::find(materials, mesh.surface, &Material::surface);
-    for (auto bark = std::ranges::find(kBarks, mesh.surface); own == materials.end() && bark != kBarks.begin();)
-        own = std::ranges::find(materials, *--bark, &Material::surface);
+    for (Surface surface = mesh.surface; own == materials.end() && standIn(surface) != surface;)
+        own = std::ranges::find(materials, surface = standIn(surface), &Material::surface);
     assert(own != materials.end());
     return static_cast<std::size_t>(own - materials.begin());
 }

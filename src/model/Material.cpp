@@ -16,9 +16,16 @@ template <auto Texture>
 constexpr SurfaceInfo barkOfLevel(const char* name) {
     return {name, kBarkColour, false, Texture, "", &isChosen<Texture>};
 }
+constexpr glm::vec3 kLeafColour{0.30f, 0.45f, 0.18f};
+template <auto Texture, std::size_t Other>
+constexpr SurfaceInfo leafOfKind(const char* name) {
+    return {name, kLeafColour, true, Texture, "",
+            [](const CParams& params) { return isChosen<Texture>(params) && params.common.*kLeafShares[Other] > 0; }};
+}
+
 constexpr SurfaceInfo kSurfaceTable[] = {
     {"bark", kBarkColour, false, &T::barkTexture, "bark.png", nullptr},
-    {"leaf", {0.30f, 0.45f, 0.18f}, true, &T::leafTexture, "leaf.png", nullptr},
+    {"leaf", kLeafColour, true, &T::leafTexture, "leaf.png", nullptr},
     {"blossom", {0.95f, 0.88f, 0.90f}, true, &T::blossomTexture, "leaf:blossom", &hasBlossoms},
     {"fruit",
      {0.65f, 0.16f, 0.10f},
@@ -26,10 +33,13 @@ constexpr SurfaceInfo kSurfaceTable[] = {
      &T::fruitTexture,
      "bark:smooth spots=0 light=#c8402c dark=#7c1c18",
      &hasFruits},
-    {"twig", {0.30f, 0.45f, 0.18f}, true, nullptr, "", nullptr},
+    {"twig", kLeafColour, true, nullptr, "", nullptr},
     barkOfLevel<&T::bark1Texture>("bark_1"),
     barkOfLevel<&T::bark2Texture>("bark_2"),
     barkOfLevel<&T::bark3Texture>("bark_3"),
+    leafOfKind<&T::leaf2Texture, 0>("leaf_2"),
+    leafOfKind<&T::leaf3Texture, 1>("leaf_3"),
+    leafOfKind<&T::leaf4Texture, 2>("leaf_4"),
 };
 static_assert(std::size(kSurfaceTable) == kSurfaces.size());
 } // namespace
@@ -42,10 +52,8 @@ bool hasSurface(const CParams& params, Surface surface) {
 }
 
 Surface shownSurface(const CParams& params, Surface surface) {
-    if (!isBark(surface)) return surface;
-    auto bark = std::ranges::find(kBarks, surface);
-    while (bark != kBarks.begin() && !hasSurface(params, *bark)) --bark;
-    return *bark;
+    while (standIn(surface) != surface && !hasSurface(params, surface)) surface = standIn(surface);
+    return surface;
 }
 
 } // namespace stromar

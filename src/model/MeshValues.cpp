@@ -12,6 +12,7 @@ MeshParams meshParamsOf(const CParams& params) {
     mesh.barkAlong = g.textureWrapY;
     mesh.leaf = {g.leafShape,  g.leafForm != 0, g.leafPlanes,  g.leafFold.radians(),
                  g.leafStalk, g.leafScaleX,    g.leafRounding};
+    for (std::size_t other = 0; other < mesh.otherLeaves.size(); ++other) mesh.otherLeaves[other].share = g.*kLeafShares[other];
     mesh.blossomPlanes = g.blossomPlanes;
     mesh.fruitStalk = g.fruitStalk;
     mesh.season = {{{now.leaves, now.leafSize}, {now.blossoms, 1}, {now.fruits, now.fruitSize}}};

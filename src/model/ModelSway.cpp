@@ -21,7 +21,7 @@ public:
 
     void make() {
         addStems();
-        for (std::size_t i = 0; i < kOrgans.size(); ++i) m_sway.organs[i] = ofOrgans(i);
+        for (std::size_t i = 0; i < m_model.organs.size(); ++i) m_sway.organs.push_back(ofOrgans(i));
         if (m_model.cards)
             m_sway.cards = shared(swayOfCards(*m_sway.table,
                                               twigsOfCards(m_cards, *m_model.tree, *m_model.tree->organs(Organ::Leaf),

@@ -6,9 +6,8 @@ namespace stromar {
 void TreeModel::visitMeshes(const MeshVisitor& visit, const OrganVisitor& visitOrgans) const {
     for (std::size_t g = 0; g < stems.size(); ++g)
         if (stems[g]->vertexCount() > 0) visit(stems[g], static_cast<int>(g));
-    for (const Organ organ : kOrgans)
-        if (const auto& mesh = organs[static_cast<std::size_t>(organ)]; mesh->vertexCount() > 0)
-            visitOrgans(mesh, kLeaves - static_cast<int>(organ));
+    for (const auto& mesh : organs)
+        if (mesh->vertexCount() > 0) visitOrgans(mesh, kLeaves - static_cast<int>(mesh->organ()));
     if (cards && cards->vertexCount() > 0) visit(cards, kLeaves);
 }
 
@@ -17,6 +16,12 @@ Meshes TreeModel::meshes(const CProgress& progress) const {
     visitMeshes([&](const auto& mesh, int) { all.push_back(mesh); },
                 [&](const auto& instances, int) { all.push_back(instances->expanded(progress)); });
     return all;
+}
+
+std::size_t TreeModel::leafCount() const {
+    std::size_t count = 0;
+    for (std::size_t kind = 0; kind < kLeafKinds; ++kind) count += leaves(kind)->count();
+    return count;
 }
 
 std::size_t TreeModel::vertexCount() const {

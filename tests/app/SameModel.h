@@ -11,7 +11,9 @@ inline std::string modelDifference(const TreeModel& a, const TreeModel& b) {
     if (a.stems.size() != b.stems.size()) return "the number of generations";
     for (std::size_t g = 0; g < a.stems.size(); ++g)
         if (!sameBytes(*a.stems[g], *b.stems[g])) return a.stems[g]->name;
-    return sameBytes(*a.leaves()->expanded(CProgress()), *b.leaves()->expanded(CProgress())) ? std::string() : "leaves";
+    for (std::size_t i = 0; i < a.organs.size(); ++i)
+        if (!sameBytes(*a.organs[i]->expanded(CProgress()), *b.organs[i]->expanded(CProgress()))) return a.organs[i]->name();
+    return {};
 }
 
 /// What a creator that knows nothing makes.

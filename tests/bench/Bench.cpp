@@ -58,7 +58,7 @@ void buildMeshes(State& state, const CParams& params, const Detail& detail) {
         vertices = 0;
         const std::vector<StemMesh> all = meshAllStems(*tree, mesh, detail, progress);
         for (const StemMesh& stems : all) vertices += stems.mesh->vertexCount();
-        vertices += meshOfOrgans(leafy, Organ::Leaf, plansOf(all), mesh, detail, progress)->vertexCount();
+        vertices += meshOfOrgans(leafy, Organ::Leaf, plansOf(all), mesh, detail, progress)[0]->vertexCount();
     }
     state.counters["vertices/s"] = perSecond(double(vertices));
 }

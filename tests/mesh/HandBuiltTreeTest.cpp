@@ -138,7 +138,7 @@ TEST(HandBuiltTree, IsSoundAtEveryLevelOfDetail) {
             }
         }
         EXPECT_TRUE(checkLeaves(
-            *meshOfOrgans(tree, Organ::Leaf, plansOf(all), meshParams(), detail, CProgress(2))->expanded(CProgress(2))).sound());
+            *meshOfOrgans(tree, Organ::Leaf, plansOf(all), meshParams(), detail, CProgress(2))[0]->expanded(CProgress(2))).sound());
     }
 }
 
@@ -149,9 +149,9 @@ TEST(HandBuiltTree, LeavesOfTheTrunkAreDrawnBesideCards) {
     const auto twig = typicalTwig(tree, meshParams());
     ASSERT_TRUE(twig);
     EXPECT_GT(meshOfTwigs(twigsOf(tree, *tree.organs(Organ::Leaf)), tree, *tree.organs(Organ::Leaf), *twig, meshParams(), detail, CProgress(2))->vertexCount(), 0u);
-    const auto own = meshOfOrgans(tree, Organ::Leaf, plansOf(all), meshParams(), detail, CProgress(2),
+    const OrganMeshes own = meshOfOrgans(tree, Organ::Leaf, plansOf(all), meshParams(), detail, CProgress(2),
                                   twigsOf(tree, *tree.organs(Organ::Leaf)));
-    EXPECT_EQ(own->vertexCount(), 8 * bladeOf(meshParams(), Organ::Leaf, detail).points.size()) << "those of the trunk";
+    EXPECT_EQ(own[0]->vertexCount(), 8 * bladeOf(meshParams(), Organ::Leaf, detail).points.size()) << "those of the trunk";
 }
 
 TEST(HandBuiltTree, RingsStandAtTheSegmentsEnds) {

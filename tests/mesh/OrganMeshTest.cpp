@@ -85,7 +85,7 @@ namespace {
 std::shared_ptr<const COrganMesh> instancesOf(const CParams& params, const Detail& detail) {
     const auto tree = grow(params);
     const auto all = meshAllStems(*tree, meshParamsOf(params), detail, CProgress(2));
-    return meshOfOrgans(*tree, Organ::Leaf, plansOf(all), meshParamsOf(params), detail, CProgress(2));
+    return meshOfOrgans(*tree, Organ::Leaf, plansOf(all), meshParamsOf(params), detail, CProgress(2))[0];
 }
 } // namespace
 

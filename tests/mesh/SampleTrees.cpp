@@ -141,7 +141,7 @@ std::shared_ptr<const CMesh> organsOf(const CTree& tree, const CParams& params, 
     organs.fill(std::make_shared<const COrgans>());
     organs[static_cast<std::size_t>(organ)] =
         methodOf(params).makeBuilder(true)->growOrgans(params, tree, organ, demandOf(detail, plansOf(stems)), progress);
-    return meshOfOrgans(tree.withOrgans(organs), organ, plansOf(stems), meshParamsOf(params), detail, progress)
+    return meshOfOrgans(tree.withOrgans(organs), organ, plansOf(stems), meshParamsOf(params), detail, progress)[0]
         ->expanded(progress);
 }
 

@@ -25,7 +25,7 @@ CParams allChanged() {
     for (const ParamRef& ref : numberParams()) EXPECT_TRUE(ref.set(params, otherValue(*ref.info, ref.get(params))));
     params.text = {"Oak # 1",   "A \"B\" C", "  Žluťoučký kůň  ", "4 17", "bark, old.png",
                    "#leaf.png", "",          "leaf:blossom",       "bark:birch", "", "twig.png",
-                   "mesh:wavy"};
+                   "mesh:wavy", "", "", "leaf:oak", "", "a.obj", ""};
     return params;
 }
 

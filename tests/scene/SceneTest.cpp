@@ -90,7 +90,7 @@ TEST(OsgGeometry, AFewInstancesStandForAll) {
     const CParams params = preset("quaking_aspen");
     const auto tree = grow(params);
     const std::vector<StemMesh> stems = meshAllStems(*tree, meshParamsOf(params), detailOf(Model::Full), CProgress());
-    const auto organs = meshOfOrgans(*tree, Organ::Leaf, plansOf(stems), meshParamsOf(params), detailOf(Model::Full), CProgress());
+    const auto organs = meshOfOrgans(*tree, Organ::Leaf, plansOf(stems), meshParamsOf(params), detailOf(Model::Full), CProgress())[0];
     const osg::ref_ptr<osg::Geometry> geometry = makeInstancedGeometry(organs, CProgress());
     const auto* places = static_cast<const glm::vec4*>(geometry->getVertexAttribArray(kInstancePlaceAttribute)->getDataPointer());
     const std::size_t count = organs->count(), points = organs->blade().points.size();

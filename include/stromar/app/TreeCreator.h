@@ -38,7 +38,7 @@ private:
         std::uint64_t growth = 0; ///< of the tree that bears them
         Meshes bearers;           ///< on which stems they may be, where that matters
         std::shared_ptr<const COrgans> organs;
-        std::shared_ptr<const COrganMesh> mesh;
+        OrganMeshes meshes; ///< by kind
         std::optional<CParams> params;
     };
     /// What a level of detail shows.

@@ -1,5 +1,6 @@
 #pragma once
 #include "stromar/util/RawVector.h"
+#include <algorithm>
 #include <array>
 #include <cstdint>
 #include <glm/vec2.hpp>
@@ -11,13 +12,27 @@
 
 namespace stromar {
 
-enum class Surface { Bark, Leaf, Blossom, Fruit, Twig, Bark1, Bark2, Bark3 };
+enum class Surface { Bark, Leaf, Blossom, Fruit, Twig, Bark1, Bark2, Bark3, Leaf2, Leaf3, Leaf4 };
 inline constexpr std::array kSurfaces{Surface::Bark, Surface::Leaf,  Surface::Blossom, Surface::Fruit,
-                                      Surface::Twig, Surface::Bark1, Surface::Bark2,   Surface::Bark3};
+                                      Surface::Twig, Surface::Bark1, Surface::Bark2,   Surface::Bark3,
+                                      Surface::Leaf2, Surface::Leaf3, Surface::Leaf4};
 /// Of stems, by generation; deeper ones have the last.
 inline constexpr std::array kBarks{Surface::Bark, Surface::Bark1, Surface::Bark2, Surface::Bark3};
 constexpr Surface barkOf(std::size_t generation) { return kBarks[generation < kBarks.size() ? generation : kBarks.size() - 1]; }
-constexpr bool isBark(Surface surface) { return surface == Surface::Bark || surface >= Surface::Bark1; }
+constexpr bool isBark(Surface surface) { return std::ranges::find(kBarks, surface) != kBarks.end(); }
+
+/// Of leaves, by kind.
+inline constexpr std::array kLeafSurfaces{Surface::Leaf, Surface::Leaf2, Surface::Leaf3, Surface::Leaf4};
+inline constexpr std::size_t kLeafKinds = kLeafSurfaces.size();
+constexpr bool isLeaf(Surface surface) { return std::ranges::find(kLeafSurfaces, surface) != kLeafSurfaces.end(); }
+
+/// What a surface shows that has no picture of its own: that of the level before, or of the first kind; of the others
+/// itself.
+constexpr Surface standIn(Surface surface) {
+    if (isLeaf(surface)) return Surface::Leaf;
+    const auto bark = std::ranges::find(kBarks, surface);
+    return bark == kBarks.begin() || bark == kBarks.end() ? surface : *(bark - 1);
+}
 
 struct Bounds {
     glm::vec3 min, max;

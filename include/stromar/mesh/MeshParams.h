@@ -1,4 +1,5 @@
 #pragma once
+#include "stromar/mesh/Mesh.h"
 #include "stromar/tree/Tree.h"
 #include <array>
 #include <memory>
@@ -19,6 +20,12 @@ struct LeafForm {
     std::shared_ptr<const LeafBlade> mesh{}; ///< in place of both; null: none
 };
 
+/// Some of a tree's leaves.
+struct LeafKind {
+    double share = 0; ///< of all
+    std::shared_ptr<const LeafBlade> mesh{}; ///< null: as the first kind
+};
+
 /// What a season leaves of an organ: a part of them, in a part of their size.
 struct SeasonShare {
     double share = 1, size = 1;
@@ -28,11 +35,17 @@ struct SeasonShare {
 struct MeshParams {
     double minRadius = 0;                  ///< metres; thinner wood is drawn with it
     double barkAround = 1, barkAlong = 1;  ///< how often the bark's picture is repeated on a trunk (thesis §4.7)
-    LeafForm leaf;
+    LeafForm leaf;                         ///< of the first kind
+    std::array<LeafKind, kLeafKinds - 1> otherLeaves{};
     int blossomPlanes = 1;
     double fruitStalk = 0;                 ///< parts of the length
     std::array<SeasonShare, kOrgans.size()> season; ///< by Organ
 
+    /// What the shares leave of all leaves for a kind; 0 is the first.
+    double shareOf(std::size_t kind) const;
+    /// The kind of a stem's n-th leaf: the same at every level of detail.
+    std::size_t kindOf(const CStem& stem, std::uint32_t n) const;
+    LeafForm formOf(std::size_t kind) const;
     const SeasonShare& seasonOf(Organ organ) const { return season[static_cast<std::size_t>(organ)]; }
 };
 

@@ -6,6 +6,7 @@
 #include "stromar/util/Progress.h"
 #include <glm/vec4.hpp>
 #include <span>
+#include <vector>
 
 namespace stromar {
 
@@ -22,8 +23,8 @@ struct LeafBlade {
     std::vector<std::uint32_t> indices; ///< three per triangle, counter-clockwise seen from above
 };
 
-/// What an organ is drawn as.
-LeafBlade bladeOf(const MeshParams& params, Organ organ, const Detail& detail);
+/// What an organ is drawn as; leaves by kind.
+LeafBlade bladeOf(const MeshParams& params, Organ organ, const Detail& detail, std::size_t kind = 0);
 
 /// Where leaves look when they are shaded as a round crown, and by how much.
 struct Rounding {
@@ -46,10 +47,12 @@ struct InstancePlace {
 class COrganMesh {
 public:
     /// Those of `organs` that `shown` lists, `growth` times as large as they are grown.
-    COrganMesh(Organ organ, LeafBlade blade, std::shared_ptr<const COrgans> organs, std::vector<std::uint32_t> shown,
+    COrganMesh(Organ organ, std::size_t kind, LeafBlade blade, std::shared_ptr<const COrgans> organs, std::vector<std::uint32_t> shown,
                double growth, const Rounding& rounding);
 
-    const char* name() const;
+    Organ organ() const { return m_organ; }
+    std::size_t kind() const { return m_kind; } ///< of a leaf, else 0
+    std::string name() const;
     Surface surface() const;
     const LeafBlade& blade() const { return m_blade; }
     const Rounding& rounding() const { return m_rounding; }
@@ -73,6 +76,7 @@ public:
 
 private:
     Organ m_organ;
+    std::size_t m_kind;
     LeafBlade m_blade;
     std::shared_ptr<const COrgans> m_organs;
     std::size_t m_count;
@@ -81,14 +85,16 @@ private:
     Rounding m_rounding;
 };
 
+using OrganMeshes = std::vector<std::shared_ptr<const COrganMesh>>;
+
 /// Which organs of a kind a level of detail shows on the stems that `plans`, by generation, chose: at most its share or
 /// kFewOrgans. Not those on stems that cards show.
 OrganDemand demandOf(const Detail& detail, std::span<const MeshPlan* const> plans, const StemSet& asCards = {});
 
 /// The grown leaves of a tree by their form, seen from above; blossoms as cards, fruits as ellipsoids. As many and as
 /// large as the season has them, on stems that `plans` chose, enlarged to keep the area of all as far as
-/// kMaxLeafGrowth allows. Throws CCancelled.
-std::shared_ptr<const COrganMesh> meshOfOrgans(const CTree& tree, Organ organ, std::span<const MeshPlan* const> plans,
+/// kMaxLeafGrowth allows. Leaves by kind, kLeafKinds of them; some may be empty. Throws CCancelled.
+OrganMeshes meshOfOrgans(const CTree& tree, Organ organ, std::span<const MeshPlan* const> plans,
                                                const MeshParams& params, const Detail& detail,
                                                const CProgress& progress, const StemSet& asCards = {});
 

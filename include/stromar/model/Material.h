@@ -20,7 +20,7 @@ const SurfaceInfo& surfaceOf(Surface surface);
 inline bool isInEveryFile(const SurfaceInfo& info) { return info.texture && !info.borne; }
 /// Whether the tree has a picture for it, which some month or some level of detail shows.
 bool hasSurface(const CParams& params, Surface surface);
-/// What a surface of a mesh shows: itself; of the barks that the user did not choose the one before.
+/// What a surface of a mesh shows: itself, or where the user chose nothing for it what stands in for it.
 Surface shownSurface(const CParams& params, Surface surface);
 
 /// A picture of a model file.

@@ -10,7 +10,7 @@ struct ModelSway {
     std::shared_ptr<const TreeModel> model;
     std::shared_ptr<const CWindTable> table;
     std::vector<std::shared_ptr<const SwayPlaces>> stems;                 ///< by generation: of the vertices
-    std::array<std::shared_ptr<const SwayPlaces>, kOrgans.size()> organs; ///< by Organ: of the instances
+    std::vector<std::shared_ptr<const SwayPlaces>> organs;                ///< as in the model: of the instances
     std::shared_ptr<const SwayPlaces> cards;                              ///< of the vertices; null without cards
 
     const std::shared_ptr<const SwayPlaces>& placesOf(const CMesh& mesh) const;

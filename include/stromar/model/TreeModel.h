@@ -19,14 +19,16 @@ struct TreeModel {
     std::shared_ptr<const CTree> tree; ///< of its organs those are grown that are shown
     std::shared_ptr<const CTree> grown; ///< the same at the end of its life, bare
     Meshes stems;                      ///< by generation
-    std::array<std::shared_ptr<const COrganMesh>, kOrgans.size()> organs; ///< by Organ
+    OrganMeshes organs;                ///< leaves by kind, blossoms, fruits; some may be empty
     std::shared_ptr<const Twig> twig;   ///< what cards show in place of last stems with leaves; null: there are none
     std::shared_ptr<const CMesh> cards; ///< of it; null without it
     struct {
         double structure = 0, smooth = 0, mesh = 0, total = 0;
     } milliseconds;
 
-    const std::shared_ptr<const COrganMesh>& leaves() const { return organs[static_cast<std::size_t>(Organ::Leaf)]; }
+    /// Of a kind.
+    const std::shared_ptr<const COrganMesh>& leaves(std::size_t kind = 0) const { return organs[kind]; }
+    std::size_t leafCount() const; ///< that are drawn, of all kinds
 
     static constexpr int kLeaves = -1; ///< then −2 the blossoms, −3 the fruits
     using MeshVisitor = std::function<void(const std::shared_ptr<const CMesh>& mesh, int generation)>;

@@ -17,6 +17,7 @@ struct CommonParams {
     double season, flexibility;
     double leafScale, leafScaleX, leafBend, leafQuality, leafStalk, leafRounding, leafColourV;
     Degrees leafFold;
+    double leafShare2, leafShare3, leafShare4;
     double blossomScale, blossomUp, blossomMonth, fruitScale, fruitScaleX, fruitStalk, fruitMonth;
     int seed, evergreen, lobes, roots;
     int leafShape, leafForm, leafWhorl, leafPlanes, blossoms, blossomPlanes, fruits;
@@ -24,14 +25,21 @@ struct CommonParams {
     bool operator==(const CommonParams&) const = default;
 };
 
+/// Parts of the leaves that are of the second, third and fourth kind; the first has the rest.
+inline constexpr double CommonParams::*kLeafShares[] = {&CommonParams::leafShare2, &CommonParams::leafShare3, &CommonParams::leafShare4};
+
 /// What a file says in words. Paths are relative to the file; empty = the built-in picture.
 struct TextParams {
     std::string species, author, description, likedSeeds, barkTexture, leafTexture, blossomTexture, fruitTexture;
     std::string bark1Texture, bark2Texture, bark3Texture; ///< of a generation; empty: as the one before
     std::string leafMesh; ///< a file, or a built-in one; empty: as LeafForm says
+    std::string leaf2Texture, leaf3Texture, leaf4Texture, leaf2Mesh, leaf3Mesh, leaf4Mesh; ///< empty: as the first kind's
 
     bool operator==(const TextParams&) const = default;
 };
+/// Of the kinds of leaves.
+inline constexpr std::string TextParams::*kLeafMeshes[] = {&TextParams::leafMesh, &TextParams::leaf2Mesh, &TextParams::leaf3Mesh,
+                                                           &TextParams::leaf4Mesh};
 
 /// Everything a user can set for one tree: what all trees have, and the block of its way to grow. A plain value, to be
 /// copied, compared and handed to other threads.

@@ -69,7 +69,7 @@ void addFaces(Picture& picture, const CMesh& mesh, const QColor& colour, const T
         const float area = glm::length(normal);
         if (area <= 0) continue;
         const float facing = glm::dot(normal / area, sun);
-        face.colour = shaded(colour, 0.75f + 0.35f * (mesh.surface == Surface::Leaf ? std::abs(facing) : facing));
+        face.colour = shaded(colour, 0.75f + 0.35f * (isLeaf(mesh.surface) ? std::abs(facing) : facing));
         picture.faces.push_back(face);
     }
 }
@@ -113,7 +113,8 @@ Picture makePicture(const ParamRef& ref, const Demonstration& shown, const QPale
     const auto concerned = ref.info->perLevel() ? std::size_t(std::min(ref.level, 1)) : model.stems.size();
     for (std::size_t level = 0; level < model.stems.size(); ++level)
         addFaces(picture, *model.stems[level], level == concerned ? accent : bark, turn, above);
-    addFaces(picture, *model.leaves()->expanded(CProgress()), leaf, turn, above);
+    for (std::size_t kind = 0; kind < kLeafKinds; ++kind)
+        addFaces(picture, *model.leaves(kind)->expanded(CProgress()), leaf, turn, above);
     std::ranges::sort(picture.faces, {}, &Face::depth);
     return picture;
 }

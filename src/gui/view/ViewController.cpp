@@ -24,6 +24,12 @@ constexpr std::size_t kMaxLines = 40000; // that are drawn of what a line of a t
 
 osg::Vec3d toOsg(const glm::dvec3& v) { return {v.x, v.y, v.z}; }
 
+std::size_t trianglesOfLeaves(const TreeModel& tree) {
+    std::size_t count = 0;
+    for (std::size_t kind = 0; kind < kLeafKinds; ++kind) count += tree.leaves(kind)->triangleCount();
+    return count;
+}
+
 /// The centre line of every path of a stem.
 std::vector<std::vector<CViewOverlay::TreePoint>> linesOf(const CTree& tree, std::size_t generation, const CStem& stem) {
     const CGeneration& all = tree.generation(generation);
@@ -320,7 +326,7 @@ QStringList CViewController::statistics() const {
                     .arg(levelTitle(int(g)), whole(tree.tree->generation(g).stems.size()),
                          whole(tree.stems[g]->triangleCount()));
     rows
-        << tr("Leaves: %1, %2 triangles").arg(whole(tree.tree->organs(Organ::Leaf)->total), whole(tree.leaves()->triangleCount()));
+        << tr("Leaves: %1, %2 triangles").arg(whole(tree.tree->organs(Organ::Leaf)->total), whole(trianglesOfLeaves(tree)));
     rows << tr("Structure %1 ms, mesh %2 ms")
                 .arg(numbers.toString(tree.milliseconds.structure, 'f', 1),
                      numbers.toString(tree.milliseconds.smooth + tree.milliseconds.mesh, 'f', 1));

@@ -169,11 +169,11 @@ LeafBlade makeBlade(const LeafForm& form, const Detail& detail) {
     return maker.take();
 }
 
-LeafBlade bladeOf(const MeshParams& params, Organ organ, const Detail& detail) {
+LeafBlade bladeOf(const MeshParams& params, Organ organ, const Detail& detail, std::size_t kind) {
     switch (organ) {
     case Organ::Blossom: return makeCard(params.blossomPlanes);
     case Organ::Fruit: return makeFruit(params.fruitStalk, detail);
-    default: return makeBlade(params.leaf, detail);
+    default: return makeBlade(params.formOf(kind), detail);
     }
 }
 

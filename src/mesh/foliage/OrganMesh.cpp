@@ -32,15 +32,15 @@ std::size_t countOn(const StemSet& stems, const COrgans& organs) {
 }
 } // namespace
 
-COrganMesh::COrganMesh(Organ organ, LeafBlade blade, std::shared_ptr<const COrgans> organs,
+COrganMesh::COrganMesh(Organ organ, std::size_t kind, LeafBlade blade, std::shared_ptr<const COrgans> organs,
                        std::vector<std::uint32_t> shown, double growth, const Rounding& rounding)
-    : m_organ(organ), m_blade(std::move(blade)), m_organs(std::move(organs)), m_count(shown.size()),
+    : m_organ(organ), m_kind(kind), m_blade(std::move(blade)), m_organs(std::move(organs)), m_count(shown.size()),
       m_growth(growth), m_rounding(rounding) {
     if (m_count < m_organs->grown.size()) m_shown = std::move(shown);
 }
 
-const char* COrganMesh::name() const { return lookOf(m_organ).name; }
-Surface COrganMesh::surface() const { return lookOf(m_organ).surface; }
+std::string COrganMesh::name() const { return lookOf(m_organ).name + (m_kind > 0 ? " " + std::to_string(m_kind + 1) : ""); }
+Surface COrganMesh::surface() const { return m_organ == Organ::Leaf ? kLeafSurfaces[m_kind] : lookOf(m_organ).surface; }
 
 InstancePlace COrganMesh::place(std::size_t i) const {
     const CBladePlacer placer(leaf(i), m_growth);
@@ -131,26 +131,30 @@ OrganDemand demandOf(const Detail& detail, std::span<const MeshPlan* const> plan
     return demand;
 }
 
-std::shared_ptr<const COrganMesh> meshOfOrgans(const CTree& tree, Organ organ, std::span<const MeshPlan* const> plans,
-                                               const MeshParams& params, const Detail& detail,
-                                               const CProgress& progress, const StemSet& asCards) {
+OrganMeshes meshOfOrgans(const CTree& tree, Organ organ, std::span<const MeshPlan* const> plans, const MeshParams& params,
+                         const Detail& detail, const CProgress& progress, const StemSet& asCards) {
     progress.poll();
     const SeasonShare season = params.seasonOf(organ);
     const auto& organs = tree.organs(organ);
     const std::size_t total = organs->total - countOn(asCards, *organs);
-    std::vector<std::uint32_t> shown;
-    shown.reserve(organs->grown.size());
+    std::vector<std::vector<std::uint32_t>> shown(organ == Organ::Leaf ? kLeafKinds : 1); // by kind
+    shown[0].reserve(organs->grown.size());
     std::size_t drawable = 0;
     for (std::uint32_t i = 0; i < organs->grown.size(); ++i) {
         const CLeaf& own = organs->grown[i];
         if (asCards.has(own.generation, own.stem) || !plans[own.generation]->stemIsChosen[own.stem]) continue;
         ++drawable;
-        if (!hasFallen(tree.generation(own.generation).stems[own.stem], own.number, season.share)) shown.push_back(i);
+        const CStem& stem = tree.generation(own.generation).stems[own.stem];
+        if (hasFallen(stem, own.number, season.share)) continue;
+        shown[organ == Organ::Leaf ? params.kindOf(stem, own.number) : 0].push_back(i);
     }
     const double thinned = drawable == 0 ? 1 : std::min(kMaxLeafGrowth, std::sqrt(double(total) / double(drawable)));
     const Rounding rounding = organ == Organ::Fruit ? Rounding() : roundingOf(tree, *organs, params.leaf);
-    return std::make_shared<const COrganMesh>(organ, bladeOf(params, organ, detail), organs, std::move(shown),
-                                              thinned * season.size, rounding);
+    OrganMeshes meshes;
+    for (std::size_t kind = 0; kind < shown.size(); ++kind)
+        meshes.push_back(std::make_shared<const COrganMesh>(organ, kind, bladeOf(params, organ, detail, kind), organs,
+                                                            std::move(shown[kind]), thinned * season.size, rounding));
+    return meshes;
 }
 
 } // namespace stromar

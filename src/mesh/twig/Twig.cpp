@@ -72,26 +72,43 @@ glm::dvec3 pressed(const glm::dvec3& axis, const glm::dvec3& normal) {
     return std::cos(tilt) * best + std::sin(tilt) * across;
 }
 
-std::shared_ptr<const CMesh> straightLeaves(const CStraightStem& stem, const std::vector<const CLeaf*>& leaves,
-                                            const LeafBlade& blade, double size) {
-    const std::size_t points = blade.points.size(), corners = blade.indices.size();
-    const auto mesh = allocateMesh("leaves", Surface::Leaf, points * leaves.size(), corners * leaves.size());
-    std::uint32_t* index = mesh->indices.data();
-    for (std::size_t i = 0; i < leaves.size(); ++i) {
-        CLeaf leaf = *leaves[i];
-        const double y = stem.nearest(leaf.position);
-        const glm::dmat3 toCard = glm::transpose(stem.frameOf(stem.segmentAt(y)));
-        leaf.position = toCard * (glm::dvec3(leaf.position) - stem.pointAt(y)) + glm::dvec3(0, y, 0);
-        leaf.axis = toCard * glm::dvec3(leaf.axis);
-        leaf.normal = pressed(leaf.axis, toCard * glm::dvec3(leaf.normal));
-        const CBladePlacer placer(leaf, size);
-        VertexSink sink = sinkAt(*mesh, points * i);
-        for (const LeafBlade::Point& point : blade.points)
-            sink.add(placer.place(point), placer.normal(point), point.texCoord.x, point.texCoord.y,
-                     {});
-        for (const std::uint32_t corner : blade.indices) *index++ = static_cast<std::uint32_t>(points * i) + corner;
+/// A leaf as it stands on the straight stem.
+CLeaf straight(const CStraightStem& stem, CLeaf leaf) {
+    const double y = stem.nearest(leaf.position);
+    const glm::dmat3 toCard = glm::transpose(stem.frameOf(stem.segmentAt(y)));
+    leaf.position = toCard * (glm::dvec3(leaf.position) - stem.pointAt(y)) + glm::dvec3(0, y, 0);
+    leaf.axis = toCard * glm::dvec3(leaf.axis);
+    leaf.normal = pressed(leaf.axis, toCard * glm::dvec3(leaf.normal));
+    return leaf;
+}
+
+/// Adds leaves of one form to a mesh.
+void addLeaves(const CStraightStem& stem, const std::vector<const CLeaf*>& leaves, const LeafBlade& blade, double size, CMesh& mesh) {
+    for (const CLeaf* leaf : leaves) {
+        const CBladePlacer placer(straight(stem, *leaf), size);
+        const auto first = static_cast<std::uint32_t>(mesh.vertexCount());
+        for (const LeafBlade::Point& point : blade.points) {
+            mesh.positions.push_back(glm::vec3(placer.place(point)));
+            mesh.normals.push_back(glm::vec3(placer.normal(point)));
+            mesh.texCoords.push_back(point.texCoord);
+            mesh.looks.push_back({});
+        }
+        for (const std::uint32_t corner : blade.indices) mesh.indices.push_back(first + corner);
     }
-    return mesh;
+}
+
+/// Kind by kind.
+void addLeaves(Twig& twig, const CStraightStem& stem, const CStem& own, const std::vector<const CLeaf*>& all, const MeshParams& params,
+               double size) {
+    const auto mesh = allocateMesh("leaves", Surface::Leaf, 0, 0);
+    for (std::size_t kind = 0; kind < kLeafKinds; ++kind) {
+        twig.kinds[kind] = mesh->indices.size();
+        std::vector<const CLeaf*> leaves;
+        std::ranges::copy_if(all, std::back_inserter(leaves), [&](const CLeaf* leaf) { return params.kindOf(own, leaf->number) == kind; });
+        addLeaves(stem, leaves, makeBlade(params.formOf(kind), detailOf(Model::Full, 3)), size, *mesh);
+    }
+    twig.kinds[kLeafKinds] = mesh->indices.size();
+    twig.leaves = mesh;
 }
 
 /// The half of the wood that is seen.
@@ -191,9 +208,8 @@ std::shared_ptr<const Twig> twigAt(const TwigPlace& place, const StemSet& twigs,
     const std::vector<const CLeaf*> leaves = leavesAt(place, tree, organs, season.share);
     const Spread spread = spreadOf(CStraightStem(all, own, 0), leaves, season.size);
     const CStraightStem stem(all, own, spread.turn);
-    const LeafBlade blade = makeBlade(params.leaf, detailOf(Model::Full, 3));
     auto twig = std::make_shared<Twig>();
-    twig->leaves = straightLeaves(stem, leaves, blade, season.size);
+    addLeaves(*twig, stem, own, leaves, params, season.size);
     twig->wood = straightWood(stem, params.minRadius, barkOf(place.generation));
     twig->length = stem.length();
     twig->turn = spread.turn;

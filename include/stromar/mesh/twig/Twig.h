@@ -5,6 +5,7 @@
 #include "stromar/tree/SizeBound.h"
 #include "stromar/tree/Tree.h"
 #include "stromar/util/Progress.h"
+#include <array>
 #include <glm/vec2.hpp>
 #include <memory>
 #include <optional>
@@ -15,6 +16,7 @@ namespace stromar {
 /// right, y along the stem from its base, z to the viewer; metres.
 struct Twig {
     std::shared_ptr<const CMesh> wood, leaves;
+    std::array<std::size_t, kLeafKinds + 1> kinds; ///< at which index of `leaves` those of each kind begin, and the end
     glm::dvec2 low, high; ///< what the card shows of x and y
     double length;        ///< of the stem
     double turn;          ///< radians from the stem's own X to z
