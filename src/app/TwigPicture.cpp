@@ -14,7 +14,7 @@ namespace fs = std::filesystem;
 namespace {
 constexpr int kSize = 512;
 constexpr int kSamples = 2;               // of a pixel, each way
-constexpr std::uint64_t kLookVersion = 1; // rises when the same twig is drawn differently
+constexpr std::uint64_t kLookVersion = 4; // rises when the same twig is drawn differently
 constexpr float kWoodRoughness = 0.85f, kLeafRoughness = 0.6f, kLeafThrough = 0.6f;
 
 /// What one surface shows at a place.
@@ -67,7 +67,7 @@ private:
 /// What the camera sees at one sample.
 struct Sample {
     float z = -INFINITY;
-    glm::vec3 albedo, normal;
+    glm::vec3 albedo, under, normal; ///< `under`: what is behind it
     float roughness, through;
 };
 
@@ -130,6 +130,7 @@ private:
         const glm::vec3 relief = look.normal.x * facing.right + look.normal.y * facing.up + look.normal.z * surface;
         sample.z = z;
         sample.albedo = glm::vec3(side < 0 ? look.back : look.front);
+        sample.under = glm::vec3(side < 0 ? look.front : look.back);
         sample.normal = side * relief / std::max(1e-6f, glm::length(relief));
         sample.roughness = look.roughness;
         sample.through = look.through;
@@ -149,7 +150,7 @@ TextureMaps CTwigCamera::picture() const {
         if (std::isfinite(sample.z)) farthest = std::max(farthest, std::abs(sample.z));
     for (int y = 0; y < kSize; ++y)
         for (int x = 0; x < kSize; ++x) {
-            glm::vec3 albedo(0), normal(0);
+            glm::vec3 albedo(0), under(0), normal(0);
             float roughness = 0, through = 0, z = 0, seen = 0;
             for (int i = 0; i < kSamples * kSamples; ++i) {
                 const int row = (kSize - 1 - y) * kSamples + i / kSamples, column = x * kSamples + i % kSamples;
@@ -158,6 +159,7 @@ TextureMaps CTwigCamera::picture() const {
                 if (!std::isfinite(sample.z)) continue;
                 seen += 1;
                 albedo += sample.albedo;
+                under += sample.under;
                 normal += sample.normal;
                 roughness += sample.roughness;
                 through += sample.through;
@@ -167,24 +169,26 @@ TextureMaps CTwigCamera::picture() const {
             const glm::vec3 n = seen > 0 ? glm::normalize(normal + glm::vec3(0, 0, 1e-3f)) : glm::vec3(0, 0, 1);
             maps.albedo.push_back({byteOf(albedo.x * each), byteOf(albedo.y * each), byteOf(albedo.z * each),
                                    byteOf(seen / (kSamples * kSamples))});
+            maps.back.push_back({byteOf(under.x * each), byteOf(under.y * each), byteOf(under.z * each), maps.albedo.back()[3]});
             maps.normal.push_back({byteOf(0.5f + 0.5f * n.x), byteOf(0.5f + 0.5f * n.y), byteOf(0.5f + 0.5f * n.z)});
             maps.roughness.push_back(byteOf(seen > 0 ? roughness * each : kLeafRoughness));
-            maps.translucency.push_back(byteOf(through * each));
+            maps.translucency.push_back(byteOf(seen > 0 ? through * each : kLeafThrough));
             maps.height01.push_back(byteOf(0.5f + 0.5f * z * each / farthest));
         }
     spreadColours(maps.albedo, kSize, kSize);
+    spreadColours(maps.back, kSize, kSize);
     return maps;
 }
 
 bool isPng(const fs::path& file) { return lowerCase(file.extension().string()) == ".png"; }
 
 Look barkLook(const TwigSource& source) {
-    Look look{.front = glm::vec4(source.plainBark, 1), .roughness = kWoodRoughness};
+    Look look{.front = glm::vec4(source.plainBark, 1), .back = glm::vec4(source.plainBark, 1), .roughness = kWoodRoughness};
     if (!isPng(source.bark)) return look;
     glm::vec4 sum(0);
     const TextureMaps maps = readPngs(source.bark);
     for (const auto& pixel : maps.albedo) sum += colour(pixel);
-    look.front = glm::vec4(glm::vec3(sum) / std::max(1.0f, float(maps.albedo.size())), 1);
+    look.front = look.back = glm::vec4(glm::vec3(sum) / std::max(1.0f, float(maps.albedo.size())), 1);
     return look;
 }
 

@@ -61,6 +61,26 @@ TEST_F(TwigPicture, ShowsTheLeavesOfItsTree) {
             ASSERT_EQ(maps.albedo[edge][3], 0);
 }
 
+/// Smaller pictures mix what is opaque with what is not.
+TEST_F(TwigPicture, HasNoDarkEdgesOnEitherSide) {
+    const auto model = create(2);
+    makePictures(*model, m_folder.path(), CProgress());
+    const TextureMaps maps = readPngs(file(*model));
+    ASSERT_EQ(maps.back.size(), maps.albedo.size());
+    const auto light = [](const std::vector<std::array<std::uint8_t, 4>>& pixels, bool opaque) {
+        double sum = 0, count = 0;
+        for (const auto& c : pixels)
+            if ((c[3] > 200) == opaque) sum += c[0] + c[1] + c[2], ++count;
+        return sum / count;
+    };
+    EXPECT_NEAR(light(maps.albedo, false) / light(maps.albedo, true), 1, 0.4);
+    EXPECT_NEAR(light(maps.back, false) / light(maps.back, true), 1, 0.4);
+    for (std::size_t i = 0; i < maps.albedo.size(); ++i)
+        if (maps.albedo[i][3] == 0) {
+            ASSERT_GT(maps.translucency[i], 100) << "light goes through what is left of a leaf";
+        }
+}
+
 TEST_F(TwigPicture, IsOneForAllLevelsOfDetailAndOnlyWhereCardsAre) {
     EXPECT_TRUE(file(*create(0)).empty());
     EXPECT_TRUE(file(*create(1)).empty());
