@@ -2451,28 +2451,8 @@
         <translation>Kolikrát by se obrázek kůry opakoval od paty kmene ke špičce, kdyby zůstal stejně tlustý. Tenčí dřevo jej ukazuje menší, nezkreslený.</translation>
     </message>
     <message>
-        <source>Bark of level 1</source>
-        <translation>Kůra úrovně 1</translation>
-    </message>
-    <message>
         <source>The picture on branches, which have a material of their own then. The trunk shows it where it is as thin as they are. Empty: as the trunk.</source>
         <translation>Obrázek na větvích, které pak mají vlastní materiál. Kmen jej ukazuje tam, kde je stejně tenký jako ony. Prázdné: jako kmen.</translation>
-    </message>
-    <message>
-        <source>Bark of level 2</source>
-        <translation>Kůra úrovně 2</translation>
-    </message>
-    <message>
-        <source>The picture on branches of branches, which have a material of their own then. Thin branches show it too. Empty: as level 1.</source>
-        <translation>Obrázek na větvích větví, které pak mají vlastní materiál. Ukazují jej i tenké větve. Prázdné: jako úroveň 1.</translation>
-    </message>
-    <message>
-        <source>Bark of level 3</source>
-        <translation>Kůra úrovně 3</translation>
-    </message>
-    <message>
-        <source>The picture on level 3 and deeper, which have a material of their own then. Thin stems of level 2 show it too. Empty: as level 2.</source>
-        <translation>Obrázek na úrovni 3 a hlubších, které pak mají vlastní materiál. Ukazují jej i tenké stonky úrovně 2. Prázdné: jako úroveň 2.</translation>
     </message>
     <message>
         <source>curved</source>
@@ -2557,6 +2537,50 @@
     <message>
         <source>The part of the leaves that is of this kind, with a texture or a mesh of its own.</source>
         <translation>Část listů, která je tohoto druhu, s vlastní texturou nebo sítí.</translation>
+    </message>
+    <message>
+        <source>built in</source>
+        <translation>vestavěná</translation>
+    </message>
+    <message>
+        <source>Bark of branches 1</source>
+        <translation>Kůra větví 1</translation>
+    </message>
+    <message>
+        <source>as the trunk</source>
+        <translation>jako kmen</translation>
+    </message>
+    <message>
+        <source>Bark of branches 2</source>
+        <translation>Kůra větví 2</translation>
+    </message>
+    <message>
+        <source>The picture on branches of branches, which have a material of their own then. Thin branches show it too. Empty: as branches 1.</source>
+        <translation>Obrázek na větvích větví, které pak mají vlastní materiál. Ukazují jej i tenké větve. Prázdné: jako větve 1.</translation>
+    </message>
+    <message>
+        <source>as branches 1</source>
+        <translation>jako větve 1</translation>
+    </message>
+    <message>
+        <source>Bark of branches 3</source>
+        <translation>Kůra větví 3</translation>
+    </message>
+    <message>
+        <source>The picture on branches 3 and deeper ones, which have a material of their own then. Thin branches 2 show it too. Empty: as branches 2.</source>
+        <translation>Obrázek na větvích 3 a hlubších, které pak mají vlastní materiál. Ukazují jej i tenké větve 2. Prázdné: jako větve 2.</translation>
+    </message>
+    <message>
+        <source>as branches 2</source>
+        <translation>jako větve 2</translation>
+    </message>
+    <message>
+        <source>as the first kind</source>
+        <translation>jako první druh</translation>
+    </message>
+    <message>
+        <source>none</source>
+        <translation>žádná</translation>
     </message>
 </context>
 <context>
@@ -3131,10 +3155,6 @@
         <translation>Parametry</translation>
     </message>
     <message>
-        <source>built in</source>
-        <translation>vestavěná</translation>
-    </message>
-    <message>
         <source>Load…</source>
         <translation>Načíst…</translation>
     </message>
@@ -3153,10 +3173,6 @@
     <message>
         <source>Texture Workshop…</source>
         <translation>Dílna textur…</translation>
-    </message>
-    <message>
-        <source>none</source>
-        <translation>žádná</translation>
     </message>
     <message>
         <source>Choose a mesh</source>

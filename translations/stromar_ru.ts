@@ -2451,28 +2451,8 @@
         <translation>Сколько раз рисунок коры повторился бы от основания ствола до вершины, если бы тот оставался той же толщины. На тонкой древесине он мельче и не искажён.</translation>
     </message>
     <message>
-        <source>Bark of level 1</source>
-        <translation>Кора уровня 1</translation>
-    </message>
-    <message>
         <source>The picture on branches, which have a material of their own then. The trunk shows it where it is as thin as they are. Empty: as the trunk.</source>
         <translation>Картинка на ветвях, у которых тогда свой материал. Ствол показывает её там, где он так же тонок. Пусто: как ствол.</translation>
-    </message>
-    <message>
-        <source>Bark of level 2</source>
-        <translation>Кора уровня 2</translation>
-    </message>
-    <message>
-        <source>The picture on branches of branches, which have a material of their own then. Thin branches show it too. Empty: as level 1.</source>
-        <translation>Картинка на ветвях ветвей, у которых тогда свой материал. Тонкие ветви тоже показывают её. Пусто: как уровень 1.</translation>
-    </message>
-    <message>
-        <source>Bark of level 3</source>
-        <translation>Кора уровня 3</translation>
-    </message>
-    <message>
-        <source>The picture on level 3 and deeper, which have a material of their own then. Thin stems of level 2 show it too. Empty: as level 2.</source>
-        <translation>Картинка на уровне 3 и глубже, у которых тогда свой материал. Тонкие стебли уровня 2 тоже показывают её. Пусто: как уровень 2.</translation>
     </message>
     <message>
         <source>curved</source>
@@ -2557,6 +2537,50 @@
     <message>
         <source>The part of the leaves that is of this kind, with a texture or a mesh of its own.</source>
         <translation>Часть листьев этого вида, со своей текстурой или сеткой.</translation>
+    </message>
+    <message>
+        <source>built in</source>
+        <translation>встроенная</translation>
+    </message>
+    <message>
+        <source>Bark of branches 1</source>
+        <translation>Кора ветвей 1</translation>
+    </message>
+    <message>
+        <source>as the trunk</source>
+        <translation>как ствол</translation>
+    </message>
+    <message>
+        <source>Bark of branches 2</source>
+        <translation>Кора ветвей 2</translation>
+    </message>
+    <message>
+        <source>The picture on branches of branches, which have a material of their own then. Thin branches show it too. Empty: as branches 1.</source>
+        <translation>Картинка на ветвях ветвей, у которых тогда свой материал. Тонкие ветви тоже показывают её. Пусто: как ветви 1.</translation>
+    </message>
+    <message>
+        <source>as branches 1</source>
+        <translation>как ветви 1</translation>
+    </message>
+    <message>
+        <source>Bark of branches 3</source>
+        <translation>Кора ветвей 3</translation>
+    </message>
+    <message>
+        <source>The picture on branches 3 and deeper ones, which have a material of their own then. Thin branches 2 show it too. Empty: as branches 2.</source>
+        <translation>Картинка на ветвях 3 и глубже, у которых тогда свой материал. Тонкие ветви 2 тоже показывают её. Пусто: как ветви 2.</translation>
+    </message>
+    <message>
+        <source>as branches 2</source>
+        <translation>как ветви 2</translation>
+    </message>
+    <message>
+        <source>as the first kind</source>
+        <translation>как первый вид</translation>
+    </message>
+    <message>
+        <source>none</source>
+        <translation>нет</translation>
     </message>
 </context>
 <context>
@@ -3131,10 +3155,6 @@
         <translation>Параметры</translation>
     </message>
     <message>
-        <source>built in</source>
-        <translation>встроенная</translation>
-    </message>
-    <message>
         <source>Load…</source>
         <translation>Загрузить…</translation>
     </message>
@@ -3153,10 +3173,6 @@
     <message>
         <source>Texture Workshop…</source>
         <translation>Мастерская текстур…</translation>
-    </message>
-    <message>
-        <source>none</source>
-        <translation>нет</translation>
     </message>
     <message>
         <source>Choose a mesh</source>

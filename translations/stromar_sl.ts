@@ -2451,28 +2451,8 @@
         <translation>Kako pogosto bi se slika lubja ponovila od dna debla do vrha, če bi to ostalo enako debelo. Tanjši les jo kaže manjšo, nepopačeno.</translation>
     </message>
     <message>
-        <source>Bark of level 1</source>
-        <translation>Lubje ravni 1</translation>
-    </message>
-    <message>
         <source>The picture on branches, which have a material of their own then. The trunk shows it where it is as thin as they are. Empty: as the trunk.</source>
         <translation>Slika na vejah, ki imajo potem svoj material. Deblo jo kaže, kjer je tako tanko kot one. Prazno: kot deblo.</translation>
-    </message>
-    <message>
-        <source>Bark of level 2</source>
-        <translation>Lubje ravni 2</translation>
-    </message>
-    <message>
-        <source>The picture on branches of branches, which have a material of their own then. Thin branches show it too. Empty: as level 1.</source>
-        <translation>Slika na vejah vej, ki imajo potem svoj material. Kažejo jo tudi tanke veje. Prazno: kot raven 1.</translation>
-    </message>
-    <message>
-        <source>Bark of level 3</source>
-        <translation>Lubje ravni 3</translation>
-    </message>
-    <message>
-        <source>The picture on level 3 and deeper, which have a material of their own then. Thin stems of level 2 show it too. Empty: as level 2.</source>
-        <translation>Slika na ravni 3 in globlje, ki ima potem svoj material. Kažejo jo tudi tanka stebla ravni 2. Prazno: kot raven 2.</translation>
     </message>
     <message>
         <source>curved</source>
@@ -2557,6 +2537,50 @@
     <message>
         <source>The part of the leaves that is of this kind, with a texture or a mesh of its own.</source>
         <translation>Del listov, ki je te vrste, s svojo teksturo ali mrežo.</translation>
+    </message>
+    <message>
+        <source>built in</source>
+        <translation>vgrajena</translation>
+    </message>
+    <message>
+        <source>Bark of branches 1</source>
+        <translation>Lubje vej 1</translation>
+    </message>
+    <message>
+        <source>as the trunk</source>
+        <translation>kot deblo</translation>
+    </message>
+    <message>
+        <source>Bark of branches 2</source>
+        <translation>Lubje vej 2</translation>
+    </message>
+    <message>
+        <source>The picture on branches of branches, which have a material of their own then. Thin branches show it too. Empty: as branches 1.</source>
+        <translation>Slika na vejah vej, ki imajo potem svoj material. Kažejo jo tudi tanke veje. Prazno: kot veje 1.</translation>
+    </message>
+    <message>
+        <source>as branches 1</source>
+        <translation>kot veje 1</translation>
+    </message>
+    <message>
+        <source>Bark of branches 3</source>
+        <translation>Lubje vej 3</translation>
+    </message>
+    <message>
+        <source>The picture on branches 3 and deeper ones, which have a material of their own then. Thin branches 2 show it too. Empty: as branches 2.</source>
+        <translation>Slika na vejah 3 in globljih, ki imajo potem svoj material. Kažejo jo tudi tanke veje 2. Prazno: kot veje 2.</translation>
+    </message>
+    <message>
+        <source>as branches 2</source>
+        <translation>kot veje 2</translation>
+    </message>
+    <message>
+        <source>as the first kind</source>
+        <translation>kot prva vrsta</translation>
+    </message>
+    <message>
+        <source>none</source>
+        <translation>brez</translation>
     </message>
 </context>
 <context>
@@ -3131,10 +3155,6 @@
         <translation>Parametri</translation>
     </message>
     <message>
-        <source>built in</source>
-        <translation>vgrajena</translation>
-    </message>
-    <message>
         <source>Load…</source>
         <translation>Naloži…</translation>
     </message>
@@ -3153,10 +3173,6 @@
     <message>
         <source>Texture Workshop…</source>
         <translation>Delavnica tekstur…</translation>
-    </message>
-    <message>
-        <source>none</source>
-        <translation>brez</translation>
     </message>
     <message>
         <source>Choose a mesh</source>

@@ -151,6 +151,7 @@ struct ParamInfo {
     std::string_view overLabel{}; ///< what x is
     // Of a text.
     std::string_view recipes{}; ///< of a file: what is built in, recipes of pictures "bark" or "leaf", or "mesh"
+    std::string_view whenEmpty{}; ///< of a file: what there is without one (marked for translation)
     bool block = false;         ///< of several lines, between """ in files
     bool shown = true;          ///< as a row of the panel
 

@@ -253,7 +253,7 @@ void CParamPanel::addText(const ParamRef& ref) {
 }
 
 QWidget* CParamPanel::makePathEditor(const ParamRef& ref, QLineEdit* line) {
-    line->setPlaceholderText(ref.info->picture() ? tr("built in") : tr("none"));
+    line->setPlaceholderText(trText(ref.info->whenEmpty));
     line->setClearButtonEnabled(true);
     auto* row = new QWidget;
     auto* layout = new QHBoxLayout(row);
