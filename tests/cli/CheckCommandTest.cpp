@@ -39,7 +39,7 @@ TEST(ExportCommand, TakesEveryRowOfTheTableOfChoices) {
                                  "one-file", "--scale", "100", "--up", "y", "--textures", "copy"}));
     EXPECT_EQ(run.status, 0) << run.err;
     std::set<std::string> expected{"a.glb"};
-    for (const char* surface : {"bark", "leaf", "twig"})
+    for (const char* surface : {"bark", "bark_1", "bark_2", "leaf", "twig"})
         for (const char* map : {"", "_normal", "_roughness"})
             expected.insert("a_" + std::string(surface) + map + ".png");
     EXPECT_EQ(folder.names(), expected);

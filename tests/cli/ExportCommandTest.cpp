@@ -60,7 +60,7 @@ TEST(ExportCommand, WritesIntoTheCurrentFolder) {
     const CTemporaryFolder folder;
     const ProcessResult run = cli(exportTo("here.obj"), {.folder = folder.path().string()});
     EXPECT_EQ(run.status, 0) << run.err;
-    EXPECT_EQ(folder.names(), (std::set<std::string>{"here.obj", "here.mtl", "here_bark.png", "here_leaf.png"}));
+    EXPECT_EQ(folder.names(), (std::set<std::string>{"here.obj", "here.mtl", "here_bark.png", "here_bark_1.png", "here_bark_2.png", "here_leaf.png"}));
 }
 
 TEST(ExportCommand, FindsPicturesFromTheTreesFolder) {

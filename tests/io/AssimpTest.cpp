@@ -1,5 +1,6 @@
 // Models read back by assimp, which has readers of its own for these formats.
 #include "io/ExportedModels.h"
+#include "mesh/SampleTrees.h"
 #include <assimp/Importer.hpp>
 #include <assimp/postprocess.h>
 #include <assimp/scene.h>
@@ -136,6 +137,23 @@ TEST_P(AssimpReads, EveryCornerInItsPlace) {
         ASSERT_LE(glm::distance(got.corners[i].position, corner.position), tolerance) << "corner " << i;
         ASSERT_LE(glm::distance(got.corners[i].texCoord, corner.texCoord), 1e-5f) << "corner " << i;
         ASSERT_EQ(got.materials[i / 3], i + leafCorners < wanted.size() ? "bark" : "leaf") << "corner " << i;
+    }
+}
+
+TEST(AssimpReadsBarks, ByLevel) {
+    CParams params = preset("quaking_aspen");
+    ASSERT_FALSE(params.text.bark1Texture.empty() || params.text.bark2Texture.empty());
+    const auto model = CTreeCreator().create(params, detailOf(Model::Simple), CProgress(2));
+    for (const std::string& ending : kAssimp.endings) {
+        const ReadModel got = read(CExported(*model, ending).path());
+        std::map<std::string, std::size_t> triangles;
+        for (const std::string& material : got.materials) ++triangles[material];
+        const std::map<std::string, std::size_t> wanted{{"bark", model->stems[0]->triangleCount()},
+                                                        {"bark_1", model->stems[1]->triangleCount()},
+                                                        {"bark_2", model->stems[2]->triangleCount()},
+                                                        {"leaf", model->leaves()->triangleCount()}};
+        EXPECT_EQ(triangles, wanted) << ending;
+        EXPECT_EQ(got.textures.size(), 4u) << ending;
     }
 }
 

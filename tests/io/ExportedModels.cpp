@@ -16,7 +16,9 @@ const ForeignReader kOsg{"osgDB in another process",
 const ForeignReader kPovRay{"POV-Ray", {".pov"}};
 
 namespace {
-std::shared_ptr<const TreeModel> create(const CParams& params, const Detail& detail) {
+/// With one bark for all stems.
+std::shared_ptr<const TreeModel> create(CParams params, const Detail& detail) {
+    params.text.bark1Texture = params.text.bark2Texture = params.text.bark3Texture = "";
     return CTreeCreator().create(params, detail, CProgress(2));
 }
 

@@ -28,6 +28,8 @@ const std::map<std::string, double>& specified() {
                                           {"LeafWhorl", 1},       {"LeafPlanes", 1},
                                           {"Season", 7},          {"Evergreen", 0},
                                           {"Flexibility", 1}, {"LeafColourV", 0.5},
+                                          {"Leaf2Share", 0},      {"Leaf3Share", 0},
+                                          {"Leaf4Share", 0},
                                           {"Trunks", 1},          {"TrunksSpread", 0.2},
                                           {"TrunksLean", 10},     {"Blossoms", 0},
                                           {"BlossomScale", 0.05}, {"BlossomMonth", 4.5},
@@ -182,6 +184,7 @@ TEST(InvalidationOf, EveryRowNamesItsStage) {
     const std::vector<std::string> mesh{
         "MinRadius",  "Lobes",    "LobeDepth", "LobeFade",     "Roots",         "RootReach",    "RootHeight",
         "LeafShape",  "LeafForm", "LeafStalk", "LeafFold",     "LeafRounding",  "TextureWrapX", "TextureWrapY",
+        "Leaf2Share", "Leaf3Share", "Leaf4Share",
         "LeafPlanes", "Season",   "Evergreen", "BlossomMonth", "BlossomPlanes", "FruitStalk",   "FruitMonth"};
     const auto in = [](const std::vector<std::string>& list, const std::string& key) {
         return std::ranges::find(list, key) != list.end();
