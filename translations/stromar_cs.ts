@@ -2483,8 +2483,8 @@
         <translation>Síť</translation>
     </message>
     <message>
-        <source>A mesh in place of a card: mesh:curved and the like, or a file (.obj, .glb …) whose foot is the origin; its path starts at the file&apos;s folder. The leaf texture lies on it by its texture coordinates.</source>
-        <translation>Síť místo karty: mesh:curved a podobné, nebo soubor (.obj, .glb …), jehož pata je počátek; cesta začíná ve složce souboru. Textura listu na ní leží podle jejích texturovacích souřadnic.</translation>
+        <source>A mesh in place of a card: mesh:curved and the like, or a file (.obj, .glb) whose foot is the origin; its path starts at the file&apos;s folder. The leaf texture lies on it by its texture coordinates.</source>
+        <translation>Síť místo karty: mesh:curved a podobné, nebo soubor (.obj, .glb), jehož pata je počátek; cesta začíná ve složce souboru. Textura listu na ní leží podle jejích texturovacích souřadnic.</translation>
     </message>
     <message>
         <source>Leaf texture 2</source>
@@ -2823,8 +2823,8 @@
         <translation>Uložit změny v %1?</translation>
     </message>
     <message>
-        <source>Meshes (*.obj *.glb *.gltf *.fbx *.dae *.ply *.stl);;All files (*)</source>
-        <translation>Sítě (*.obj *.glb *.gltf *.fbx *.dae *.ply *.stl);;Všechny soubory (*)</translation>
+        <source>Meshes (*.obj *.glb);;All files (*)</source>
+        <translation>Sítě (*.obj *.glb);;Všechny soubory (*)</translation>
     </message>
 </context>
 <context>

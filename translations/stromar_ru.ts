@@ -2483,8 +2483,8 @@
         <translation>Сетка</translation>
     </message>
     <message>
-        <source>A mesh in place of a card: mesh:curved and the like, or a file (.obj, .glb …) whose foot is the origin; its path starts at the file&apos;s folder. The leaf texture lies on it by its texture coordinates.</source>
-        <translation>Сетка вместо карточки: mesh:curved и подобные, или файл (.obj, .glb …), основание которого — начало координат; путь начинается в папке файла. Текстура листа ложится по её текстурным координатам.</translation>
+        <source>A mesh in place of a card: mesh:curved and the like, or a file (.obj, .glb) whose foot is the origin; its path starts at the file&apos;s folder. The leaf texture lies on it by its texture coordinates.</source>
+        <translation>Сетка вместо карточки: mesh:curved и подобные, или файл (.obj, .glb), основание которого — начало координат; путь начинается в папке файла. Текстура листа ложится по её текстурным координатам.</translation>
     </message>
     <message>
         <source>Leaf texture 2</source>
@@ -2823,8 +2823,8 @@
         <translation>Сохранить изменения в %1?</translation>
     </message>
     <message>
-        <source>Meshes (*.obj *.glb *.gltf *.fbx *.dae *.ply *.stl);;All files (*)</source>
-        <translation>Сетки (*.obj *.glb *.gltf *.fbx *.dae *.ply *.stl);;Все файлы (*)</translation>
+        <source>Meshes (*.obj *.glb);;All files (*)</source>
+        <translation>Сетки (*.obj *.glb);;Все файлы (*)</translation>
     </message>
 </context>
 <context>

@@ -2483,8 +2483,8 @@
         <translation>Mreža</translation>
     </message>
     <message>
-        <source>A mesh in place of a card: mesh:curved and the like, or a file (.obj, .glb …) whose foot is the origin; its path starts at the file&apos;s folder. The leaf texture lies on it by its texture coordinates.</source>
-        <translation>Mreža namesto ploskve: mesh:curved in podobne ali datoteka (.obj, .glb …), katere vznožje je izhodišče; pot se začne v mapi datoteke. Tekstura lista leži na njej po njenih koordinatah teksture.</translation>
+        <source>A mesh in place of a card: mesh:curved and the like, or a file (.obj, .glb) whose foot is the origin; its path starts at the file&apos;s folder. The leaf texture lies on it by its texture coordinates.</source>
+        <translation>Mreža namesto ploskve: mesh:curved in podobne ali datoteka (.obj, .glb), katere vznožje je izhodišče; pot se začne v mapi datoteke. Tekstura lista leži na njej po njenih koordinatah teksture.</translation>
     </message>
     <message>
         <source>Leaf texture 2</source>
@@ -2823,8 +2823,8 @@
         <translation>Shranim spremembe v %1?</translation>
     </message>
     <message>
-        <source>Meshes (*.obj *.glb *.gltf *.fbx *.dae *.ply *.stl);;All files (*)</source>
-        <translation>Mreže (*.obj *.glb *.gltf *.fbx *.dae *.ply *.stl);;Vse datoteke (*)</translation>
+        <source>Meshes (*.obj *.glb);;All files (*)</source>
+        <translation>Mreže (*.obj *.glb);;Vse datoteke (*)</translation>
     </message>
 </context>
 <context>

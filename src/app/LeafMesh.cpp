@@ -11,6 +11,8 @@ namespace stromar {
 namespace fs = std::filesystem;
 
 namespace {
+constexpr std::size_t kKept = 16; // files
+
 /// What was read of a file, and when that was written.
 struct ReadMesh {
     fs::file_time_type written;
@@ -23,6 +25,7 @@ std::shared_ptr<const LeafBlade> meshIn(const fs::path& file) {
     std::error_code problem; // reading says it better
     const fs::file_time_type written = fs::last_write_time(file, problem);
     const std::lock_guard lock(mutex);
+    if (known.size() > kKept) known.clear();
     ReadMesh& own = known[file];
     if (!own.mesh || own.written != written) own = {written, std::make_shared<const LeafBlade>(readLeafMesh(file))};
     return own.mesh;

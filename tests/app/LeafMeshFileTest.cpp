@@ -124,9 +124,65 @@ TEST_F(LeafMeshFile, SaysWhatIsWrong) {
         many += "f " + std::to_string(3 * i + 1) + " " + std::to_string(3 * i + 2) + " " + std::to_string(3 * i + 3) + "\n";
     keep(many, "many.obj");
     m_params.text.leafMesh = "many.obj";
-    EXPECT_NE(fault().find("24000 vertices"), std::string::npos) << fault();
+    EXPECT_NE(fault().find("at most 20000 vertices"), std::string::npos) << fault();
+    m_params.text.leafMesh = "leaf.fbx";
+    EXPECT_NE(fault().find("neither .obj nor .glb"), std::string::npos) << fault();
     m_params.text.leafMesh = "mesh:kite";
     EXPECT_NE(fault().find("mesh:curved"), std::string::npos) << fault();
+}
+
+/// A .glb of one triangle that `meshes` primitives refer to, and `nodes` nodes to them.
+std::string glb(std::size_t meshes, std::size_t nodes, std::size_t count = 3) {
+    const float points[] = {0, 0, 0, 1, 4, 0, -1, 4, 0};
+    std::string primitives, all, roots;
+    for (std::size_t i = 0; i < meshes; ++i) primitives += std::string(i ? "," : "") + R"({"attributes":{"POSITION":0}})";
+    for (std::size_t i = 0; i < nodes; ++i) {
+        all += std::string(i ? "," : "") + R"({"mesh":0,"translation":[0,0,0.001]})";
+        roots += (i ? "," : "") + std::to_string(i);
+    }
+    std::string json = R"({"asset":{"version":"2.0"},"scene":0,"scenes":[{"nodes":[)" + roots + R"(]}],"nodes":[)" + all +
+                       R"(],"meshes":[{"primitives":[)" + primitives + R"(]}],"buffers":[{"byteLength":36}],"bufferViews":[{"buffer":0,)" +
+                       R"("byteOffset":0,"byteLength":36}],"accessors":[{"bufferView":0,"componentType":5126,"count":)" + std::to_string(count) +
+                       R"(,"type":"VEC3","min":[-1,0,0],"max":[1,4,0]}]})";
+    json.resize((json.size() + 3) / 4 * 4, ' ');
+    const auto word = [](std::size_t value) {
+        const auto small = static_cast<std::uint32_t>(value);
+        return std::string(reinterpret_cast<const char*>(&small), 4);
+    };
+    return "glTF" + word(2) + word(12 + 8 + json.size() + 8 + 36) + word(json.size()) + "JSON" + json + word(36) + std::string("BIN\0", 4) +
+           std::string(reinterpret_cast<const char*>(points), 36);
+}
+
+/// A few bytes can stand for more than there is memory.
+TEST_F(LeafMeshFile, DoesNotGrowBeyondItsLimit) {
+    const auto read = [&](const std::string& bytes, const std::string& name) {
+        keep(bytes, name);
+        m_params.text.leafMesh = name;
+        return fault();
+    };
+    EXPECT_EQ(read(glb(1, 1), "one.glb"), "");
+    EXPECT_EQ(leafMeshOf(m_params)->points.size(), 3u);
+    EXPECT_EQ(read(glb(2, 50), "fifty.glb"), "");
+    EXPECT_EQ(leafMeshOf(m_params)->points.size(), 300u) << "as often as it stands there";
+    EXPECT_NE(read(glb(10, 3000), "nodes.glb").find("at most 20000 vertices"), std::string::npos);
+    EXPECT_NE(read(glb(1, 1, 4'000'000'000), "count.glb").find("too large"), std::string::npos);
+    EXPECT_NE(read(glb(400'000, 1), "meshes.glb").find("too large"), std::string::npos);
+    EXPECT_NE(read(glb(1, 1).substr(0, 30), "cut.glb"), "");
+    std::string deep = glb(1, 1);
+    deep.replace(deep.find(R"("asset")"), 0, R"("extras":)" + std::string(200'000, '[') + std::string(200'000, ']') + ",");
+    const auto length = static_cast<std::uint32_t>(deep.size() - 20 - 8 - 36);
+    deep.replace(12, 4, std::string(reinterpret_cast<const char*>(&length), 4));
+    EXPECT_NE(read(deep, "deep.glb").find("too large"), std::string::npos);
+    EXPECT_NE(read(Kite().obj() + std::string(5 << 20, '#'), "long.obj").find("too large"), std::string::npos);
+    EXPECT_EQ(read("mtllib /dev/zero\n" + Kite().obj(), "other.obj"), "") << "no other file is opened";
+}
+
+TEST_F(LeafMeshFile, AFileKeepsItsWidthABuiltInOneDoesNot) {
+    const ParamRef width = *findParam("LeafScaleX");
+    EXPECT_NE(inactiveReason(width, m_params), "");
+    m_params.common.leafShare2 = 0.5;
+    m_params.text.leaf2Mesh = "mesh:curved";
+    EXPECT_EQ(inactiveReason(width, m_params), "") << "of the second kind";
 }
 
 TEST_F(LeafMeshFile, ABuiltInOneNeedsNoFile) {

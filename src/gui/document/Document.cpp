@@ -1,5 +1,6 @@
 #include "document/Document.h"
 #include "window/QtText.h"
+#include "stromar/params/BuiltInMesh.h"
 #include "stromar/texture/Draw.h"
 #include <QFileInfo>
 #include <QUndoCommand>
@@ -12,7 +13,7 @@ namespace fs = std::filesystem;
 
 namespace {
 /// Not built in.
-bool isPath(const std::string& text) { return !text.empty() && !isRecipe(text) && !text.starts_with("mesh:"); }
+bool isPath(const std::string& text) { return !text.empty() && !isRecipe(text) && !isBuiltInMesh(text); }
 
 /// The values that name files.
 std::vector<ParamRef> filesIn(const CParams& params) {

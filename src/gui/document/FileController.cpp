@@ -156,7 +156,7 @@ void CFileController::chooseFile(const ParamRef& text) {
     const QString path = QFileDialog::getOpenFileName(
         m_window, trText(text.info->label), start,
         text.info->picture() ? tr("Pictures (*.png *.jpg *.jpeg *.tga *.tif *.tiff *.bmp);;All files (*)")
-                             : tr("Meshes (*.obj *.glb *.gltf *.fbx *.dae *.ply *.stl);;All files (*)"));
+                             : tr("Meshes (*.obj *.glb);;All files (*)"));
     if (!path.isEmpty()) setFile(text, path);
 }
 

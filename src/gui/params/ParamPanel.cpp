@@ -6,6 +6,7 @@
 #include "params/ParamRow.h"
 #include "window/QtText.h"
 #include "stromar/mesh/LeafMeshes.h"
+#include "stromar/params/BuiltInMesh.h"
 #include "stromar/texture/Draw.h"
 #include <QAbstractButton>
 #include <QApplication>
@@ -280,7 +281,7 @@ QMenu* CParamPanel::makeBuiltInMenu(const ParamRef& ref, QWidget* parent) {
         menu->addAction(trText(label), this, [this, ref, text] { emit edited(ref, text, 0); });
     };
     if (!ref.info->picture()) {
-        for (const BuiltInLeaf& leaf : builtInLeaves()) add(leaf.label, "mesh:" + std::string(leaf.name));
+        for (const BuiltInLeaf& leaf : builtInLeaves()) add(leaf.label, std::string(kBuiltInMesh) + std::string(leaf.name));
         return menu;
     }
     const std::size_t start = ref.info->recipes.size() + 1;

@@ -1,4 +1,5 @@
 #include "stromar/mesh/LeafMeshes.h"
+#include "stromar/params/BuiltInMesh.h"
 #include "stromar/util/Error.h"
 #include "stromar/util/Translatable.h"
 #include <algorithm>
@@ -13,7 +14,6 @@
 namespace stromar {
 
 namespace {
-constexpr std::string_view kBook = "mesh:";
 constexpr int kAcross = 4, kAlong = 6; // cells of a built-in blade
 
 /// Height over a place of the card: x −0.5 .. 0.5 and y 0 .. 1. In parts of the width.
@@ -84,11 +84,11 @@ glm::dmat3 axesOf(const LeafBlade& mesh, const Box& box) {
 std::span<const BuiltInLeaf> builtInLeaves() { return kBuiltIn; }
 
 const BuiltInLeaf* builtInLeaf(std::string_view name) {
-    if (!name.starts_with(kBook)) return nullptr;
-    const auto found = std::ranges::find(kBuiltIn, name.substr(kBook.size()), &BuiltInLeaf::name);
+    if (!isBuiltInMesh(name)) return nullptr;
+    const auto found = std::ranges::find(kBuiltIn, name.substr(kBuiltInMesh.size()), &BuiltInLeaf::name);
     if (found != std::end(kBuiltIn)) return found;
     std::string known;
-    for (const BuiltInLeaf& leaf : kBuiltIn) known += (known.empty() ? "" : ", ") + std::string(kBook) + std::string(leaf.name);
+    for (const BuiltInLeaf& leaf : kBuiltIn) known += (known.empty() ? "" : ", ") + std::string(kBuiltInMesh) + std::string(leaf.name);
     throw CError("there is no " + std::string(name) + "; there are " + known);
 }
 

@@ -1,4 +1,5 @@
 #include "CommonTable.h"
+#include "stromar/params/BuiltInMesh.h"
 #include "stromar/util/Translatable.h"
 #include <algorithm>
 #include <array>
@@ -38,7 +39,7 @@ constexpr Inactive kNeedsRoots = [](const CParams& p, int) -> string_view {
 constexpr string_view kHasMesh = N_("The leaf has a mesh of its own.");
 constexpr Inactive kNeedsNoMesh = [](const CParams& p, int) { return p.text.leafMesh.empty() ? string_view() : kHasMesh; };
 constexpr Inactive kNeedsNoFile = [](const CParams& p, int) {
-    return p.text.leafMesh.empty() || p.text.leafMesh.starts_with("mesh:") ? string_view() : N_("The mesh keeps its proportions.");
+    return hasLeavesOfAnyWidth(p) ? string_view() : N_("The mesh keeps its proportions.");
 };
 constexpr Inactive kNeedsOutline = [](const CParams& p, int) -> string_view {
     if (!p.text.leafMesh.empty()) return kHasMesh;
@@ -89,7 +90,7 @@ constexpr ParamInfo kTexts[] = {
     {.key = "Leaf4Texture", .label = N_("Leaf texture 4"), .group = Group::Textures, .section = N_("Leaves"), .field = field<&TextParams::leaf4Texture>,
      .invalidates = kPictures, .help = N_("The picture on leaves of this kind, which have a material of their own then. Empty: as the first kind."), .recipes = "leaf", .whenEmpty = N_("as the first kind")},
     {.key = "LeafMesh", .label = N_("Mesh"), .group = Group::Leaves, .section = N_("Blade"), .field = field<&TextParams::leafMesh>,
-     .invalidates = kLeafMesh, .help = N_("A mesh in place of a card: mesh:curved and the like, or a file (.obj, .glb …) whose foot is the origin; its path starts at the file's folder. The leaf texture lies on it by its texture coordinates."), .recipes = "mesh", .whenEmpty = N_("none")},
+     .invalidates = kLeafMesh, .help = N_("A mesh in place of a card: mesh:curved and the like, or a file (.obj, .glb) whose foot is the origin; its path starts at the file's folder. The leaf texture lies on it by its texture coordinates."), .recipes = "mesh", .whenEmpty = N_("none")},
     {.key = "Leaf2Mesh", .label = N_("Mesh 2"), .group = Group::Leaves, .section = N_("Kinds"), .field = field<&TextParams::leaf2Mesh>,
      .invalidates = kLeafMesh, .help = N_("The mesh of leaves of this kind. Empty: as the first kind."), .recipes = "mesh", .whenEmpty = N_("as the first kind")},
     {.key = "Leaf3Mesh", .label = N_("Mesh 3"), .group = Group::Leaves, .section = N_("Kinds"), .field = field<&TextParams::leaf3Mesh>,
