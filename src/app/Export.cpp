@@ -3,6 +3,7 @@
 #include "stromar/app/Formats.h"
 #include "stromar/params/ParamTable.h"
 #include "stromar/mesh/VoxelMesh.h"
+#include "stromar/model/JoinedModel.h"
 #include "stromar/model/MeshValues.h"
 #include "stromar/model/ModelSway.h"
 #include "stromar/texture/TextureMaps.h"
@@ -159,6 +160,14 @@ std::vector<std::shared_ptr<const TreeModel>> makeLods(CTreeCreator& creator, co
     return lods;
 }
 
+/// As files show them: the wood in one piece.
+std::vector<std::shared_ptr<const TreeModel>> joinedLods(std::vector<std::shared_ptr<const TreeModel>> lods, const ExportOptions& options,
+                                                         const CProgress& progress) {
+    if (!isSolid(options))
+        for (auto& lod : lods) lod = joined(lod, progress);
+    return lods;
+}
+
 /// What of a model goes into the file.
 Meshes meshesFor(const TreeModel& model, const ExportOptions& options, const CProgress& progress) {
     if (!isSolid(options)) return model.meshes(progress);
@@ -176,7 +185,7 @@ public:
         if (!m_motion.sways()) return;
         CTreeCreator creator(m_varied, m_limits);
         creator.setAge(age);
-        m_lods = makeLods(creator, m_params, m_options, progress);
+        m_lods = joinedLods(makeLods(creator, m_params, m_options, progress), m_options, progress);
         for (const auto& lod : m_lods) m_moving.emplace_back(lod, m_motion, progress);
     }
 
@@ -187,7 +196,7 @@ public:
         if (!m_motion.sways()) {
             std::unique_ptr<CTreeCreator> creator = takeCreator();
             creator->setAge(moment.age);
-            pose.lods = makeLods(*creator, m_params, m_options, progress);
+            pose.lods = joinedLods(makeLods(*creator, m_params, m_options, progress), m_options, progress);
             giveBack(std::move(creator));
             for (const auto& lod : pose.lods) pose.meshes.push_back(meshesFor(*lod, m_options, progress));
             return pose;
@@ -233,10 +242,10 @@ int workersFor(const CParams& params, const ExportOptions& options, const SizeLi
 void exportModels(const std::vector<std::shared_ptr<const TreeModel>>& lods, const ExportOptions& options,
                   const fs::path& treeFolder, const fs::path& path, const CProgress& progress, const Motion& motion) {
     refuseUnless(options, formatOf(path), path);
-    Pose pose{lods, {}, {}};
+    Pose pose{joinedLods(lods, options, progress), {}, {}};
     const bool carriesWind = options.wind != static_cast<int>(ExportedWind::None);
     for (std::size_t i = 0; carriesWind && i < lods.size(); ++i) {
-        pose.sways.push_back(CMovingModel(lods[i], motion, progress).sway());
+        pose.sways.push_back(CMovingModel(pose.lods[i], motion, progress).sway());
         pose.lods[i] = pose.sways[i]->model; // perhaps felled
     }
     for (const auto& lod : pose.lods) pose.meshes.push_back(meshesFor(*lod, options, progress));
@@ -271,7 +280,7 @@ std::vector<std::shared_ptr<const TreeModel>> exportTree(CTreeCreator& creator, 
                                                          const fs::path& path, const CProgress& progress,
                                                          const std::shared_ptr<const TreeModel>& ready, const Motion& motion) {
     refuseUnless(options, formatOf(path), path); // before anything grows
-    const auto lods = makeLods(creator, params, options, progress, ready);
+    const auto lods = joinedLods(makeLods(creator, params, options, progress, ready), options, progress);
     exportModels(lods, options, treeFolder, path, progress, motion);
     return lods;
 }

@@ -7,6 +7,7 @@
 #include "stromar/mesh/check/Crossings.h"
 #include "stromar/mesh/check/MeshCheck.h"
 #include "stromar/mesh/VoxelMesh.h"
+#include "stromar/model/JoinedModel.h"
 #include "stromar/model/MeshValues.h"
 #include "stromar/params/TreeFile.h"
 #include "stromar/texture/Draw.h"
@@ -275,7 +276,8 @@ bool checkMeshes(const CommonOptions& common, const ModelOptions& options, const
         out << (sound ? "all sound\n" : "something is wrong\n");
         return sound;
     }
-    const auto all = meshAllStems(*model->tree, meshParamsOf(model->params), options.detail(), progress);
+    std::vector<StemMesh> all;
+    for (std::size_t g = 0; g < model->stems.size(); ++g) all.push_back(planned(*model, g, g > 0 ? &all.back() : nullptr, progress));
     printFaultsHead(out);
     bool sound = true;
     for (std::size_t g = 0; g < all.size(); ++g) {
@@ -283,12 +285,15 @@ bool checkMeshes(const CommonOptions& common, const ModelOptions& options, const
         const MeshFaults faults = checkStems(*model->tree, static_cast<int>(g), all[g], g > 0 ? &all[g - 1] : nullptr);
         sound &= printFaults(all[g].mesh->name, faults, out);
     }
+    const JoinedStems whole = joinStems(*model->tree, all, progress);
+    sound &= printFaults("all wood", checkJoined(whole, all), out);
     for (std::size_t kind = 0; kind < kLeafKinds; ++kind) {
         const COrganMesh& leaves = *model->leaves(kind);
         if (leaves.count() > 0 || (kind == 0 && !model->cards))
             sound &= printFaults(leaves.name(), checkLeaves(*leaves.expanded(progress)), out);
     }
     if (model->cards) sound &= printFaults(model->cards->name, checkLeaves(*model->cards), out);
+    out << whole.joined << " branches are one surface with their parents, " << whole.apart << " have a lid inside the wood\n";
     out << countCrossings(*model->tree, progress) << " pairs of stems that are not parent and child run through each other\n";
     out << (sound ? "all sound\n" : "something is wrong\n");
     return sound;

@@ -1,4 +1,5 @@
 #include "stromar/model/ModelSway.h"
+#include "stromar/model/JoinedModel.h"
 #include "stromar/model/MeshValues.h"
 #include <algorithm>
 #include <cassert>
@@ -38,24 +39,34 @@ private:
     }
 
     bool isKnown(std::size_t g) const {
-        return nodesAreKnown(g) && g < m_known->stems.size() && m_known->model->stems[g] == m_model.stems[g];
+        return !m_model.joints && nodesAreKnown(g) && g < m_known->stems.size() && m_known->model->stems[g] == m_model.stems[g];
     }
 
     void addStems() {
-        std::size_t planned = m_model.stems.size();
-        while (planned > 0 && isKnown(planned - 1)) --planned;
+        const Meshes& stems = m_model.joints ? m_model.joints->apart : m_model.stems;
+        std::size_t count = stems.size();
+        while (count > 0 && isKnown(count - 1)) --count;
         StemMesh below;
-        for (std::size_t g = 0; g < m_model.stems.size(); ++g) {
-            const auto& mesh = m_model.stems[g];
-            StemMesh own;
-            if (g < planned)
-                own = {planRings(*m_model.tree, static_cast<int>(g), m_mesh, *m_model.detail, g > 0 ? &below : nullptr,
-                                 m_progress, m_cards),
-                       mesh};
-            assert(g >= planned || own.plan.vertexCount == mesh->vertexCount());
-            m_sway.stems.push_back(isKnown(g) ? m_known->stems[g]
-                                              : shared(swayOfStems(*m_sway.table, g, own.plan, *mesh, m_progress)));
+        for (std::size_t g = 0; g < stems.size(); ++g) {
+            if (g >= count) {
+                m_sway.stems.push_back(m_known->stems[g]);
+                continue;
+            }
+            StemMesh own = planned(m_model, g, g > 0 ? &below : nullptr, m_progress);
+            m_sway.stems.push_back(isKnown(g) ? m_known->stems[g] : shared(swayOfStems(*m_sway.table, g, own.plan, *own.mesh, m_progress)));
             below = std::move(own);
+        }
+        if (m_model.joints) joinStems();
+    }
+
+    /// The vertices of joined wood hang where those do that they come from.
+    void joinStems() {
+        const auto apart = std::move(m_sway.stems);
+        m_sway.stems.clear();
+        for (const std::vector<VertexSource>& sources : m_model.joints->sources) {
+            SwayPlaces places;
+            for (const VertexSource& source : sources) places.push_back((*apart[source.generation])[source.vertex]);
+            m_sway.stems.push_back(shared(std::move(places)));
         }
     }
 

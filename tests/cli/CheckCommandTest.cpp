@@ -8,7 +8,7 @@ TEST(CheckCommand, APresetIsSoundAtEveryLevelOfDetail) {
         const ProcessResult run = cli({"check", kAspen, "--lod", lod});
         EXPECT_EQ(run.status, 0) << run.out << run.err;
         const bool cards = std::string_view(lod) >= "2";
-        for (const char* row : {"mesh", "trunk", "branches 1", "tilted normals", "all sound"})
+        for (const char* row : {"mesh", "trunk", "branches 1", "all wood", "tilted normals", "are one surface with their parents, 0 have", "all sound"})
             EXPECT_NE(run.out.find(row), std::string::npos) << row;
         for (const char* row : {"branches 2", "leaves"})
             EXPECT_EQ(run.out.find(row) == std::string::npos, cards) << row;

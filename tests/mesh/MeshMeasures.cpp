@@ -1,6 +1,9 @@
 #include "mesh/MeshMeasures.h"
+#include <array>
+#include <cmath>
 #include <cstring>
 #include <glm/geometric.hpp>
+#include <map>
 
 namespace stromar::test {
 
@@ -45,6 +48,26 @@ std::size_t invertedSurfaces(const MeshPlan& plan, const CMesh& mesh) {
         if (!(signedVolume(mesh, first, end - first) > 0)) ++inverted;
     }
     return inverted;
+}
+
+namespace {
+using Point = std::array<long, 3>;
+Point rounded(const glm::vec3& p) { return {std::lround(p.x * 1e5), std::lround(p.y * 1e5), std::lround(p.z * 1e5)}; }
+} // namespace
+
+std::size_t openEdges(const std::vector<const CMesh*>& meshes) {
+    std::map<std::pair<Point, Point>, int> balance;
+    for (const CMesh* mesh : meshes)
+        for (std::size_t t = 0; t < mesh->indices.size(); t += 3)
+            for (std::size_t c = 0; c < 3; ++c) {
+                const Point a = rounded(mesh->positions[mesh->indices[t + c]]),
+                            b = rounded(mesh->positions[mesh->indices[t + (c + 1) % 3]]);
+                if (a < b) ++balance[{a, b}];
+                if (b < a) --balance[{b, a}];
+            }
+    std::size_t open = 0;
+    for (const auto& [edge, sum] : balance) open += sum != 0;
+    return open;
 }
 
 } // namespace stromar::test

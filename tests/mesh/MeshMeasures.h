@@ -13,6 +13,10 @@ double signedVolume(const CMesh& mesh, std::size_t firstIndex, std::size_t index
 std::size_t invertedSurfaces(const MeshPlan& plan, const CMesh& mesh);
 inline double signedVolume(const CMesh& mesh) { return signedVolume(mesh, 0, mesh.indices.size()); }
 
+/// How many edges of meshes together have not just as many triangles on one side as on the other; positions within 0.01 mm are
+/// the same.
+std::size_t openEdges(const std::vector<const CMesh*>& meshes);
+
 /// Whether all bytes are equal.
 bool sameBytes(const CMesh& a, const CMesh& b);
 

@@ -46,6 +46,7 @@ TEST_P(PresetMesh, IsSound) {
                 EXPECT_EQ(inWords(faults), "") << label << all[g].mesh->name;
                 EXPECT_GT(faults.triangles, 0u) << label << all[g].mesh->name;
             }
+            EXPECT_EQ(inWords(checkJoined(joinStems(*tree, all, CProgress(2)), all)), "") << label << "joined";
             EXPECT_EQ(inWords(checkLeaves(*organsOf(*tree, seeded, Organ::Leaf, all, detail))), "") << label;
         }
 }

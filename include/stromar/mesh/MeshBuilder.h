@@ -22,6 +22,7 @@ struct Ring {
 /// A place on the surface of a parent's wood, as its triangles have it.
 struct SurfacePoint {
     glm::dvec3 position, normal;
+    std::size_t triangle = 0; ///< the first of its indices in the parent's mesh
 };
 
 /// A point of a ring at a fork.

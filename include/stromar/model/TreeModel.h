@@ -1,5 +1,6 @@
 #pragma once
 #include "stromar/mesh/Detail.h"
+#include "stromar/mesh/JoinedStems.h"
 #include "stromar/mesh/OrganMesh.h"
 #include "stromar/mesh/twig/Twig.h"
 #include "stromar/params/Params.h"
@@ -10,6 +11,12 @@
 
 namespace stromar {
 
+/// What joined wood was made of.
+struct WoodJoints {
+    Meshes apart;                                   ///< by generation: each stem closed by itself
+    std::vector<std::vector<VertexSource>> sources; ///< by generation, of the joined meshes' vertices: in these
+};
+
 /// A tree with its meshes: triangles of stems and of cards, instances of leaves. Immutable, safe to share between
 /// threads.
 struct TreeModel {
@@ -19,6 +26,7 @@ struct TreeModel {
     std::shared_ptr<const CTree> tree; ///< of its organs those are grown that are shown
     std::shared_ptr<const CTree> grown; ///< the same at the end of its life, bare
     Meshes stems;                      ///< by generation
+    std::shared_ptr<const WoodJoints> joints; ///< null: every stem is closed by itself
     OrganMeshes organs;                ///< leaves by kind, blossoms, fruits; some may be empty
     std::shared_ptr<const Twig> twig;   ///< what cards show in place of last stems with leaves; null: there are none
     std::shared_ptr<const CMesh> cards; ///< of it; null without it

@@ -6,6 +6,7 @@
 #include <initializer_list>
 #include <numeric>
 #include <optional>
+#include <set>
 #include <tuple>
 
 namespace stromar {
@@ -68,14 +69,11 @@ bool checkTriangles(const CMesh& mesh, const Part& part, MeshFaults& faults) {
     return faults.badIndices == bad;
 }
 
-/// For each vertex the number of its position.
-std::vector<std::uint32_t> weld(const CMesh& mesh, const Part& part) {
-    std::vector<std::uint32_t> order(part.vertexCount), number(part.vertexCount);
+/// Numbers vertices so that those with the same `place` have the same number.
+template <typename Place>
+std::vector<std::uint32_t> numberBy(std::size_t vertices, Place&& place) {
+    std::vector<std::uint32_t> order(vertices), number(vertices);
     std::iota(order.begin(), order.end(), 0u);
-    const auto place = [&](std::uint32_t v) {
-        const glm::vec3& p = mesh.positions[part.firstVertex + v];
-        return std::tuple(p.x, p.y, p.z);
-    };
     std::ranges::sort(order, {}, place);
     std::uint32_t count = 0;
     for (std::size_t i = 0; i < order.size(); ++i) {
@@ -83,6 +81,14 @@ std::vector<std::uint32_t> weld(const CMesh& mesh, const Part& part) {
         number[order[i]] = count;
     }
     return number;
+}
+
+/// For each vertex the number of its position.
+std::vector<std::uint32_t> weld(const CMesh& mesh, const Part& part) {
+    return numberBy(part.vertexCount, [&](std::uint32_t v) {
+        const glm::vec3& p = mesh.positions[part.firstVertex + v];
+        return std::tuple(p.x, p.y, p.z);
+    });
 }
 
 void checkEdges(const CMesh& mesh, const Part& part, MeshFaults& faults) {
@@ -100,6 +106,64 @@ void checkEdges(const CMesh& mesh, const Part& part, MeshFaults& faults) {
         return std::ranges::binary_search(edges, std::pair(edge.second, edge.first));
     };
     if (!std::ranges::all_of(edges, hasTwin)) ++faults.open;
+}
+
+/// Which surface each welded vertex is part of: the least vertex that it hangs together with.
+class CSurfaces {
+public:
+    explicit CSurfaces(std::size_t vertices) : m_least(vertices) { std::iota(m_least.begin(), m_least.end(), 0u); }
+    std::uint32_t of(std::uint32_t v) {
+        while (m_least[v] != v) v = m_least[v] = m_least[m_least[v]];
+        return v;
+    }
+    void join(std::uint32_t a, std::uint32_t b) {
+        a = of(a);
+        b = of(b);
+        m_least[std::max(a, b)] = std::min(a, b);
+    }
+    std::size_t count() const {
+        std::size_t count = 0;
+        for (std::uint32_t v = 0; v < m_least.size(); ++v) count += m_least[v] == v;
+        return count;
+    }
+
+private:
+    std::vector<std::uint32_t> m_least;
+};
+
+/// Counts the surfaces, and those that are open or tangled, of vertices that are one where they have the same number.
+void checkSurfaces(const CMesh& mesh, const std::vector<std::uint32_t>& number, MeshFaults& faults) {
+    CSurfaces surfaces(number.empty() ? 0 : *std::ranges::max_element(number) + 1);
+    std::vector<std::pair<std::uint32_t, std::uint32_t>> edges;
+    edges.reserve(mesh.indices.size());
+    for (std::size_t i = 0; i < mesh.indices.size(); ++i) {
+        const std::size_t next = i % 3 == 2 ? i - 2 : i + 1;
+        edges.emplace_back(number[mesh.indices[i]], number[mesh.indices[next]]);
+        surfaces.join(edges.back().first, edges.back().second);
+    }
+    std::ranges::sort(edges);
+    std::set<std::uint32_t> open, tangled;
+    for (std::size_t i = 0; i < edges.size(); ++i) {
+        if (i > 0 && edges[i] == edges[i - 1]) tangled.insert(surfaces.of(edges[i].first));
+        if (!std::ranges::binary_search(edges, std::pair(edges[i].second, edges[i].first))) open.insert(surfaces.of(edges[i].first));
+    }
+    faults.surfaces = surfaces.count();
+    faults.open = open.size();
+    faults.tangled = tangled.size();
+}
+
+/// By generation, for each vertex: of which of all closed surfaces it is.
+std::vector<std::vector<std::uint32_t>> closedSurfaces(std::span<const StemMesh> stems) {
+    std::vector<std::vector<std::uint32_t>> all;
+    std::uint32_t count = 0;
+    for (const StemMesh& own : stems) {
+        std::vector<std::uint32_t>& surfaces = all.emplace_back();
+        for (const std::span<const Tube> tubes : surfacesOf(own.plan)) {
+            surfaces.resize(tubes.back().firstVertex + tubes.back().vertexCount(), count);
+            ++count;
+        }
+    }
+    return all;
 }
 
 /// The nearest point of a triangle (Ericson, Real-Time Collision Detection, 5.1.5).
@@ -218,6 +282,31 @@ MeshFaults checkSolid(const CMesh& solid) {
     checkVertices(solid, faults);
     if (checkTriangles(solid, whole, faults)) checkEdges(solid, whole, faults);
     faults.tilted = 0;
+    return faults;
+}
+
+MeshFaults checkJoined(const JoinedStems& joined, std::span<const StemMesh> stems) {
+    CMesh all;
+    std::vector<std::uint32_t> surfaces; // of the vertices: which closed surface they were part of
+    const std::vector<std::vector<std::uint32_t>> closed = closedSurfaces(stems);
+    for (std::size_t g = 0; g < joined.meshes.size(); ++g) {
+        const CMesh& mesh = *joined.meshes[g];
+        const auto first = static_cast<std::uint32_t>(all.vertexCount());
+        const auto append = [](auto& to, const auto& from) { to.insert(to.end(), from.begin(), from.end()); };
+        append(all.positions, mesh.positions);
+        append(all.normals, mesh.normals);
+        append(all.texCoords, mesh.texCoords);
+        for (const std::uint32_t v : mesh.indices) all.indices.push_back(first + v);
+        for (const VertexSource& source : joined.sources[g]) surfaces.push_back(closed[source.generation][source.vertex]);
+    }
+    MeshFaults faults{0, all.vertexCount(), all.triangleCount()};
+    checkVertices(all, faults);
+    const auto place = [&](std::uint32_t v) {
+        const glm::vec3& p = all.positions[v];
+        return std::tuple(surfaces[v], p.x, p.y, p.z);
+    };
+    if (checkTriangles(all, {0, all.vertexCount(), 0, all.indices.size()}, faults))
+        checkSurfaces(all, numberBy(all.vertexCount(), place), faults);
     return faults;
 }
 

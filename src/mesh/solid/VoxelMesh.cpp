@@ -1,5 +1,6 @@
 #include "stromar/mesh/VoxelMesh.h"
 #include "solid/WoodPieces.h"
+#include "stem/FrontNormals.h"
 #include "stromar/util/Error.h"
 #include <algorithm>
 #include <array>
@@ -18,8 +19,6 @@ constexpr double kThinnest = 0.9;   // cubes: the radius that keeps the thinnest
 constexpr double kLongest = 4;      // cubes, of a piece of wood
 constexpr float kOutside = 1e9f;
 constexpr double kFromCorner = 0.05; // of an edge, that a vertex keeps off its ends
-constexpr int kNormalPasses = 8;
-constexpr float kEffort = 0.05f; // more than needed with every pass: faces that work against each other
 
 // The six tetrahedra about a cube's diagonal (Kuhn): corners by the bits x, y, z. Neighbouring cubes cut their common face alike.
 constexpr std::array<std::array<int, 4>, 6> kTetrahedra{
@@ -198,22 +197,14 @@ private:
     /// The mean of the triangles about a vertex by area, turned to the front of each.
     static void setNormals(CMesh& mesh) {
         std::ranges::fill(mesh.normals, glm::vec3(0));
-        const auto eachFace = [&](auto&& look) {
-            for (std::size_t i = 0; i < mesh.indices.size(); i += 3) {
-                const std::uint32_t* v = &mesh.indices[i];
-                const glm::vec3 a = mesh.positions[v[0]];
-                const glm::vec3 face = glm::cross(mesh.positions[v[1]] - a, mesh.positions[v[2]] - a);
-                for (int c = 0; c < 3; ++c) look(mesh.normals[v[c]], face);
-            }
-        };
-        eachFace([](glm::vec3& normal, const glm::vec3& face) { normal += face; });
+        for (std::size_t i = 0; i < mesh.indices.size(); i += 3) {
+            const std::uint32_t* v = &mesh.indices[i];
+            const glm::vec3 a = mesh.positions[v[0]];
+            const glm::vec3 face = glm::cross(mesh.positions[v[1]] - a, mesh.positions[v[2]] - a);
+            for (int c = 0; c < 3; ++c) mesh.normals[v[c]] += face;
+        }
         for (glm::vec3& normal : mesh.normals) normal = glm::length(normal) > 0 ? glm::normalize(normal) : glm::vec3(0, 0, 1);
-        for (int pass = 0; pass < kNormalPasses; ++pass)
-            eachFace([effort = kEffort * static_cast<float>(pass + 1)](glm::vec3& normal, const glm::vec3& face) {
-                const glm::vec3 unit = glm::length(face) > 0 ? glm::normalize(face) : normal;
-                if (const float cosine = glm::dot(normal, unit); cosine < 0.01f)
-                    normal = glm::normalize(normal + (0.02f - cosine + effort) * unit);
-            });
+        turnNormalsToFront(mesh);
     }
 
     std::vector<WoodPiece> m_pieces;

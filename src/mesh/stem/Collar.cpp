@@ -101,7 +101,7 @@ bool CCollarMaker::collectTriangles(const CStem& stem) {
         m_triangles.push_back({corner,
                                glm::dvec3(mesh.positions[v[1]]) - corner,
                                glm::dvec3(mesh.positions[v[2]]) - corner,
-                               {v[0], v[1], v[2]}});
+                               i});
     }
     return !m_triangles.empty();
 }
@@ -150,9 +150,9 @@ std::optional<CCollarMaker::Hit> CCollarMaker::nearestExit(const Exit& exit, con
 }
 
 SurfacePoint CCollarMaker::surfaceAt(const Triangle& triangle, double u, double v) const {
-    const auto normal = [&](int corner) { return glm::dvec3(m_mesh.mesh->normals[triangle.vertices[corner]]); };
+    const auto normal = [&](std::size_t corner) { return glm::dvec3(m_mesh.mesh->normals[m_mesh.mesh->indices[triangle.firstIndex + corner]]); };
     return {triangle.corner + u * triangle.edge1 + v * triangle.edge2,
-            glm::normalize((1 - u - v) * normal(0) + u * normal(1) + v * normal(2))};
+            glm::normalize((1 - u - v) * normal(0) + u * normal(1) + v * normal(2)), triangle.firstIndex};
 }
 
 } // namespace stromar

@@ -31,7 +31,7 @@ public:
 private:
     struct Triangle {
         glm::dvec3 corner, edge1, edge2;
-        std::uint32_t vertices[3];
+        std::size_t firstIndex;
     };
     struct Hit {
         double distance;

@@ -9,18 +9,38 @@ constexpr int kPasses = 8;
 constexpr float kMargin = 0.02f; // cosine
 constexpr float kEffort = 0.05f; // more than needed with every pass: faces that work against each other
 
+bool turn(glm::vec3& normal, const glm::vec3& face, float effort) {
+    const float cosine = glm::dot(normal, face);
+    if (cosine >= kMargin / 2) return false;
+    normal = glm::normalize(normal + (kMargin - cosine + effort) * face);
+    return true;
+}
+
+bool turnAt(CMesh& mesh, const std::uint32_t* corners, float effort) {
+    const glm::vec3& a = mesh.positions[corners[0]];
+    const glm::vec3 face = glm::cross(mesh.positions[corners[1]] - a, mesh.positions[corners[2]] - a);
+    const float area = glm::length(face);
+    if (!(area > 0)) return false;
+    bool turned = false;
+    for (int c = 0; c < 3; ++c) turned |= turn(mesh.normals[corners[c]], face / area, effort);
+    return turned;
+}
+
+/// Whether some of the triangles' normals had to be turned: further from the face, the greater `effort` is.
+bool turnOnce(CMesh& mesh, std::size_t begin, std::size_t end, float effort) {
+    bool turned = false;
+    for (std::size_t t = begin; t < end; t += 3) turned |= turnAt(mesh, &mesh.indices[t], effort);
+    return turned;
+}
+
 /// The triangles of a tube; its rings' first and last vertices, at the seam of the bark, share a normal.
 class CRingNormals {
 public:
     CRingNormals(CMesh& mesh, const MeshPlan& plan, const Tube& tube)
-        : m_mesh(mesh), m_plan(plan), m_tube(tube), m_end(tube.firstIndex + tube.indexCount()) {}
+        : m_mesh(mesh), m_plan(plan), m_tube(tube) {}
 
-    /// Whether some had to be turned: further from the face, the greater `effort` is.
     bool turnOnce(float effort) {
-        m_effort = effort;
-        bool turned = false;
-        for (std::size_t t = m_tube.firstIndex; t < m_end; t += 3) turned |= turnAt(&m_mesh.indices[t]);
-        return turned;
+        return stromar::turnOnce(m_mesh, m_tube.firstIndex, m_tube.firstIndex + m_tube.indexCount(), effort);
     }
 
     void closeSeam() {
@@ -47,28 +67,9 @@ private:
             return fork.ring <= r && r < fork.ring + fork.rings && m_plan.ringsOf(m_tube)[fork.ring].parted;
         });
     }
-    bool turnAt(const std::uint32_t* corners) {
-        const glm::vec3& a = m_mesh.positions[corners[0]];
-        const glm::vec3 face = glm::cross(m_mesh.positions[corners[1]] - a, m_mesh.positions[corners[2]] - a);
-        const float area = glm::length(face);
-        if (!(area > 0)) return false;
-        bool turned = false;
-        for (int c = 0; c < 3; ++c) turned |= turn(m_mesh.normals[corners[c]], face / area);
-        return turned;
-    }
-
-    bool turn(glm::vec3& normal, const glm::vec3& face) const {
-        const float cosine = glm::dot(normal, face);
-        if (cosine >= kMargin / 2) return false;
-        normal = glm::normalize(normal + (kMargin - cosine + m_effort) * face);
-        return true;
-    }
-
     CMesh& m_mesh;
     const MeshPlan& m_plan;
     const Tube& m_tube;
-    std::size_t m_end;
-    float m_effort = 0;
 };
 } // namespace
 
@@ -78,6 +79,12 @@ bool turnNormalsToFront(CMesh& mesh, const MeshPlan& plan, const Tube& tube) {
         if (!normals.turnOnce(kEffort * static_cast<float>(pass))) return true;
         normals.closeSeam();
     }
+    return false;
+}
+
+bool turnNormalsToFront(CMesh& mesh) {
+    for (int pass = 0; pass < kPasses; ++pass)
+        if (!turnOnce(mesh, 0, mesh.indices.size(), kEffort * static_cast<float>(pass))) return true;
     return false;
 }
 

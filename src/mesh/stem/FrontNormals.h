@@ -7,4 +7,7 @@ namespace stromar {
 /// to: coarse rings on a steep crease and twisted ones need it. False when a fold leaves no such normal.
 bool turnNormalsToFront(CMesh& mesh, const MeshPlan& plan, const Tube& tube);
 
+/// The same for a whole mesh, whose seams are not kept closed.
+bool turnNormalsToFront(CMesh& mesh);
+
 } // namespace stromar

@@ -1,5 +1,5 @@
 #pragma once
-#include "stromar/mesh/MeshBuilder.h"
+#include "stromar/mesh/JoinedStems.h"
 #include <span>
 #include <string_view>
 
@@ -34,6 +34,9 @@ constexpr double kMaxFloating = 0.001, kMaxBuried = 0.01; ///< radii of the bran
 
 /// Checks the closed surfaces of a generation's stems; their collars against the parents' triangles, if given.
 MeshFaults checkStems(const CTree& tree, int generation, const StemMesh& stems, const StemMesh* parents);
+/// Checks joined wood as one mesh: equal positions count as one vertex on a stem, and where a branch stands in it. Surfaces are
+/// counted as they hang together. `stems` are those that were joined.
+MeshFaults checkJoined(const JoinedStems& joined, std::span<const StemMesh> stems);
 /// Checks a mesh that is one closed surface, but for normals that look to the back: where voxels meet by a point, none fits all
 /// triangles.
 MeshFaults checkSolid(const CMesh& solid);

@@ -1,0 +1,27 @@
+#pragma once
+#include "stromar/mesh/MeshBuilder.h"
+
+namespace stromar {
+
+/// Where a vertex of joined wood comes from: a vertex of a generation's own mesh.
+struct VertexSource {
+    std::uint32_t generation, vertex;
+};
+
+/// The wood of a tree in which branches stand in holes of their parents' walls.
+struct JoinedStems {
+    Meshes meshes;                                  ///< by generation
+    std::vector<std::vector<VertexSource>> sources; ///< of their vertices
+    std::size_t joined = 0; ///< branches with a collar that are one surface with their parent
+    std::size_t apart = 0;  ///< others with a collar: closed by lids of their own inside the wood
+};
+
+/// Cuts the walls of stems open along the collars of their branches, and leaves out what lies inside: with equal positions
+/// taken as one vertex, all meshes together are one closed surface. An edge of a hole has the positions of the collar's
+/// lowest ring; its normals and bark are the parent's. The wall around it keeps its vertices, and gets no others.
+/// A branch stays apart when its collar crosses itself, another one or a fork, or passes exactly through a vertex.
+/// `stems` are all generations with their plans' collars. Time n log n in the triangles of stems that bear branches;
+/// same result for any number of threads. Throws CCancelled.
+JoinedStems joinStems(const CTree& tree, std::span<const StemMesh> stems, const CProgress& progress);
+
+} // namespace stromar

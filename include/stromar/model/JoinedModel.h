@@ -1,0 +1,13 @@
+#pragma once
+#include "stromar/model/TreeModel.h"
+
+namespace stromar {
+
+/// The model with its wood as one closed surface (see joinStems()): equal positions of its meshes of stems belong together. Plans
+/// its rings once more. The model itself where branches have no collars. Throws CCancelled.
+std::shared_ptr<const TreeModel> joined(const std::shared_ptr<const TreeModel>& model, const CProgress& progress);
+
+/// Plans the rings of a generation of a model, `below` being the one before it, or null for the trunks.
+StemMesh planned(const TreeModel& model, std::size_t generation, const StemMesh* below, const CProgress& progress);
+
+} // namespace stromar

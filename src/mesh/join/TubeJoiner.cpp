@@ -1,0 +1,287 @@
+#include "join/TubeJoiner.h"
+#include "join/Triangulation.h"
+#include "stem/TubeWalls.h"
+#include <algorithm>
+#include <cmath>
+#include <glm/common.hpp>
+#include <glm/geometric.hpp>
+#include <map>
+#include <numeric>
+
+namespace stromar {
+
+namespace {
+constexpr double kLeastAround = 1e-6; // repeats of the bark: to unroll it by
+constexpr double kGood = 0.3;         // of a triangle: not turned
+constexpr double kFlat = 0.02;        // sine of a bend that is none
+constexpr double kBetter = 1.05;      // times: of an edge that is turned
+
+using Triangle = CTriangulation::Triangle;
+
+/// Where a point lies in a triangle: the shares of its corners.
+glm::dvec3 sharesOf(const glm::dvec3& p, const glm::dvec3& a, const glm::dvec3& b, const glm::dvec3& c) {
+    const glm::dvec3 u = b - a, v = c - a, w = p - a;
+    const double uu = glm::dot(u, u), uv = glm::dot(u, v), vv = glm::dot(v, v), wu = glm::dot(w, u), wv = glm::dot(w, v);
+    const double whole = uu * vv - uv * uv;
+    if (!(whole > 0)) return glm::dvec3(1.0 / 3);
+    const glm::dvec3 shares(0, std::clamp((vv * wu - uv * wv) / whole, 0.0, 1.0), std::clamp((uu * wv - uv * wu) / whole, 0.0, 1.0));
+    const double others = shares.y + shares.z;
+    return others > 1 ? glm::dvec3(0, shares.y / others, shares.z / others) : glm::dvec3(1 - others, shares.y, shares.z);
+}
+
+/// One tube's walls unrolled: turns about the stem by rings along it.
+class CTubeJoiner {
+public:
+    CTubeJoiner(const CTree& tree, std::size_t generation, const StemMesh& stems, const Tube& tube, const StemMesh& next)
+        : m_generation(static_cast<std::uint32_t>(generation)), m_mesh(*stems.mesh), m_plan(stems.plan), m_tube(tube), m_next(next),
+          m_wallsEnd(CTubeWalls(tree.generation(generation), stems.plan, tube).end()) {}
+
+    JoinedWalls join(const std::vector<std::uint32_t>& branches) {
+        unrollVertices();
+        if (m_around < kLeastAround) {
+            m_walls.apart = branches.size();
+            return std::move(m_walls);
+        }
+        const std::vector<Triangle> walls = unrolledTriangles();
+        std::vector<std::uint32_t> left = branches;
+        for (bool all = false; !all && !left.empty();) { // what was added for one that failed must not stay
+            CTriangulation surface(walls, m_tube.vertices);
+            all = cutOut(left, surface);
+            if (!all) continue;
+            surface.improve([&](const auto& corners) { return isBetterTurned(corners); });
+            all = leaveTangled(surface, left);
+            if (all) write(surface);
+        }
+        m_walls.joined = left;
+        m_walls.apart = branches.size() - left.size();
+        return std::move(m_walls);
+    }
+
+private:
+    /// The points of the rings, from the lowest; a ring has one vertex more, at its seam.
+    std::vector<std::uint32_t> ringPoints() const {
+        std::vector<std::uint32_t> points(m_tube.collarRings, m_tube.points);
+        const Ring* rings = m_plan.ringsOf(m_tube);
+        for (std::uint32_t r = 0; r + (m_tube.pointed ? 1 : 0) < m_tube.ringCount; ++r) points.push_back(rings[r].points);
+        return points;
+    }
+
+    /// At a fork rings run from valley to valley.
+    bool isClosed(std::uint32_t first, std::uint32_t points) const { return position(first) == position(first + points); }
+
+    /// The seam's vertices count as the ring's first, a turn further.
+    void unrollVertices() {
+        m_own.resize(m_tube.vertices);
+        std::iota(m_own.begin(), m_own.end(), 0u);
+        std::uint32_t first = 0;
+        std::vector<double> ring(m_tube.vertices);
+        const std::vector<std::uint32_t> rings = ringPoints();
+        for (std::size_t r = 0; r < rings.size(); ++r) {
+            const std::uint32_t last = first + rings[r];
+            std::fill(ring.begin() + first, ring.begin() + last + 1, double(r));
+            if (isClosed(first, rings[r])) {
+                if (m_around == 0) m_around = double(tex(last).x) - double(tex(first).x);
+                m_own[last] = first;
+            }
+            first = last + 1;
+        }
+        m_firstTip = first;
+        std::fill(ring.begin() + first, ring.end(), double(rings.size())); // a tip, and lids, which are not unrolled
+        for (std::uint32_t v = 0; v < m_tube.vertices; ++v)
+            m_at.push_back(m_own[v] == v ? glm::dvec2(double(tex(v).x) / m_around, ring[v]) : m_at[m_own[v]] + glm::dvec2(1, 0));
+    }
+
+    std::vector<Triangle> unrolledTriangles() const {
+        std::vector<Triangle> triangles;
+        triangles.reserve((m_wallsEnd - m_tube.firstIndex) / 3);
+        for (std::size_t i = m_tube.firstIndex; i < m_wallsEnd; i += 3) {
+            Triangle& own = triangles.emplace_back();
+            for (std::size_t c = 0; c < 3; ++c) {
+                const std::uint32_t v = m_mesh.indices[i + c] - m_tube.firstVertex;
+                own.vertices[c] = m_own[v];
+                own.at[c] = m_at[v];
+            }
+        }
+        if (m_tube.pointed) closeCone(triangles);
+        return triangles;
+    }
+
+    /// Between the walls of a cone, each of which has a tip of its own: triangles that are flat in space.
+    void closeCone(std::vector<Triangle>& triangles) const {
+        const std::size_t count = m_plan.ringsOf(m_tube)[m_tube.ringCount - 2].points, first = triangles.size() - count;
+        for (std::size_t i = 0; i < count; ++i) {
+            const Triangle own = triangles[first + i], &after = triangles[first + (i + 1) % count];
+            const glm::dvec2 turn(i + 1 == count ? 1 : 0, 0);
+            triangles.push_back({{own.vertices[1], after.vertices[2], own.vertices[2]}, {own.at[1], after.at[2] + turn, own.at[2]}});
+        }
+    }
+
+    bool isTip(CTriangulation::Index vertex) const { return m_tube.pointed && vertex >= m_firstTip && vertex < m_tube.vertices; }
+
+    /// Leaves those that can be; false when others cannot.
+    bool cutOut(std::vector<std::uint32_t>& branches, CTriangulation& surface) {
+        m_added.clear();
+        m_addedAt.clear();
+        m_addedFor.clear();
+        return std::erase_if(branches, [&](std::uint32_t branch) { return !cutOut(branch, surface); }) == 0;
+    }
+
+    bool cutOut(std::uint32_t branch, CTriangulation& surface) {
+        const Tube& tube = m_next.plan.tubes[branch];
+        std::vector<CTriangulation::LoopPoint> loop;
+        for (std::uint32_t i = 0; i < tube.points; ++i) {
+            const SurfacePoint& point = m_next.plan.collarPoints[tube.firstCollarPoint + i];
+            const auto triangle = static_cast<CTriangulation::Index>((point.triangle - m_tube.firstIndex) / 3);
+            loop.push_back({triangle, placeOf(point)});
+            m_added.push_back(vertexAt(point, tube.firstVertex + i));
+            m_addedAt.push_back(loop.back().at.x);
+            m_addedFor.push_back(branch);
+        }
+        const bool cut = surface.cutOut(loop);
+        m_added.resize(surface.vertexCount() - m_tube.vertices); // fewer when one could not be added
+        m_addedAt.resize(m_added.size());
+        m_addedFor.resize(m_added.size());
+        return cut;
+    }
+
+    /// On a thin stem two edges may join the same vertices, one on either side. False when branches had to be left out for that.
+    bool leaveTangled(const CTriangulation& surface, std::vector<std::uint32_t>& branches) const {
+        std::vector<std::array<std::uint32_t, 3>> edges; // and what lies beside them
+        for (const Triangle& triangle : surface.triangles()) {
+            std::array<std::uint32_t, 3> v = triangle.vertices;
+            if (triangle.removed || std::ranges::count_if(v, [&](auto corner) { return isTip(corner); }) > 1) continue;
+            for (std::uint32_t& corner : v)
+                if (isTip(corner)) corner = m_firstTip;
+            for (std::size_t c = 0; c < 3; ++c) edges.push_back({v[c], v[(c + 1) % 3], v[(c + 2) % 3]});
+        }
+        std::ranges::sort(edges);
+        std::vector<std::uint32_t> tangled;
+        for (std::size_t i = 1; i < edges.size(); ++i) {
+            if (edges[i][0] != edges[i - 1][0] || edges[i][1] != edges[i - 1][1]) continue;
+            for (const std::uint32_t v : {edges[i][0], edges[i][1], edges[i][2], edges[i - 1][2]})
+                if (v >= m_tube.vertices) tangled.push_back(m_addedFor[v - m_tube.vertices]);
+            if (tangled.empty()) tangled = branches;
+        }
+        return std::erase_if(branches, [&](std::uint32_t branch) { return std::ranges::find(tangled, branch) != tangled.end(); }) == 0;
+    }
+
+    glm::dvec3 sharesAt(const SurfacePoint& point) const {
+        const std::uint32_t* v = &m_mesh.indices[point.triangle];
+        return sharesOf(point.position, glm::dvec3(m_mesh.positions[v[0]]), glm::dvec3(m_mesh.positions[v[1]]),
+                        glm::dvec3(m_mesh.positions[v[2]]));
+    }
+
+    /// Of a point on a triangle, unrolled as that was at the start.
+    glm::dvec2 placeOf(const SurfacePoint& point) const {
+        const glm::dvec3 shares = sharesAt(point);
+        const auto at = [&](std::size_t c) { return m_at[m_mesh.indices[point.triangle + c] - m_tube.firstVertex]; };
+        return shares.x * at(0) + shares.y * at(1) + shares.z * at(2);
+    }
+
+    /// Where a collar stands the wall is as dark as that, else as the triangle.
+    JoinedWalls::Vertex vertexAt(const SurfacePoint& point, std::uint32_t vertex) const {
+        const glm::vec3 shares(sharesAt(point));
+        const auto corner = [&](std::size_t c) { return m_mesh.indices[point.triangle + c]; };
+        const glm::vec2 at = shares.x * m_mesh.texCoords[corner(0)] + shares.y * m_mesh.texCoords[corner(1)] +
+                             shares.z * m_mesh.texCoords[corner(2)];
+        const VertexLook look{m_next.mesh->looks[vertex].skyVisibility, m_mesh.looks[corner(0)].thinness};
+        return {{m_generation + 1, vertex}, m_next.mesh->positions[vertex], glm::vec3(point.normal), at, look};
+    }
+
+    glm::dvec3 placeOf(CTriangulation::Index vertex) const {
+        return glm::dvec3(vertex < m_tube.vertices ? position(vertex) : m_added[vertex - m_tube.vertices].position);
+    }
+    glm::dvec3 normalOf(CTriangulation::Index vertex) const {
+        return glm::dvec3(vertex < m_tube.vertices ? m_mesh.normals[m_tube.firstVertex + vertex] : m_added[vertex - m_tube.vertices].normal);
+    }
+
+    /// Of a triangle: 1 when equilateral, towards 0 when thin, negative when it faces inwards.
+    double qualityOf(CTriangulation::Index a, CTriangulation::Index b, CTriangulation::Index c) const {
+        const glm::dvec3 p = placeOf(a), q = placeOf(b), r = placeOf(c), face = glm::cross(q - p, r - p);
+        const auto squared = [](const glm::dvec3& way) { return glm::dot(way, way); };
+        const double sides = squared(q - p) + squared(r - q) + squared(p - r), twice = glm::length(face);
+        if (!(twice > 0)) return 0;
+        const double front = std::min({glm::dot(face, normalOf(a)), glm::dot(face, normalOf(b)), glm::dot(face, normalOf(c))});
+        return front > 0 ? 2 * std::sqrt(3.0) * twice / sides : front / twice;
+    }
+
+    /// How far an edge lies in a valley: the sine of the bend there, negative on a ridge.
+    double valleyAt(const std::array<CTriangulation::Index, 4>& corners) const {
+        const glm::dvec3 a = placeOf(corners[0]), b = placeOf(corners[1]), near = placeOf(corners[2]), far = placeOf(corners[3]);
+        const glm::dvec3 one = glm::cross(b - a, near - a), other = glm::cross(far - a, b - a);
+        const double lengths = glm::length(one) * glm::length(other) * glm::length(b - a);
+        return lengths > 0 ? glm::dot(glm::cross(other, one), b - a) / lengths : 0;
+    }
+
+    /// Wood is round: an edge in a valley is turned, which brings back the ridges of the walls as they were; between triangles that
+    /// lie flat one that makes them thin.
+    bool isBetterTurned(const std::array<CTriangulation::Index, 4>& corners) const {
+        const auto [a, b, near, far] = corners;
+        const double now = std::min(qualityOf(a, b, near), qualityOf(b, a, far));
+        const double turned = std::min(qualityOf(a, far, near), qualityOf(far, b, near));
+        const double valley = valleyAt(corners);
+        if (valley > kFlat) return turned > std::min(now, 0.0);
+        if (valley < -kFlat) return now <= 0 && turned > 0;
+        return now < kGood && turned > kBetter * now;
+    }
+
+    void write(const CTriangulation& surface) {
+        const std::span<const Triangle> all = surface.triangles();
+        const std::size_t before = (m_wallsEnd - m_tube.firstIndex) / 3;
+        for (std::size_t t = 0; t < all.size(); ++t) {
+            if (!all[t].changed && !all[t].removed) continue;
+            if (t < before) m_walls.replaced.push_back(m_tube.firstIndex + 3 * t);
+            const auto tips = std::ranges::count_if(all[t].vertices, [&](auto v) { return isTip(v); });
+            if (all[t].removed || tips > 1) continue;
+            for (std::size_t c = 0; c < 3; ++c) m_walls.triangles.push_back(written(all[t].vertices[c], all[t].at[c].x));
+        }
+    }
+
+    /// The index of a vertex that a triangle shows at so many turns: of the mesh where that has one there.
+    std::uint32_t written(CTriangulation::Index vertex, double turns) {
+        const bool added = vertex >= m_tube.vertices;
+        const double own = added ? m_addedAt[vertex - m_tube.vertices] : m_at[vertex].x;
+        const int further = static_cast<int>(std::lround(turns - own));
+        if (!added && further == 0) return m_tube.firstVertex + vertex;
+        const auto [found, isNew] =
+            m_written.try_emplace({vertex, further}, static_cast<std::uint32_t>(m_mesh.vertexCount() + m_walls.vertices.size()));
+        if (isNew) {
+            JoinedWalls::Vertex copy = added ? m_added[vertex - m_tube.vertices] : ownVertex(vertex);
+            copy.texCoord.x += static_cast<float>(m_around * further);
+            m_walls.vertices.push_back(copy);
+        }
+        return found->second;
+    }
+
+    JoinedWalls::Vertex ownVertex(CTriangulation::Index vertex) const {
+        const std::uint32_t v = m_tube.firstVertex + vertex;
+        return {{m_generation, v}, m_mesh.positions[v], m_mesh.normals[v], m_mesh.texCoords[v], m_mesh.looks[v]};
+    }
+
+    const glm::vec2& tex(std::uint32_t v) const { return m_mesh.texCoords[m_tube.firstVertex + v]; }
+    const glm::vec3& position(std::uint32_t v) const { return m_mesh.positions[m_tube.firstVertex + v]; }
+
+    std::uint32_t m_generation;
+    const CMesh& m_mesh;
+    const MeshPlan& m_plan;
+    const Tube& m_tube;
+    const StemMesh& m_next;
+    std::size_t m_wallsEnd;
+    double m_around = 0;
+    std::uint32_t m_firstTip = 0; ///< of the tube's vertices: the tips of a pointed one
+    std::vector<std::uint32_t> m_own; ///< of the tube's vertices: the one that stands for it
+    std::vector<glm::dvec2> m_at;     ///< likewise: unrolled
+    std::vector<JoinedWalls::Vertex> m_added;
+    std::vector<double> m_addedAt; ///< their turns
+    std::vector<std::uint32_t> m_addedFor; ///< for which branch
+    std::map<std::pair<CTriangulation::Index, int>, std::uint32_t> m_written;
+    JoinedWalls m_walls;
+};
+} // namespace
+
+JoinedWalls joinWalls(const CTree& tree, std::size_t generation, const StemMesh& stems, const Tube& tube, const StemMesh& next,
+                      const std::vector<std::uint32_t>& branches) {
+    return CTubeJoiner(tree, generation, stems, tube, next).join(branches);
+}
+
+} // namespace stromar

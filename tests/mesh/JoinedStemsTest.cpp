@@ -1,0 +1,190 @@
+#include "join/Triangulation.h"
+#include "mesh/MeshMeasures.h"
+#include "mesh/SampleTrees.h"
+#include "stromar/mesh/Sway.h"
+#include <algorithm>
+#include <cmath>
+#include <glm/geometric.hpp>
+#include <gtest/gtest.h>
+#include <numbers>
+
+namespace stromar::test {
+
+namespace {
+struct Grown {
+    explicit Grown(const CParams& params, int lod = 0, int threads = 2)
+        : tree(grow(params)), stems(meshAllStems(*tree, meshParamsOf(params), detailOf(Model::Full, lod), CProgress(threads))),
+          joined(joinStems(*tree, stems, CProgress(threads))) {}
+    std::shared_ptr<const CTree> tree;
+    std::vector<StemMesh> stems;
+    JoinedStems joined;
+
+    std::size_t collars() const {
+        std::size_t count = 0;
+        for (const StemMesh& own : stems)
+            for (const Tube& tube : own.plan.tubes) count += tube.collarRings > 0;
+        return count;
+    }
+    /// Of all meshes together, about the origin.
+    double volume() const {
+        double sixfold = 0;
+        for (const auto& mesh : joined.meshes)
+            for (std::size_t i = 0; i < mesh->indices.size(); i += 3) {
+                const auto at = [&](std::size_t c) { return glm::dvec3(mesh->positions[mesh->indices[i + c]]); };
+                sixfold += glm::dot(at(0), glm::cross(at(1), at(2)));
+            }
+        return sixfold / 6;
+    }
+};
+
+/// A square of `count` by `count` cells, 0..1, counter-clockwise triangles.
+CTriangulation square(std::uint32_t count) {
+    std::vector<CTriangulation::Triangle> triangles;
+    const auto add = [&](std::array<glm::uvec2, 3> corners) {
+        CTriangulation::Triangle& own = triangles.emplace_back();
+        for (std::size_t c = 0; c < 3; ++c) {
+            own.vertices[c] = corners[c].y * (count + 1) + corners[c].x;
+            own.at[c] = glm::dvec2(corners[c]) / double(count);
+        }
+    };
+    for (std::uint32_t y = 0; y < count; ++y)
+        for (std::uint32_t x = 0; x < count; ++x) {
+            add({glm::uvec2(x, y), glm::uvec2(x + 1, y), glm::uvec2(x + 1, y + 1)});
+            add({glm::uvec2(x, y), glm::uvec2(x + 1, y + 1), glm::uvec2(x, y + 1)});
+        }
+    return CTriangulation(std::move(triangles), (count + 1) * (count + 1));
+}
+
+double areaOf(const CTriangulation::Triangle& t) {
+    const glm::dvec2 u = t.at[1] - t.at[0], v = t.at[2] - t.at[0];
+    return (u.x * v.y - u.y * v.x) / 2;
+}
+
+double areaLeft(const CTriangulation& surface) {
+    double sum = 0;
+    for (const auto& triangle : surface.triangles())
+        if (!triangle.removed) sum += areaOf(triangle);
+    return sum;
+}
+
+/// A circle about a point, in a square of so many cells; clockwise when `turn` is −1.
+std::vector<CTriangulation::LoopPoint> circle(std::uint32_t cells, glm::dvec2 middle, double radius, int points, double turn = 1) {
+    std::vector<CTriangulation::LoopPoint> loop;
+    for (int i = 0; i < points; ++i) {
+        const double angle = turn * 2 * std::numbers::pi * (i + 0.3) / points;
+        const glm::dvec2 at = middle + radius * glm::dvec2(std::cos(angle), std::sin(angle)), cell = at * double(cells);
+        const glm::dvec2 within = cell - glm::floor(cell);
+        const auto index = static_cast<std::uint32_t>(cell.y) * cells + static_cast<std::uint32_t>(cell.x);
+        loop.push_back({2 * index + (within.y > within.x ? 1 : 0), at});
+    }
+    return loop;
+}
+
+double areaOfCircle(double radius, int points) { return points / 2.0 * radius * radius * std::sin(2 * std::numbers::pi / points); }
+} // namespace
+
+TEST(Triangulation, CutsLoopsOut) {
+    for (const std::uint32_t cells : {1u, 3u, 10u}) {
+        CTriangulation surface = square(cells);
+        EXPECT_TRUE(surface.cutOut(circle(cells, {0.31, 0.33}, 0.2, 9)));
+        EXPECT_TRUE(surface.cutOut(circle(cells, {0.71, 0.68}, 0.25, 24))) << cells;
+        EXPECT_NEAR(areaLeft(surface), 1 - areaOfCircle(0.2, 9) - areaOfCircle(0.25, 24), 1e-9) << cells;
+        for (const auto& triangle : surface.triangles()) EXPECT_GT(areaOf(triangle), -1e-12);
+        surface.improve([](const auto& corners) { return (corners[0] + corners[2]) % 2 == 0; });
+        EXPECT_NEAR(areaLeft(surface), 1 - areaOfCircle(0.2, 9) - areaOfCircle(0.25, 24), 1e-9) << cells;
+    }
+}
+
+TEST(Triangulation, RefusesWhatOverlaps) {
+    CTriangulation surface = square(4);
+    ASSERT_TRUE(surface.cutOut(circle(4, {0.4, 0.42}, 0.2, 12)));
+    EXPECT_FALSE(surface.cutOut(circle(4, {0.6, 0.42}, 0.2, 11))) << "crosses it";
+    EXPECT_FALSE(surface.cutOut(circle(4, {0.41, 0.42}, 0.1, 7))) << "lies inside";
+    EXPECT_FALSE(surface.cutOut(circle(4, {0.41, 0.43}, 0.35, 17))) << "lies around it";
+    EXPECT_FALSE(surface.cutOut(circle(4, {0.8, 0.8}, 0.1, 8, -1))) << "is clockwise";
+    EXPECT_NEAR(areaLeft(surface), 1 - areaOfCircle(0.2, 12), 1e-9);
+}
+
+TEST(JoinedStems, TheAspenIsOneSurface) {
+    const Grown aspen(preset("quaking_aspen"));
+    EXPECT_EQ(aspen.joined.apart, 0u);
+    EXPECT_EQ(aspen.joined.joined, aspen.collars());
+    const MeshFaults faults = checkJoined(aspen.joined, aspen.stems);
+    EXPECT_EQ(inWords(faults), "");
+    EXPECT_EQ(faults.surfaces, 1u);
+}
+
+TEST(JoinedStems, OfAlmostAllSpeciesAlmostAllBranchesAre) {
+    for (const std::string name : {"english_oak", "european_beech", "silver_birch", "norway_spruce", "strand_oak", "weeping_willow"}) {
+        const Grown tree(preset(name));
+        EXPECT_GE(double(tree.joined.joined), 0.98 * double(tree.collars())) << name;
+        EXPECT_EQ(tree.joined.joined + tree.joined.apart, tree.collars()) << name;
+        EXPECT_EQ(inWords(checkJoined(tree.joined, tree.stems)), "") << name;
+    }
+}
+
+/// What lies inside the wood is gone: the volume is that of the stems without what they share.
+TEST(JoinedStems, LeavesOutWhatLiesInside) {
+    const Grown aspen(preset("quaking_aspen"));
+    double apart = 0;
+    std::size_t triangles = 0, before = 0;
+    for (std::size_t g = 0; g < aspen.stems.size(); ++g) {
+        apart += signedVolume(*aspen.stems[g].mesh);
+        before += aspen.stems[g].mesh->triangleCount();
+        triangles += aspen.joined.meshes[g]->triangleCount();
+    }
+    EXPECT_NEAR(aspen.volume(), apart, 0.01 * apart);
+    EXPECT_LT(aspen.volume(), apart);
+    EXPECT_LT(triangles, 1.05 * double(before));
+}
+
+TEST(JoinedStems, VerticesAreWhereTheyComeFrom) {
+    const Grown oak(preset("winter_oak"), 1);
+    for (std::size_t g = 0; g < oak.stems.size(); ++g) {
+        const CMesh& mesh = *oak.joined.meshes[g];
+        ASSERT_EQ(oak.joined.sources[g].size(), mesh.vertexCount());
+        ASSERT_EQ(mesh.looks.size(), mesh.vertexCount());
+        std::size_t edges = 0;
+        for (std::size_t v = 0; v < mesh.vertexCount(); ++v) {
+            const VertexSource& source = oak.joined.sources[g][v];
+            ASSERT_TRUE(source.generation == g || source.generation == g + 1);
+            ASSERT_EQ(mesh.positions[v], oak.stems[source.generation].mesh->positions[source.vertex]);
+            edges += source.generation == g + 1;
+        }
+        EXPECT_EQ(edges > 0, g + 1 < oak.stems.size());
+    }
+}
+
+/// The bark of a wall runs on around a branch, also across its seam.
+TEST(JoinedStems, NoTriangleOfATrunkShowsHalfItsBark) {
+    for (const std::string name : {"quaking_aspen", "english_oak", "norway_spruce"}) {
+        const Grown tree(preset(name));
+        const CMesh& mesh = *tree.joined.meshes[0];
+        const float around = static_cast<float>(preset(name).common.textureWrapX);
+        for (std::size_t i = 0; i < mesh.indices.size(); ++i) {
+            const std::size_t next = i % 3 == 2 ? i - 2 : i + 1;
+            ASSERT_LT(std::abs(mesh.texCoords[mesh.indices[i]].x - mesh.texCoords[mesh.indices[next]].x), 0.45f * around) << name;
+        }
+    }
+}
+
+TEST(JoinedStems, IsTheSameForEveryNumberOfThreads) {
+    const Grown one(preset("ash"), 1, 1), many(preset("ash"), 1, 5);
+    for (std::size_t g = 0; g < one.stems.size(); ++g) EXPECT_TRUE(sameBytes(*one.joined.meshes[g], *many.joined.meshes[g]));
+}
+
+TEST(JoinedStems, OfNothingIsNothing) {
+    const JoinedStems none = joinStems(CTree(1, {}), {}, CProgress(1));
+    EXPECT_TRUE(none.meshes.empty());
+}
+
+TEST(JoinedStems, CanBeCancelled) {
+    const CParams& params = preset("quaking_aspen");
+    const auto tree = grow(params);
+    const auto stems = meshAllStems(*tree, meshParamsOf(params), detailOf(Model::Full), CProgress(2));
+    const CProgress stopped(2);
+    stopped.cancel();
+    EXPECT_THROW(joinStems(*tree, stems, stopped), CCancelled);
+}
+
+} // namespace stromar::test
