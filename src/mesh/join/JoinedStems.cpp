@@ -56,11 +56,10 @@ public:
         m_out = allocateMesh(m_mesh.name, m_mesh.surface, vertices, indices);
         m_sources.reserve(vertices);
         copyKept();
+        m_firstNewIndex = m_nextIndex;
         for (const JoinedWalls& own : walls) append(own);
-        if (!walls.empty()) {
-            turnNormalsToFront(*m_out);
-            splitCreases();
-        }
+        const std::vector<std::size_t> changed = changedTriangles();
+        if (!turnNormalsToFront(*m_out, changed)) splitCreases(changed);
         joined.meshes.push_back(m_out);
         joined.sources.push_back(std::move(m_sources));
     }
@@ -108,29 +107,44 @@ private:
         m_sources.push_back(vertex.source);
     }
 
+    /// The new triangles, and those that share a vertex with them: by their first indices.
+    std::vector<std::size_t> changedTriangles() const {
+        std::vector<bool> touched(m_out->vertexCount());
+        for (std::size_t i = m_firstNewIndex; i < m_out->indices.size(); ++i) touched[m_out->indices[i]] = true;
+        std::vector<std::size_t> changed;
+        for (std::size_t t = 0; t < m_out->indices.size(); t += 3)
+            if (touched[m_out->indices[t]] || touched[m_out->indices[t + 1]] || touched[m_out->indices[t + 2]]) changed.push_back(t);
+        return changed;
+    }
+
     /// A corner that no normal of its vertex fits has the triangle's own: beside collars of thin stems.
-    void splitCreases() {
+    void splitCreases(const std::vector<std::size_t>& triangles) {
         std::vector<std::uint32_t> uses(m_sources.size());
         for (const std::uint32_t v : m_out->indices) ++uses[v];
-        for (std::size_t i = 0; i < m_out->indices.size(); ++i) {
-            const std::size_t t = i / 3 * 3;
+        for (const std::size_t t : triangles) {
             const auto at = [&](std::size_t c) { return glm::dvec3(m_out->positions[m_out->indices[t + c]]); };
             const glm::dvec3 face = glm::cross(at(1) - at(0), at(2) - at(0));
-            const std::uint32_t v = m_out->indices[i];
-            if (glm::dot(face, glm::dvec3(m_out->normals[v])) > 0 || !(glm::length(face) > 0)) continue;
-            if (uses[v] == 1) {
-                m_out->normals[v] = glm::normalize(face);
-                continue;
-            }
-            --uses[v];
-            uses.push_back(1);
-            m_out->indices[i] = static_cast<std::uint32_t>(m_sources.size());
-            m_out->positions.push_back(m_out->positions[v]);
-            m_out->normals.push_back(glm::normalize(face));
-            m_out->texCoords.push_back(m_out->texCoords[v]);
-            m_out->looks.push_back(m_out->looks[v]);
-            m_sources.push_back(m_sources[v]);
+            if (!(glm::length(face) > 0)) continue;
+            for (std::size_t i = t; i < t + 3; ++i)
+                if (glm::dot(face, glm::dvec3(m_out->normals[m_out->indices[i]])) <= 0) giveNormal(i, glm::normalize(face), uses);
         }
+    }
+
+    /// A normal of its own to a corner, by its index.
+    void giveNormal(std::size_t i, const glm::vec3& normal, std::vector<std::uint32_t>& uses) {
+        const std::uint32_t v = m_out->indices[i];
+        if (uses[v] == 1) {
+            m_out->normals[v] = normal;
+            return;
+        }
+        --uses[v];
+        uses.push_back(1);
+        m_out->indices[i] = static_cast<std::uint32_t>(m_sources.size());
+        m_out->positions.push_back(m_out->positions[v]);
+        m_out->normals.push_back(normal);
+        m_out->texCoords.push_back(m_out->texCoords[v]);
+        m_out->looks.push_back(m_out->looks[v]);
+        m_sources.push_back(m_sources[v]);
     }
 
     static constexpr std::uint32_t kNone = ~std::uint32_t{0};
@@ -139,7 +153,7 @@ private:
     std::vector<bool> m_dropped;        ///< by triangle
     std::vector<std::uint32_t> m_place; ///< where vertices go
     std::uint32_t m_kept = 0;
-    std::size_t m_nextIndex = 0;
+    std::size_t m_nextIndex = 0, m_firstNewIndex = 0;
     std::shared_ptr<CMesh> m_out;
     std::vector<VertexSource> m_sources;
 };

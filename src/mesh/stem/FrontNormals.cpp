@@ -88,4 +88,13 @@ bool turnNormalsToFront(CMesh& mesh) {
     return false;
 }
 
+bool turnNormalsToFront(CMesh& mesh, const std::vector<std::size_t>& triangles) {
+    for (int pass = 0; pass < kPasses; ++pass) {
+        bool turned = false;
+        for (const std::size_t t : triangles) turned |= turnAt(mesh, &mesh.indices[t], kEffort * static_cast<float>(pass));
+        if (!turned) return true;
+    }
+    return false;
+}
+
 } // namespace stromar

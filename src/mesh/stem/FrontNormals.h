@@ -9,5 +9,7 @@ bool turnNormalsToFront(CMesh& mesh, const MeshPlan& plan, const Tube& tube);
 
 /// The same for a whole mesh, whose seams are not kept closed.
 bool turnNormalsToFront(CMesh& mesh);
+/// Or for some triangles, by their first indices.
+bool turnNormalsToFront(CMesh& mesh, const std::vector<std::size_t>& triangles);
 
 } // namespace stromar
