@@ -22,6 +22,7 @@ std::span<const SeasonName> seasonNames() { return kSeasons; }
 #ifdef STROMAR_WITH_OSG
 namespace {
 constexpr double kFilmHeight = 24; // millimetres
+constexpr double kGap = 0.04;      // between trees of a row, of their height or width
 
 /// Corners of the box, or all that is drawn, as the options frame it.
 CCamera cameraOf(const RenderOptions& options, const osg::BoundingBox& all, const std::vector<osg::Vec3f>& points) {
@@ -60,6 +61,32 @@ std::vector<osg::Vec3f> pointsOf(const std::vector<ViewPart>& parts) {
     return points;
 }
 
+using SurfaceFiles = std::array<std::string, kSurfaces.size()>;
+
+/// The pictures of all surfaces that parts show, those that `shown` does not have yet; `take` is given each.
+template <typename Take>
+void readSurfaces(const RenderTree& tree, const std::vector<ViewPart>& parts, SurfaceFiles& shown, Take&& take) {
+    for (const ViewPart& part : parts) {
+        const std::string file = textureOf(*tree.model, part.surface, tree.folder).string();
+        std::string& known = shown[static_cast<std::size_t>(part.surface)];
+        if (known == file) continue;
+        const auto maps = readSurface(part.surface, file);
+        if (!maps->problem.empty()) throw CError(maps->problem);
+        take(part.surface, maps);
+        known = file;
+    }
+}
+
+/// How far parts reach to either side along a direction.
+std::pair<double, double> reachOf(const std::vector<ViewPart>& parts, const osg::Vec3d& along) {
+    double left = 0, right = 0;
+    for (const osg::Vec3f& point : pointsOf(parts)) {
+        left = std::max(left, -(osg::Vec3d(point) * along));
+        right = std::max(right, osg::Vec3d(point) * along);
+    }
+    return {left, right};
+}
+
 /// Paints one model after the other, from one place.
 class CTreePainter {
 public:
@@ -76,15 +103,27 @@ public:
         m_parts = viewPartsOf(*model, m_parts, progress);
         if (m_parts.empty() && model->age > 0) throw CError("the tree is empty, there is nothing to show");
         m_scene.show(m_parts);
-        for (const ViewPart& part : m_parts) {
-            const std::string file = textureOf(*model, part.surface, m_folder).string();
-            std::string& shown = m_shown[static_cast<std::size_t>(part.surface)];
-            if (shown == file) continue;
-            const auto maps = readSurface(part.surface, file);
-            if (!maps->problem.empty()) throw CError(maps->problem);
-            m_scene.setSurface(part.surface, *maps);
-            shown = file;
+        readSurfaces({model, m_folder}, m_parts, m_shown,
+                     [&](Surface surface, const auto& maps) { m_scene.setSurface(surface, *maps); });
+    }
+    /// To the right of the first, as the camera sees them.
+    void showBeside(std::span<const RenderTree> trees, const CProgress& progress) {
+        std::vector<TreeBeside> others;
+        const osg::Vec3d along = cameraOf(m_options, {}, {}).right();
+        double edge = reachOf(m_parts, along).second;
+        for (const RenderTree& tree : trees) {
+            makePictures(*tree.model, tree.folder, progress);
+            TreeBeside& other = others.emplace_back(TreeBeside{viewPartsOf(*tree.model, {}, progress), {}, {}});
+            const auto [left, right] = reachOf(other.parts, along);
+            const double gap = kGap * std::max(tree.model->tree->height(), left + right);
+            other.place = osg::Vec3(along * (edge + gap + left));
+            edge += gap + left + right;
+            for (const osg::Vec3f& point : pointsOf(other.parts)) m_beside.push_back(point + other.place);
+            SurfaceFiles shown;
+            readSurfaces(tree, other.parts, shown,
+                         [&](Surface surface, const auto& maps) { other.surfaces[static_cast<std::size_t>(surface)] = maps; });
         }
+        m_scene.showBeside(others);
     }
     void frame() {
         const osg::BoundingBox air(-1, -1, 0, 1, 1, 2); // before the tree's life
@@ -112,22 +151,28 @@ public:
 
 private:
     /// What has to be in the picture; nothing where a view decides.
-    std::vector<osg::Vec3f> fitted() const { return m_options.fit ? pointsOf(m_parts) : std::vector<osg::Vec3f>(); }
+    std::vector<osg::Vec3f> fitted() const {
+        if (!m_options.fit) return {};
+        std::vector<osg::Vec3f> points = pointsOf(m_parts);
+        points.insert(points.end(), m_beside.begin(), m_beside.end());
+        return points;
+    }
 
-    const std::filesystem::path& m_folder;
+    std::filesystem::path m_folder;
     const RenderOptions& m_options;
     CViewScene m_scene;
     CHeadlessPainter m_painter{m_scene, m_options.samples};
     CCamera m_camera;
     std::vector<ViewPart> m_parts;
-    std::array<std::string, kSurfaces.size()> m_shown; ///< the files of surfaces
+    std::vector<osg::Vec3f> m_beside; ///< where the other trees have vertices
+    SurfaceFiles m_shown;
 };
 } // namespace
 
-Pixels renderPicture(const std::shared_ptr<const TreeModel>& model, const std::filesystem::path& treeFolder, const RenderOptions& options,
-                     const CProgress& progress) {
-    CTreePainter painter(treeFolder, options);
-    painter.show(model, progress);
+Pixels renderPicture(std::span<const RenderTree> trees, const RenderOptions& options, const CProgress& progress) {
+    CTreePainter painter(trees.front().folder, options);
+    painter.show(trees.front().model, progress);
+    painter.showBeside(trees.subspan(1), progress);
     painter.frame();
     return painter.paint();
 }
@@ -159,7 +204,7 @@ void renderMotion(CTreeCreator& creator, const CParams& params, const Detail& de
     }
 }
 #else
-Pixels renderPicture(const std::shared_ptr<const TreeModel>&, const std::filesystem::path&, const RenderOptions&, const CProgress&) {
+Pixels renderPicture(std::span<const RenderTree>, const RenderOptions&, const CProgress&) {
     throw CError("this program was built without OpenSceneGraph, which draws pictures");
 }
 void renderMotion(CTreeCreator&, const CParams&, const Detail&, const Motion&, double, const std::filesystem::path&, const RenderOptions&,

@@ -342,17 +342,43 @@ void exportTree(const CommonOptions& common, const ExportOptions& options, const
                         " vertices, " + std::to_string(lod->triangleCount()) + " triangles");
 }
 
+namespace {
+constexpr double kCopiesInPicture = 2; // of a tree's mesh: its own, and the graphics card's
+
+void writePicture(const Pixels& pixels, const RenderOptions& options, const std::filesystem::path& path, const CProgress& progress) {
+    CFileSet files(progress);
+    writePng(pixels, options.width, options.height, path, files);
+    files.commit();
+}
+
+/// The trees of all files, of which each gets what the ones before it leave of what is allowed.
+std::vector<RenderTree> createTrees(CommonOptions common, const Detail& detail, const CProgress& progress) {
+    std::vector<std::string> all{common.file};
+    all.insert(all.end(), common.others.begin(), common.others.end());
+    std::vector<RenderTree> trees;
+    for (const std::string& file : all) {
+        common.file = file;
+        trees.push_back({createModel(common, detail, progress), std::filesystem::path(file).parent_path()});
+        common.limits.vertices -= double(trees.back().model->vertexCount());
+        common.limits.bytes -= kCopiesInPicture * double(trees.back().model->bytes());
+    }
+    return trees;
+}
+} // namespace
+
 void renderTree(const CommonOptions& common, const ModelOptions& modelOptions, const RenderOptions& options, const Motion& motion,
                 const std::string& path, const CProgress& progress) {
     refuseUnlessPng(path);
+    if (!common.others.empty()) {
+        if (motion.frames > 0 || motion.sways()) throw CUsageError("several trees stand still: wind and frames are for one");
+        return writePicture(renderPicture(createTrees(common, modelOptions.detail(), progress), options, progress), options, path, progress);
+    }
     const CParams params = readParams(common);
     CTreeCreator creator = creatorFor(common);
     std::atomic<int> there = 0;
     const auto write = [&](std::size_t i, const Pixels& pixels) {
-        CFileSet files(progress);
         const auto place = motion.frames == 0 ? std::filesystem::path(path) : framePath(path, i, static_cast<std::size_t>(motion.frames));
-        writePng(pixels, options.width, options.height, place, files);
-        files.commit();
+        writePicture(pixels, options, place, progress);
         ++there;
     };
     tellWhatIsThere(motion, there, "pictures", [&] {

@@ -19,6 +19,7 @@ class CUsageError : public std::runtime_error {
 /// What the commands on a tree have in common.
 struct CommonOptions {
     std::string file;
+    std::vector<std::string> others{}; ///< files of trees beside it
     std::vector<std::string> settings; ///< KEY=VALUE
     bool varied = true;
     bool quiet = false;

@@ -233,6 +233,7 @@ std::vector<std::pair<std::string, int>> numbered(std::span<const std::string_vi
 
 void addRender(CLI::App& command, Options& options) {
     const std::vector<std::string_view> views = namesOf(renderViews());
+    command.add_option("others", options.common.others, "More trees, which stand in a row with the first")->type_name("FILE.tree");
     command.add_option("-o,--output", options.output, "The picture to write")->required()->type_name("OUT.png");
     command.add_option("--size", options.pictureSize, "Pixels; default: 800x800")->type_name("WxH");
     command.add_option("--view", options.rendered.view, "From where")

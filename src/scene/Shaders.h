@@ -125,7 +125,7 @@ vec3 stillNormal(vec3 place) {
 )";
 
 inline constexpr const char* kTreeVertexShader = R"(
-uniform vec3 crownMiddle, crownSize, sun;
+uniform vec3 crownMiddle, crownSize, sun, standsAt; // the crown in the tree's own place
 uniform mat4 shadowMatrix;
 uniform float shadowOffset; // metres
 uniform vec2 neighbourFrom, neighbourRate; // of the barks of thicker and of thinner wood
@@ -141,10 +141,11 @@ void main() {
         own = stillPlace();
         front = stillNormal(own);
     }
-    place = swayedPlace(own);
+    vec3 there = swayedPlace(own);
+    place = there + standsAt;
     ground = swaying < 0.5 ? -1e9 : min(own.z, 0.0) - 1e-3;
     normal = swaying < 0.5 ? front : turned(swayTurn, front);
-    gl_Position = gl_ModelViewProjectionMatrix * vec4(place, 1.0);
+    gl_Position = gl_ModelViewProjectionMatrix * vec4(there, 1.0);
     gl_TexCoord[0] = gl_MultiTexCoord0;
     inShadow = (shadowMatrix * vec4(place + shadowOffset * (sun + normal * sign(dot(normal, sun))), 1.0)).xyz;
     // Inside the crown less of the sky is seen.

@@ -5,6 +5,8 @@
 #include "Shaders.h"
 #include "ShadowMap.h"
 #include "SwayTables.h"
+#include "TreeNode.h"
+#include "Uniforms.h"
 #include "stromar/model/Material.h"
 #include "stromar/scene/Daylight.h"
 #include "stromar/scene/OsgGeometry.h"
@@ -20,29 +22,9 @@
 namespace stromar {
 
 namespace {
-#ifndef GL_SAMPLE_ALPHA_TO_COVERAGE
-constexpr unsigned GL_SAMPLE_ALPHA_TO_COVERAGE = 0x809E, GL_SAMPLE_ALPHA_TO_ONE = 0x809F;
-#endif
-
 constexpr double kSunRadius = 0.012; // radians: the disc and the glow about it
 constexpr float kShadowRoom = 0.1f; // about a moving tree, of its size
 constexpr int kBestShadow = 2048, kFastShadow = 1024; // pixels of a side
-
-template <typename Value>
-void setUniform(osg::StateSet* state, const char* name, osg::Uniform::Type type, const Value& value) {
-    state->getOrCreateUniform(name, type)->set(value);
-}
-void setFloat(osg::StateSet* state, const char* name, double value) {
-    setUniform(state, name, osg::Uniform::FLOAT, static_cast<float>(value));
-}
-void setVector(osg::StateSet* state, const char* name, const osg::Vec3& value) {
-    setUniform(state, name, osg::Uniform::FLOAT_VEC3, value);
-}
-void setInteger(osg::StateSet* state, const char* name, int value) {
-    setUniform(state, name, osg::Uniform::INT, value);
-}
-
-constexpr unsigned kInstancesMask = 2; ///< of nodes whose triangles OpenSceneGraph does not know
 
 osg::ref_ptr<osg::Program> makeLitProgram(const char* looks) {
     return makeTreeProgram("tree", kTreeVertexShader, std::string(looks) + kLightFunctions + kTreeFragmentShader);
@@ -70,22 +52,16 @@ SwayPlaces ofVertices(const SwayPlaces& instances, std::size_t vertices) {
 } // namespace
 
 CViewScene::CViewScene()
-    : m_root(new osg::Group), m_tree(new osg::Group), m_wireframe(new osg::Group), m_surfaceGroup(new osg::Group),
-      m_background(makeBackground()), m_state(m_root->getOrCreateStateSet()) {
-    for (const Surface surface : kSurfaces) {
-        const auto i = static_cast<std::size_t>(surface);
-        m_surfaces[i] = new osg::Group;
-        setFloat(m_surfaces[i]->getOrCreateStateSet(), "leaf", surfaceOf(surface).cutOut);
-        m_surfaceGroup->addChild(m_surfaces[i]);
-        setSurface(surface, *readSurface(surface, {}));
-    }
-    m_shadows = std::make_unique<CShadowMap>(m_surfaceGroup);
+    : m_root(new osg::Group), m_tree(new osg::Group), m_wireframe(new osg::Group), m_stand(new osg::Group),
+      m_background(makeBackground()), m_main(std::make_unique<CTreeNode>()), m_state(m_root->getOrCreateStateSet()) {
+    m_stand->addChild(m_main->node());
+    m_shadows = std::make_unique<CShadowMap>(m_stand);
     m_shadows->addTo(m_state, kShadowUnit);
     m_swayTables = std::make_unique<CSwayTables>();
     m_swayTables->addTo(m_state, kSwayRowsUnit, kSwayStillUnit);
     m_person = makePerson(m_state->getOrCreateUniform("place", osg::Uniform::FLOAT_VEC3));
-    m_tree->addChild(m_surfaceGroup);
-    m_wireframe->addChild(m_surfaceGroup);
+    m_tree->addChild(m_stand);
+    m_wireframe->addChild(m_stand);
     m_root->addChild(m_shadows->camera());
     m_root->addChild(m_background);
     m_grass = std::make_unique<CGrass>();
@@ -110,53 +86,52 @@ CViewScene::CViewScene()
     tint(ViewPart::kNone);
     setLook({});
     setQuality(1);
-    updateCrown();
+    updateGround();
 }
 
 CViewScene::~CViewScene() = default;
 
+/// The edited one, then those beside it.
+std::vector<CTreeNode*> CViewScene::trees() const {
+    std::vector<CTreeNode*> all{m_main.get()};
+    for (const auto& other : m_others) all.push_back(other.get());
+    return all;
+}
+
 void CViewScene::show(const std::vector<ViewPart>& parts, Shadows shadows) {
     m_shadowsBehind = shadows == Shadows::Kept;
-    m_parts = parts;
     m_sway.reset();
     m_swayTables->setOff();
-    addParts();
-    updateCrown();
-}
-
-void CViewScene::addParts() {
-    for (auto& surface : m_surfaces) surface->removeChildren(0, surface->getNumChildren());
-    m_drawn.clear();
-    for (const ViewPart& part : m_parts) {
-        osg::ref_ptr<osg::Geometry> geometry = part.geometry;
-        if (part.organs && !m_instancing) geometry = makeViewGeometry(part.organs->expanded(CProgress()));
-        geometry->setNodeMask(part.organs ? kInstancesMask : ~0u);
-        osg::StateSet* state = geometry->getOrCreateStateSet();
-        if (!state->getUniform("generation")) setFloat(state, "generation", part.generation);
-        setFloat(state, "colourVariation", part.colourVariation);
-        setNeighbours(*state, part.neighbours);
-        m_surfaces[static_cast<std::size_t>(part.surface)]->addChild(geometry);
-        m_drawn.push_back(geometry);
-    }
+    m_main->show(parts, m_instancing);
     m_instancesAreNew = true;
     hangParts();
-    shareBarks();
+    updateGround();
 }
 
-/// Gives every bark the pictures of those that it gives way to.
-void CViewScene::shareBarks() {
-    const auto stateOf = [&](Surface surface) { return m_surfaces[static_cast<std::size_t>(surface)]->getOrCreateStateSet(); };
-    for (const ViewPart& part : m_parts) {
-        for (std::size_t i = 0; i < part.neighbours.size(); ++i)
-            if (part.neighbours[i].rate != 0) shareSurface(*stateOf(part.surface), i, *stateOf(part.neighbours[i].surface));
+void CViewScene::showBeside(const std::vector<TreeBeside>& others) {
+    for (const auto& old : m_others) m_stand->removeChild(old->node());
+    m_others.clear();
+    for (const TreeBeside& other : others) {
+        auto node = std::make_unique<CTreeNode>();
+        node->standAt(other.place);
+        node->show(other.parts, m_instancing);
+        for (const Surface surface : kSurfaces)
+            if (const auto& maps = other.surfaces[static_cast<std::size_t>(surface)]) node->setSurface(surface, *maps);
+        setFloat(node->node()->getOrCreateStateSet(), "swaying", 0);
+        node->showLeaves(m_look.leaves);
+        node->smoothEdges(m_smooth);
+        m_stand->addChild(node->node());
+        m_others.push_back(std::move(node));
     }
+    m_instancesAreNew = true;
+    updateGround();
 }
 
 /// Gives all that is drawn its places on the axes of the swaying tree.
 void CViewScene::hangParts() {
-    for (std::size_t i = 0; i < m_parts.size(); ++i) {
-        const ViewPart& part = m_parts[i];
-        osg::Geometry& drawn = *m_drawn[i];
+    for (std::size_t i = 0; i < m_main->parts().size(); ++i) {
+        const ViewPart& part = m_main->parts()[i];
+        osg::Geometry& drawn = m_main->drawn(i);
         if (!m_sway)
             setSwayPlaces(drawn, nullptr);
         else if (!part.organs)
@@ -208,7 +183,7 @@ void CViewScene::setPass(const ViewPass& pass) {
     const bool sameSun = pass.sun == m_pass.sun;
     m_pass = pass;
     if (m_instancing)
-        for (auto& drawn : m_drawn) limitInstances(*drawn, pass.organVertices);
+        for (CTreeNode* tree : trees()) tree->limitInstances(pass.organVertices);
     if (pass.organVertices > m_shadowVertices) m_shadows->setStale();
     if (!sameSun) aimShadows(m_shadows->aimedAt());
 }
@@ -256,8 +231,7 @@ void CViewScene::setLook(const ViewLook& look) {
     m_tree->getOrCreateStateSet()->setAttributeAndModes(new osg::PolygonMode(osg::PolygonMode::FRONT_AND_BACK, mode));
     stromar::show(*m_wireframe, look.wireframe == Wireframe::Over);
     stromar::show(*m_grass->node(), look.backdrop == Backdrop::Sky);
-    for (const Surface surface : kSurfaces)
-        stromar::show(*m_surfaces[static_cast<std::size_t>(surface)], look.leaves || isBark(surface));
+    for (CTreeNode* tree : trees()) tree->showLeaves(look.leaves);
     m_root->removeChild(m_person);
     if (look.ground) m_root->addChild(m_person); // only then does it take room
     if (!sameSun || !m_state->getUniform("sun")) updateLight();
@@ -272,7 +246,7 @@ std::optional<ViewHit> CViewScene::pickSwayed(const osg::Vec3d& from, const osg:
     const glm::dvec3 start(from.x(), from.y(), from.z()), ray(direction.x(), direction.y(), direction.z());
     std::optional<ViewHit> nearest;
     double distance = 0;
-    for (const ViewPart& part : m_parts) {
+    for (const ViewPart& part : m_main->parts()) {
         if (!isBark(part.surface) && !m_look.leaves) continue;
         const auto mesh = swayedMesh(part);
         const auto met = meetMesh(*mesh, start, ray);
@@ -305,17 +279,17 @@ std::optional<ViewHit> CViewScene::pick(const osg::Vec3d& from, const osg::Vec3d
     ray->setIntersectionLimit(osgUtil::Intersector::LIMIT_NEAREST);
     osgUtil::IntersectionVisitor visitor(ray);
     visitor.setTraversalMask(~kInstancesMask);
-    m_tree->accept(visitor);
+    m_main->node()->accept(visitor);
     std::optional<ViewHit> nearest;
     double distance = 0;
     if (ray->containsIntersections()) {
         const auto hit = ray->getFirstIntersection();
-        const auto part = std::ranges::find_if(m_parts, [&](const ViewPart& p) { return p.geometry == hit.drawable; });
-        if (part == m_parts.end()) return {};
+        const auto part = std::ranges::find_if(m_main->parts(), [&](const ViewPart& p) { return p.geometry == hit.drawable; });
+        if (part == m_main->parts().end()) return {};
         nearest = ViewHit{part->generation, hit.getWorldIntersectPoint()};
         distance = (nearest->point - from) * direction / direction.length2();
     }
-    for (const ViewPart& part : m_parts) {
+    for (const ViewPart& part : m_main->parts()) {
         if (!part.organs || !m_look.leaves) continue;
         const auto met = part.organs->meet({from.x(), from.y(), from.z()}, {direction.x(), direction.y(), direction.z()});
         if (met.instance < 0 || (nearest && met.distance >= distance)) continue;
@@ -326,16 +300,16 @@ std::optional<ViewHit> CViewScene::pick(const osg::Vec3d& from, const osg::Vec3d
 }
 
 void CViewScene::setSurface(Surface surface, const SurfaceMaps& maps) {
-    if (m_shadows && surfaceOf(surface).cutOut) m_shadows->setStale();
-    showSurface(*m_surfaces[static_cast<std::size_t>(surface)]->getOrCreateStateSet(), maps);
-    if (isBark(surface)) shareBarks();
+    if (surfaceOf(surface).cutOut) m_shadows->setStale();
+    m_main->setSurface(surface, maps);
 }
 
 void CViewScene::startContext(int samples, bool instancing) {
     m_shadows->setStale();
     if (instancing != m_instancing) {
         m_instancing = instancing;
-        addParts();
+        for (CTreeNode* tree : trees()) tree->show(std::vector(tree->parts()), instancing);
+        hangParts();
     }
     m_instancesAreNew = true;
     setQuality(samples);
@@ -349,34 +323,28 @@ void CViewScene::setQuality(int samples) {
     m_grass->setLooks(looks);
     m_shadows->setSize(best ? kBestShadow : kFastShadow);
     setFloat(m_state, "smoothEdges", best);
-    for (const Surface surface : kSurfaces) {
-        if (!surfaceOf(surface).cutOut) continue;
-        osg::StateSet* state = m_surfaces[static_cast<std::size_t>(surface)]->getOrCreateStateSet();
-        for (const int mode : {GL_SAMPLE_ALPHA_TO_COVERAGE, GL_SAMPLE_ALPHA_TO_ONE})
-            state->setMode(static_cast<unsigned>(mode), best ? osg::StateAttribute::ON : osg::StateAttribute::OFF);
-    }
+    m_smooth = best;
+    for (CTreeNode* tree : trees()) tree->smoothEdges(best);
 }
 
 void CViewScene::finishFrame() {
     if (m_shadows->stale()) m_shadowVertices = m_pass.organVertices;
     m_shadows->setDrawn();
     if (!m_instancesAreNew || !m_look.leaves) return;
-    for (const ViewPart& part : m_parts)
-        if (part.organs) releaseInstances(*part.geometry);
+    for (CTreeNode* tree : trees()) tree->releaseInstances();
     m_instancesAreNew = false;
 }
 
 osg::BoundingBox CViewScene::bounds() const {
     osg::BoundingBox box;
-    for (const auto& surface : m_surfaces)
-        for (unsigned i = 0; i < surface->getNumChildren(); ++i)
-            box.expandBy(surface->getChild(i)->asGeometry()->getBoundingBox());
+    for (const CTreeNode* tree : trees()) box.expandBy(tree->bounds());
     return box;
 }
 
-void CViewScene::updateCrown() {
+/// What stands on the ground, and the shade there.
+void CViewScene::updateGround() {
     osg::BoundingBox box = bounds();
-    if (!box.valid()) box = osg::BoundingBox(-1, -1, 0, 1, 1, 2);
+    if (!box.valid()) box = kNoTree;
     const osg::Vec3 half = (box._max - box._min) / 2;
     m_grass->setTree(box);
     setVector(m_state, "crownMiddle", box.center());
@@ -395,7 +363,7 @@ void CViewScene::updateLight() {
     setVector(m_state, "bounce", light.ground);
     setFloat(m_state, "exposure", std::exp2(m_look.light.exposure));
     osg::BoundingBox box = bounds();
-    if (!box.valid()) box = osg::BoundingBox(-1, -1, 0, 1, 1, 2);
+    if (!box.valid()) box = kNoTree;
     if (!m_shadowsBehind) aimShadows(box);
 }
 

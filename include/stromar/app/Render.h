@@ -41,10 +41,15 @@ struct RenderOptions {
     bool fit = false;       ///< the whole tree just fills the picture
 };
 
-/// The picture that the viewport would show, without a window. Draws the tree's recipes first, where they are new.
-/// Throws CError, which says what is missing, and CCancelled.
-Pixels renderPicture(const std::shared_ptr<const TreeModel>& model, const std::filesystem::path& treeFolder, const RenderOptions& options,
-                     const CProgress& progress);
+/// A tree in a picture, and the folder at which its paths start.
+struct RenderTree {
+    std::shared_ptr<const TreeModel> model;
+    std::filesystem::path folder;
+};
+
+/// The picture that the viewport would show, without a window; several trees stand in a row, from left to right. Draws the trees'
+/// recipes first, where they are new. Throws CError, which says what is missing, and CCancelled.
+Pixels renderPicture(std::span<const RenderTree> trees, const RenderOptions& options, const CProgress& progress);
 /// The pictures of a motion, one after the other, all seen from the same place; `take` is given each. Throws as renderPicture().
 void renderMotion(CTreeCreator& creator, const CParams& params, const Detail& detail, const Motion& motion, double age,
                   const std::filesystem::path& treeFolder, const RenderOptions& options,

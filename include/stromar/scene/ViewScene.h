@@ -18,6 +18,7 @@ namespace stromar {
 class CGrass;
 class CShadowMap;
 class CSwayTables;
+class CTreeNode;
 
 /// A mesh, or leaves as instances, ready to be drawn.
 struct ViewPart {
@@ -52,6 +53,13 @@ struct ViewLook {
     bool operator==(const ViewLook&) const = default;
 };
 
+/// A tree that stands beside the one that is edited, and does not sway.
+struct TreeBeside {
+    std::vector<ViewPart> parts;
+    std::array<std::shared_ptr<const SurfaceMaps>, kSurfaces.size()> surfaces; ///< null: plain
+    osg::Vec3 place;                                                           ///< of its foot
+};
+
 /// Where a ray meets the tree.
 struct ViewHit {
     int generation; ///< kLeaves for leaves
@@ -79,12 +87,14 @@ public:
     /// Still air.
     void endSway();
     void setSurface(Surface surface, const SurfaceMaps& maps);
+    /// Replaces the trees beside it. Nobody picks them.
+    void showBeside(const std::vector<TreeBeside>& others);
     void setLook(const ViewLook& look);
     const ViewLook& look() const { return m_look; }
     /// Colours one generation; ViewPart::kNone colours none.
     void tint(int generation);
     int tinted() const { return m_tinted; }
-    osg::BoundingBox bounds() const;
+    osg::BoundingBox bounds() const; ///< of all trees
     /// For who draws: what lay on the graphics card is lost; frame buffers have so many samples. One sample stands for
     /// drawing by the processor: lesser looks. Without `instancing`, which OpenGL 3.3 has, leaves get vertices of their
     /// own.
@@ -100,32 +110,30 @@ public:
 
 private:
     void setQuality(int samples);
-    void addParts();
-    void updateCrown();
+    std::vector<CTreeNode*> trees() const;
+    void updateGround();
     void updateLight();
     void hangParts();
-    void shareBarks();
     void aimAtPose();
     void aimShadows(const osg::BoundingBox& box);
     std::shared_ptr<const CMesh> swayedMesh(const ViewPart& part) const;
     SwayPlace placeOf(const ViewPart& part, std::uint32_t vertex) const;
     std::optional<ViewHit> pickSwayed(const osg::Vec3d& from, const osg::Vec3d& direction) const;
 
-    osg::ref_ptr<osg::Group> m_root, m_tree, m_wireframe, m_person, m_surfaceGroup;
+    osg::ref_ptr<osg::Group> m_root, m_tree, m_wireframe, m_person, m_stand; ///< m_stand: all trees
     osg::ref_ptr<osg::Geometry> m_background;
-    std::array<osg::ref_ptr<osg::Group>, kSurfaces.size()> m_surfaces;
+    std::unique_ptr<CTreeNode> m_main;
+    std::vector<std::unique_ptr<CTreeNode>> m_others;
     std::unique_ptr<CGrass> m_grass;
     std::unique_ptr<CShadowMap> m_shadows;
     osg::ref_ptr<osg::StateSet> m_state; ///< of everything
-    std::vector<ViewPart> m_parts;
-    std::vector<osg::ref_ptr<osg::Geometry>> m_drawn; ///< of the parts: theirs, or one without instances
     std::unique_ptr<CSwayTables> m_swayTables;
     std::shared_ptr<const ModelSway> m_sway; ///< of the model that is shown; null in still air
     struct {
         std::shared_ptr<const WindPose> rows;
         double seconds = 0, loop = 0;
     } m_pose;
-    bool m_instancing = true;
+    bool m_instancing = true, m_smooth = false;
     bool m_instancesAreNew = false; ///< not yet drawn: the graphics card has no copy
     ViewLook m_look;
     ViewPass m_pass;

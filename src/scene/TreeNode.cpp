@@ -1,0 +1,102 @@
+#include "TreeNode.h"
+#include "Uniforms.h"
+#include "stromar/model/Material.h"
+#include "stromar/scene/OsgGeometry.h"
+#include <algorithm>
+
+namespace stromar {
+
+namespace {
+#ifndef GL_SAMPLE_ALPHA_TO_COVERAGE
+constexpr unsigned GL_SAMPLE_ALPHA_TO_COVERAGE = 0x809E, GL_SAMPLE_ALPHA_TO_ONE = 0x809F;
+#endif
+constexpr float kLeastCrown = 0.01f; // metres
+} // namespace
+
+CTreeNode::CTreeNode() {
+    for (const Surface surface : kSurfaces) {
+        m_surfaces[static_cast<std::size_t>(surface)] = new osg::Group;
+        setFloat(&stateOf(surface), "leaf", surfaceOf(surface).cutOut);
+        m_node->addChild(m_surfaces[static_cast<std::size_t>(surface)]);
+        setSurface(surface, *readSurface(surface, {}));
+    }
+    standAt({});
+}
+
+void CTreeNode::standAt(const osg::Vec3& place) {
+    m_place = place;
+    m_node->setMatrix(osg::Matrixd::translate(place));
+    setVector(m_node->getOrCreateStateSet(), "standsAt", place);
+    updateCrown();
+}
+
+void CTreeNode::show(const std::vector<ViewPart>& parts, bool instancing) {
+    m_parts = parts;
+    m_drawn.clear();
+    for (auto& surface : m_surfaces) surface->removeChildren(0, surface->getNumChildren());
+    for (const ViewPart& part : m_parts) {
+        osg::ref_ptr<osg::Geometry> geometry = part.geometry;
+        if (part.organs && !instancing) geometry = makeViewGeometry(part.organs->expanded(CProgress()));
+        geometry->setNodeMask(part.organs ? kInstancesMask : ~0u);
+        osg::StateSet* state = geometry->getOrCreateStateSet();
+        if (!state->getUniform("generation")) setFloat(state, "generation", part.generation);
+        setFloat(state, "colourVariation", part.colourVariation);
+        setNeighbours(*state, part.neighbours);
+        m_surfaces[static_cast<std::size_t>(part.surface)]->addChild(geometry);
+        m_drawn.push_back(geometry);
+    }
+    shareBarks();
+    updateCrown();
+}
+
+void CTreeNode::setSurface(Surface surface, const SurfaceMaps& maps) {
+    showSurface(stateOf(surface), maps);
+    if (isBark(surface)) shareBarks();
+}
+
+/// Gives every bark the pictures of those that it gives way to.
+void CTreeNode::shareBarks() {
+    for (const ViewPart& part : m_parts)
+        for (std::size_t i = 0; i < part.neighbours.size(); ++i)
+            if (part.neighbours[i].rate != 0) shareSurface(stateOf(part.surface), i, stateOf(part.neighbours[i].surface));
+}
+
+void CTreeNode::showLeaves(bool on) {
+    for (const Surface surface : kSurfaces)
+        m_surfaces[static_cast<std::size_t>(surface)]->setNodeMask(on || isBark(surface) ? ~0u : 0u);
+}
+
+void CTreeNode::smoothEdges(bool on) {
+    for (const Surface surface : kSurfaces) {
+        if (!surfaceOf(surface).cutOut) continue;
+        for (const int mode : {GL_SAMPLE_ALPHA_TO_COVERAGE, GL_SAMPLE_ALPHA_TO_ONE})
+            stateOf(surface).setMode(static_cast<unsigned>(mode), on ? osg::StateAttribute::ON : osg::StateAttribute::OFF);
+    }
+}
+
+void CTreeNode::limitInstances(std::size_t vertices) {
+    for (auto& drawn : m_drawn) stromar::limitInstances(*drawn, vertices);
+}
+
+void CTreeNode::releaseInstances() {
+    for (const ViewPart& part : m_parts)
+        if (part.organs) stromar::releaseInstances(*part.geometry);
+}
+
+osg::BoundingBox CTreeNode::bounds() const {
+    osg::BoundingBox box;
+    for (const auto& geometry : m_drawn) box.expandBy(geometry->getBoundingBox());
+    return box.valid() ? osg::BoundingBox(box._min + m_place, box._max + m_place) : box;
+}
+
+/// The room of the leaves' shade, in the tree's own place.
+void CTreeNode::updateCrown() {
+    osg::BoundingBox box = bounds();
+    if (!box.valid()) box = kNoTree;
+    const osg::Vec3 half = (box._max - box._min) / 2;
+    osg::StateSet* state = m_node->getOrCreateStateSet();
+    setVector(state, "crownMiddle", box.center() - m_place);
+    setVector(state, "crownSize", {std::max(half.x(), kLeastCrown), std::max(half.y(), kLeastCrown), std::max(half.z(), kLeastCrown)});
+}
+
+} // namespace stromar
