@@ -95,6 +95,10 @@ public:
         ViewLook look;
         look.light = options.light;
         look.backdrop = static_cast<Backdrop>(options.backdrop);
+        if (!options.backdropPicture.empty()) {
+            look.backdrop = Backdrop::Picture;
+            look.picture = readBackdrop(options.backdropPicture);
+        }
         m_scene.setLook(look);
     }
 

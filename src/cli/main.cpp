@@ -22,6 +22,13 @@ void onSignal(int) {
 
 constexpr std::pair<char, double> kMemoryUnits[] = {{'K', 1e3}, {'M', 1e6}, {'G', 1e9}};
 
+/// "{full,simple}"
+std::string joined(std::span<const std::string_view> words) {
+    std::string all;
+    for (const std::string_view word : words) all += (all.empty() ? "{" : ",") + std::string(word);
+    return all + "}";
+}
+
 /// Everything the command line can say.
 struct Options {
     CommonOptions common;
@@ -37,7 +44,7 @@ struct Options {
     std::string pictureSize, season, memory, method = "weber-penn";
     bool segments = false;
     bool markdown = false, json = false;
-    std::string from;
+    std::string from, backdrop;
     bool transparent = false;
     bool lodGiven = false;
 
@@ -51,6 +58,7 @@ struct Options {
         }
         if (!pictureSize.empty()) readPictureSize();
         if (!from.empty()) readFrom();
+        if (!backdrop.empty()) readBackdropName();
         if (transparent) rendered.backdrop = static_cast<int>(backdropNames().size()) - 1;
         if (!memory.empty()) readMemory();
         readClamped("--age", age, 0, 1, common.age);
@@ -94,6 +102,15 @@ struct Options {
         if (!number || *number <= 0) throw CUsageError("--max-memory wants a size as 500M or 2.5G, not '" + memory + "'");
         common.limits.bytes = *number * (named ? unit->second : 1e6);
     }
+    void readBackdropName() {
+        const auto named = std::ranges::find(backdropNames(), backdrop);
+        if (named != backdropNames().end())
+            rendered.backdrop = static_cast<int>(named - backdropNames().begin());
+        else if (backdrop.find('.') != std::string::npos)
+            rendered.backdropPicture = backdrop;
+        else
+            throw CUsageError("--backdrop wants one of " + joined(backdropNames()) + " or a picture, not '" + backdrop + "'");
+    }
     void readFrom() {
         const std::size_t comma = from.find(',');
         const auto azimuth = parseNumber(std::string_view(from).substr(0, comma)),
@@ -113,13 +130,6 @@ struct Options {
         rendered.height = static_cast<int>(*height);
     }
 };
-
-/// "{full,simple}"
-std::string joined(std::span<const std::string_view> words) {
-    std::string all;
-    for (const std::string_view word : words) all += (all.empty() ? "{" : ",") + std::string(word);
-    return all + "}";
-}
 
 /// "bark:{furrowed,…} with seed, ridges …"
 template <typename Params>
@@ -246,9 +256,8 @@ void addRender(CLI::App& command, Options& options) {
     command.add_flag("--fit", options.rendered.fit, "The tree just fills the picture");
     command.add_option("--focal-length", options.rendered.focalLength, "Millimetres, for a picture 24 mm high; default: 45")
         ->check(CLI::Range(8.0, 1000.0));
-    command.add_option("--backdrop", options.rendered.backdrop, "What is behind the tree")
-        ->transform(CLI::Transformer(numbered(backdropNames())))
-        ->option_text(joined(backdropNames()));
+    command.add_option("--backdrop", options.backdrop, "What is behind the tree; or a picture, .png or .jpg, or a panorama, .hdr, that lights it")
+        ->option_text(joined(backdropNames()) + "|FILE");
     for (const LightRow& row : lightTable())
         command.add_option(std::string(row.flag), options.rendered.light.*row.field, std::string(row.help))
             ->check(CLI::Range(row.range.min, row.range.max));

@@ -299,8 +299,10 @@ void main() { gl_FragColor = colour; }
 
 inline constexpr const char* kBackgroundVertexShader = R"(#version 120
 varying vec4 near_, far_;
+varying vec3 window; // place, and its width over its height
 void main() {
     gl_Position = vec4(gl_Vertex.xy, 0.999, 1.0);
+    window = vec3(gl_Vertex.xy, gl_ProjectionMatrix[1][1] / gl_ProjectionMatrix[0][0]);
     near_ = gl_ModelViewProjectionMatrixInverse * vec4(gl_Vertex.xy, -1.0, 1.0);
     far_ = gl_ModelViewProjectionMatrixInverse * vec4(gl_Vertex.xy, 1.0, 1.0);
 }
@@ -351,6 +353,9 @@ void main() {
 // The ground is the plane z = 0, seen along each ray, with the tree's shadow and a grid of metres.
 inline constexpr const char* kBackgroundFragmentShader = R"(
 uniform mat4 osg_ViewMatrixInverse, shadowMatrix;
+uniform sampler2D backdropPicture;
+uniform float backdropAspect, backdropScale; // width over height, 0: all around
+varying vec3 window;
 uniform int backdrop;
 uniform float grid;
 varying vec4 near_, far_;
@@ -380,6 +385,15 @@ vec3 meadow(vec2 place, float away) {
 #endif
     return mix(vec3(0.055, 0.085, 0.028), vec3(0.125, 0.14, 0.06), 0.55 * patches + 0.45 * blades);
 }
+// A picture as large as fills the window, or a panorama.
+vec3 pictured(vec3 ray) {
+    if (backdropAspect == 0.0) {
+        vec2 turn = vec2(atan(ray.x, ray.y) / 6.2831853 + 0.5, asin(clamp(ray.z, -1.0, 1.0)) / 3.1415927 + 0.5);
+        return shown(backdropScale * texture2D(backdropPicture, turn).rgb);
+    }
+    vec2 part = backdropAspect > window.z ? vec2(window.z / backdropAspect, 1.0) : vec2(1.0, backdropAspect / window.z);
+    return texture2D(backdropPicture, 0.5 + 0.5 * window.xy * part).rgb;
+}
 void main() {
     vec3 start = near_.xyz / near_.w;
     vec3 ray = normalize(far_.xyz / far_.w - start);
@@ -401,6 +415,7 @@ void main() {
         vec3 ground = mix(plain * open * mix(0.72, 1.0, seen), ink, line);
         colour = down ? mix(plain, ground, exp(-0.09 * away)) : plain;
     }
+    if (backdrop == 4) colour = mix(pictured(ray), vec3(0.04), line) * (down ? mix(0.45, 1.0, seen) * mix(0.6, 1.0, open) : 1.0);
     gl_FragColor = backdrop == 3 ? vec4(0.0) : vec4(colour, 1.0);
 }
 )";

@@ -16,6 +16,7 @@
 #include <cmath>
 #include <osg/PolygonMode>
 #include <osg/PolygonOffset>
+#include <osg/Texture2D>
 #include <osgUtil/IntersectionVisitor>
 #include <osgUtil/LineSegmentIntersector>
 
@@ -222,8 +223,10 @@ std::vector<ViewPart> viewPartsOf(const TreeModel& model, const std::vector<View
 }
 
 void CViewScene::setLook(const ViewLook& look) {
-    const bool sameSun = look.light == m_look.light && look.leaves == m_look.leaves;
+    const bool samePicture = look.picture == m_look.picture && look.backdrop == m_look.backdrop;
+    const bool sameLight = look.light == m_look.light && look.leaves == m_look.leaves && samePicture;
     m_look = look;
+    if (look.picture && !samePicture) showBackdropPicture();
     setInteger(m_state, "backdrop", static_cast<int>(look.backdrop));
     setInteger(m_state, "view", static_cast<int>(look.shading));
     setFloat(m_state, "grid", look.ground);
@@ -234,7 +237,21 @@ void CViewScene::setLook(const ViewLook& look) {
     for (CTreeNode* tree : trees()) tree->showLeaves(look.leaves);
     m_root->removeChild(m_person);
     if (look.ground) m_root->addChild(m_person); // only then does it take room
-    if (!sameSun || !m_state->getUniform("sun")) updateLight();
+    if (!sameLight || !m_state->getUniform("sun")) updateLight();
+}
+
+void CViewScene::showBackdropPicture() {
+    const BackdropPicture& picture = *m_look.picture;
+    osg::ref_ptr<osg::Texture2D> texture = new osg::Texture2D(picture.image);
+    texture->setResizeNonPowerOfTwoHint(false);
+    texture->setFilter(osg::Texture::MIN_FILTER, picture.panorama ? osg::Texture::LINEAR : osg::Texture::LINEAR_MIPMAP_LINEAR);
+    texture->setWrap(osg::Texture::WRAP_S, picture.panorama ? osg::Texture::REPEAT : osg::Texture::CLAMP_TO_EDGE);
+    texture->setWrap(osg::Texture::WRAP_T, osg::Texture::CLAMP_TO_EDGE);
+    osg::StateSet* state = m_background->getOrCreateStateSet();
+    state->setTextureAttributeAndModes(kBackdropUnit, texture);
+    setInteger(state, "backdropPicture", kBackdropUnit);
+    setFloat(state, "backdropAspect", picture.panorama ? 0 : double(picture.image->s()) / picture.image->t());
+    setFloat(state, "backdropScale", picture.scale);
 }
 
 void CViewScene::tint(int generation) {
@@ -355,7 +372,13 @@ void CViewScene::updateGround() {
 }
 
 void CViewScene::updateLight() {
-    const Daylight light = daylightAt(m_look.light);
+    Daylight light = daylightAt(m_look.light);
+    if (const auto& picture = m_look.picture; m_look.backdrop == Backdrop::Picture && picture && picture->panorama) {
+        const auto strength = static_cast<float>(m_look.light.skyStrength);
+        light.zenith = picture->zenith * strength;
+        light.haze = picture->haze * strength;
+        light.ground = picture->ground * strength;
+    }
     setVector(m_state, "sun", light.sun);
     setVector(m_state, "sunlight", light.sunlight);
     setVector(m_state, "zenith", light.zenith);

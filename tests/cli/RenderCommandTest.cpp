@@ -5,6 +5,7 @@
 #include "util/TemporaryFolder.h"
 #include <algorithm>
 #include <array>
+#include <fstream>
 #include <gtest/gtest.h>
 #include <png.h>
 
@@ -181,6 +182,62 @@ TEST_F(Render, BackdropsAndLightAreThoseThatWereAskedFor) {
     EXPECT_GT(warm[0] - warm[2], usual[0] - usual[2] + 20);
     const auto ground = [](const Picture& p) { return p.mean(10, 205, 60, 225); };
     EXPECT_GT(ground(render({"--sun-strength", "2"}))[1], ground(render({"--sun-strength", "0"}))[1] + 15);
+}
+
+/// A panorama of one colour.
+void writePanorama(const std::string& path, std::array<unsigned char, 3> colour) {
+    std::ofstream file(path, std::ios::binary);
+    file << "#?RADIANCE\nFORMAT=32-bit_rle_rgbe\n\n-Y 2 +X 4\n";
+    for (int pixel = 0; pixel < 8; ++pixel) {
+        for (const unsigned char value : colour) file.put(static_cast<char>(value));
+        file.put(static_cast<char>(129)); // exponent: times 2 / 256
+    }
+}
+
+TEST_F(Render, ABackdropMayBeAPictureOrAPanoramaThatLights) {
+    const std::string bark = (m_folder.path() / "bark.png").string(), hot = (m_folder.path() / "hot.hdr").string();
+    ASSERT_EQ(cli({"texture", "bark:furrowed dark=#ff0000 light=#ff0000", "--size", "64", "-o", bark}).status, 0);
+    const auto corner = [](const Picture& p) { return p.mean(0, 0, 40, 20); };
+    const auto behind = corner(render({"--backdrop", bark}));
+    EXPECT_GT(behind[0], behind[2] + 60);
+    writePanorama(hot, {250, 60, 20});
+    const Picture usual = render({}), lit = render({"--backdrop", hot});
+    EXPECT_GT(corner(lit)[0], corner(lit)[2] + 60);
+    const auto trunk = [](const Picture& p) { return p.mean(97, 195, 103, 210); };
+    EXPECT_GT(trunk(lit)[0] - trunk(lit)[2], trunk(usual)[0] - trunk(usual)[2] + 20) << "its light falls on the tree";
+    for (const char* wrong : {"none.png", "tree.gif", "purple"})
+        EXPECT_NE(cli({"render", kAspen, "-o", path(), "--backdrop", wrong}).status, 0) << wrong;
+}
+
+TEST_F(Render, SeveralTreesStandInARow) {
+    const auto columns = [](const Picture& p) {
+        std::vector<std::size_t> trees; // pixels of each, between empty columns
+        bool inside = false;
+        for (unsigned x = 0; x < p.width; ++x) {
+            std::size_t count = 0;
+            for (unsigned y = 0; y < p.height; ++y) count += p.rgba[4 * (y * p.width + x) + 3] > 0;
+            if (count > 0 && !inside) trees.push_back(0);
+            if (count > 0) trees.back() += count;
+            inside = count > 0;
+        }
+        return trees;
+    };
+    const auto row = columns(render({kAspen, kAspen, "--transparent", "--fit"}));
+    ASSERT_EQ(row.size(), 3u) << "with air between them";
+    for (const std::size_t pixels : row) EXPECT_NEAR(double(pixels), double(row[0]), 0.15 * double(row[0]));
+    const auto side = columns(render({kAspen, "--transparent", "--fit", "--from", "90,0"}));
+    EXPECT_EQ(side.size(), 2u) << "the row lies across the view";
+}
+
+TEST_F(Render, SeveralTreesStandStill) {
+    for (const Words& motion : {Words{"--frames", "3"}, Words{"--wind-strength", "0.5"}}) {
+        Words words{"render", kAspen, kAspen, "-o", path()};
+        words.insert(words.end(), motion.begin(), motion.end());
+        const ProcessResult run = cli(words);
+        EXPECT_EQ(run.status, 2);
+        EXPECT_NE(run.err.find("several trees stand still"), std::string::npos) << run.err;
+    }
+    EXPECT_EQ(cli({"render", kAspen, "none.tree", "-o", path()}).status, 1);
 }
 
 TEST_F(Render, AnyNumberOfSamplesIsDrawn) {

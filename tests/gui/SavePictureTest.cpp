@@ -71,10 +71,31 @@ protected:
     QStringList messages; ///< of the message boxes on the way
     QString offered;      ///< what the dialog calls pictures
 
-private:
     /// Later: pressed inside the timer's slot, the dialog that follows would stop the timer.
     static void press(QAbstractButton* button) { QTimer::singleShot(0, button, &QAbstractButton::click); }
 };
+
+TEST_F(SavePicture, APictureOfOnesOwnMayBeBehind) {
+    QImage red(40, 30, QImage::Format_RGB32);
+    red.fill(Qt::red);
+    ASSERT_TRUE(red.save(path(QStringLiteral("red.png"))));
+    QTimer poll;
+    QObject::connect(&poll, &QTimer::timeout, &poll, [&] {
+        auto* files = qobject_cast<QFileDialog*>(QApplication::activeModalWidget());
+        if (!files) return;
+        poll.stop();
+        files->findChild<QLineEdit*>(QStringLiteral("fileNameEdit"))->setText(path(QStringLiteral("red.png")));
+        press(files->findChild<QDialogButtonBox*>()->button(QDialogButtonBox::Open));
+    });
+    poll.start(5);
+    action("backdropPicture")->trigger();
+    EXPECT_FALSE(action("backdropSky")->isChecked());
+    const auto corner = [&] { return seenFrom(window.viewport().camera(), {200, 150}, 1).pixelColor(3, 3); };
+    EXPECT_GT(corner().red(), 200);
+    EXPECT_LT(corner().blue(), 60);
+    action("backdropSky")->trigger();
+    EXPECT_GT(corner().blue(), 100) << "the sky is back";
+}
 
 TEST_F(SavePicture, HasTheWantedSizeAndBackdrop) {
     const QString file = path(QStringLiteral("tree.png"));

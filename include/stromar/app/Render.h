@@ -35,6 +35,7 @@ struct RenderOptions {
     int view = 0; ///< row of renderViews()
     int samples = 4;
     int backdrop = 0; ///< row of backdropNames()
+    std::string backdropPicture{}; ///< a file in place of it: .png, .jpg, or a panorama, .hdr
     Light light{};
     std::optional<std::pair<double, double>> from; ///< yaw and pitch in place of the view's
     double focalLength = 0; ///< millimetres, of a picture 24 mm high; 0: that of the window

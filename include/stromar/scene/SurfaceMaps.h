@@ -24,6 +24,6 @@ std::shared_ptr<const SurfaceMaps> readSurface(Surface surface, const std::strin
 void showSurface(osg::StateSet& state, const SurfaceMaps& maps);
 
 /// Texture units, for those who use more.
-constexpr unsigned kAlbedoUnit = 0, kReliefUnit = 1, kGlossUnit = 2, kShadowUnit = 3, kUnderUnit = 4, kSwayRowsUnit = 5, kSwayStillUnit = 6;
+constexpr unsigned kAlbedoUnit = 0, kReliefUnit = 1, kGlossUnit = 2, kShadowUnit = 3, kUnderUnit = 4, kSwayRowsUnit = 5, kSwayStillUnit = 6, kBackdropUnit = 13; // 7 to 12: NeighbourBarks
 
 } // namespace stromar

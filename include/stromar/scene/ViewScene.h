@@ -1,6 +1,7 @@
 #pragma once
 #include "stromar/model/Light.h"
 #include "stromar/model/ModelSway.h"
+#include "stromar/scene/BackdropPicture.h"
 #include "stromar/scene/NeighbourBarks.h"
 #include "stromar/scene/SurfaceMaps.h"
 #include "stromar/scene/ViewPass.h"
@@ -38,13 +39,14 @@ struct ViewPart {
 /// CCancelled.
 std::vector<ViewPart> viewPartsOf(const TreeModel& model, const std::vector<ViewPart>& known, const CProgress& progress);
 
-enum class Backdrop { Sky, Light, Dark, Nothing }; ///< Nothing: transparent
+enum class Backdrop { Sky, Light, Dark, Nothing, Picture }; ///< Nothing: transparent
 enum class Wireframe { Off, Only, Over };
 enum class Shading { Lit, Material, Occlusion, Normals };
 
 /// What is drawn beside the tree, and how.
 struct ViewLook {
     Backdrop backdrop = Backdrop::Sky;
+    std::shared_ptr<const BackdropPicture> picture{}; ///< of Backdrop::Picture: the trees' shadow falls on it, a panorama lights them
     Wireframe wireframe = Wireframe::Off;
     Shading shading = Shading::Lit;
     Light light{};
@@ -112,6 +114,7 @@ private:
     void setQuality(int samples);
     std::vector<CTreeNode*> trees() const;
     void updateGround();
+    void showBackdropPicture();
     void updateLight();
     void hangParts();
     void aimAtPose();

@@ -65,6 +65,7 @@ public:
 
     // The commands of the table.
     void chooseTexture(const char* key);
+    void chooseBackdrop();
     void findParameter();
     void showPreferences();
     void throwDice();
