@@ -387,6 +387,14 @@
         <source>Cut the tree and let it fall; the timeline runs over its fall</source>
         <translation>Pokácet strom; časová osa pak vede jeho pádem</translation>
     </message>
+    <message>
+        <source>Before a &amp;Picture…</source>
+        <translation>Před &amp;obrázkem…</translation>
+    </message>
+    <message>
+        <source>A photograph, or a panorama that lights the tree</source>
+        <translation>Fotografie nebo panorama, které strom osvětluje</translation>
+    </message>
 </context>
 <context>
     <name>stromar</name>
@@ -3124,6 +3132,18 @@
     <message>
         <source>Wind</source>
         <translation>Vítr</translation>
+    </message>
+    <message>
+        <source>Picture Behind the Tree</source>
+        <translation>Obrázek za stromem</translation>
+    </message>
+    <message>
+        <source>Pictures and panoramas (*.png *.jpg *.jpeg *.hdr)</source>
+        <translation>Obrázky a panoramata (*.png *.jpg *.jpeg *.hdr)</translation>
+    </message>
+    <message>
+        <source>Cannot show the picture</source>
+        <translation>Obrázek nelze zobrazit</translation>
     </message>
 </context>
 <context>

@@ -387,6 +387,14 @@
         <source>Cut the tree and let it fall; the timeline runs over its fall</source>
         <translation>Срубить дерево; шкала времени идёт по его падению</translation>
     </message>
+    <message>
+        <source>Before a &amp;Picture…</source>
+        <translation>На фоне &amp;изображения…</translation>
+    </message>
+    <message>
+        <source>A photograph, or a panorama that lights the tree</source>
+        <translation>Фотография или панорама, которая освещает дерево</translation>
+    </message>
 </context>
 <context>
     <name>stromar</name>
@@ -3124,6 +3132,18 @@
     <message>
         <source>Wind</source>
         <translation>Ветер</translation>
+    </message>
+    <message>
+        <source>Picture Behind the Tree</source>
+        <translation>Изображение за деревом</translation>
+    </message>
+    <message>
+        <source>Pictures and panoramas (*.png *.jpg *.jpeg *.hdr)</source>
+        <translation>Изображения и панорамы (*.png *.jpg *.jpeg *.hdr)</translation>
+    </message>
+    <message>
+        <source>Cannot show the picture</source>
+        <translation>Не удаётся показать изображение</translation>
     </message>
 </context>
 <context>

@@ -387,6 +387,14 @@
         <source>Cut the tree and let it fall; the timeline runs over its fall</source>
         <translation>Podreti drevo; časovnica teče po njegovem padcu</translation>
     </message>
+    <message>
+        <source>Before a &amp;Picture…</source>
+        <translation>Pred &amp;sliko …</translation>
+    </message>
+    <message>
+        <source>A photograph, or a panorama that lights the tree</source>
+        <translation>Fotografija ali panorama, ki drevo osvetljuje</translation>
+    </message>
 </context>
 <context>
     <name>stromar</name>
@@ -3124,6 +3132,18 @@
     <message>
         <source>Wind</source>
         <translation>Veter</translation>
+    </message>
+    <message>
+        <source>Picture Behind the Tree</source>
+        <translation>Slika za drevesom</translation>
+    </message>
+    <message>
+        <source>Pictures and panoramas (*.png *.jpg *.jpeg *.hdr)</source>
+        <translation>Slike in panorame (*.png *.jpg *.jpeg *.hdr)</translation>
+    </message>
+    <message>
+        <source>Cannot show the picture</source>
+        <translation>Slike ni mogoče prikazati</translation>
     </message>
 </context>
 <context>
