@@ -395,6 +395,14 @@
         <source>A photograph, or a panorama that lights the tree</source>
         <translation>Fotografie nebo panorama, které strom osvětluje</translation>
     </message>
+    <message>
+        <source>Tint What Is &amp;Edited</source>
+        <translation>Zabarvit, co se &amp;upravuje</translation>
+    </message>
+    <message>
+        <source>Keep the tint of what the value in hand changes; else it only flashes</source>
+        <translation>Ponechat zabarvené, co mění vybraná hodnota; jinak jen problikne</translation>
+    </message>
 </context>
 <context>
     <name>stromar</name>

@@ -395,6 +395,14 @@
         <source>A photograph, or a panorama that lights the tree</source>
         <translation>Фотография или панорама, которая освещает дерево</translation>
     </message>
+    <message>
+        <source>Tint What Is &amp;Edited</source>
+        <translation>Подкрашивать р&amp;едактируемое</translation>
+    </message>
+    <message>
+        <source>Keep the tint of what the value in hand changes; else it only flashes</source>
+        <translation>Оставлять подкрашенным то, что меняет выбранное значение; иначе оно лишь вспыхивает</translation>
+    </message>
 </context>
 <context>
     <name>stromar</name>

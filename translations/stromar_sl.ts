@@ -395,6 +395,14 @@
         <source>A photograph, or a panorama that lights the tree</source>
         <translation>Fotografija ali panorama, ki drevo osvetljuje</translation>
     </message>
+    <message>
+        <source>Tint What Is &amp;Edited</source>
+        <translation>Obarvaj, kar s&amp;e ureja</translation>
+    </message>
+    <message>
+        <source>Keep the tint of what the value in hand changes; else it only flashes</source>
+        <translation>Obarvano ostane, kar spreminja izbrana vrednost; sicer le utripne</translation>
+    </message>
 </context>
 <context>
     <name>stromar</name>

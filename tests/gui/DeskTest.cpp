@@ -101,15 +101,34 @@ TEST_F(DeskTest, ADraggedHandleOfTheEnvelopeIsOneStep) {
     EXPECT_EQ(value("PruneWidth"), before);
 }
 
-TEST_F(DeskTest, TheValueInHandTintsItsGeneration) {
+TEST_F(DeskTest, TheLevelOfTheValueInHandFlashesOnce) {
+    window.panel().tabs().setCurrentIndex(window.panel().tabOf(Group::Branches, 1));
+    window.panel().editor(paramRef("1DownAngle"))->findChild<QSlider*>()->setFocus();
+    ASSERT_TRUE(waitFor([&] { return window.viewport().tinted() == 1; }));
+    EXPECT_TRUE(waitFor([&] { return window.viewport().tinted() == ViewPart::kNone; })) << "the tree in its own colours";
+    window.panel().editor(paramRef("1Rotate"))->findChild<QSlider*>()->setFocus();
+    EXPECT_EQ(window.viewport().tinted(), ViewPart::kNone) << "the same level";
+    window.panel().tabs().setCurrentIndex(window.panel().tabOf(Group::Leaves));
+    window.panel().editor(paramRef("LeafScale"))->findChild<QSlider*>()->setFocus();
+    ASSERT_TRUE(waitFor([&] { return window.viewport().tinted() == ViewPart::kLeaves; }));
+    window.document().setValue(paramRef("LeafScale"), value("LeafScale") * 1.5, 0);
+    EXPECT_EQ(window.viewport().tinted(), ViewPart::kNone) << "while it changes";
+}
+
+TEST_F(DeskTest, TheValueInHandTintsItsGenerationWhereThatIsWanted) {
+    action("tintEdited")->setChecked(true);
     window.panel().tabs().setCurrentIndex(window.panel().tabOf(Group::Branches, 1));
     const QImage plain = picture();
     window.panel().editor(paramRef("1DownAngle"))->findChild<QSlider*>()->setFocus();
     ASSERT_TRUE(waitFor([&] { return window.viewport().tinted() == 1; }));
     EXPECT_NE(picture(), plain);
+    QTest::qWait(1000);
+    EXPECT_EQ(window.viewport().tinted(), 1) << "it stays";
     window.panel().tabs().setCurrentIndex(window.panel().tabOf(Group::Leaves));
     window.panel().editor(paramRef("LeafScale"))->findChild<QSlider*>()->setFocus();
     EXPECT_TRUE(waitFor([&] { return window.viewport().tinted() == ViewPart::kLeaves; }));
+    action("tintEdited")->setChecked(false);
+    EXPECT_EQ(window.viewport().tinted(), ViewPart::kNone);
 }
 
 TEST_F(DeskTest, OverlaysAreNoPartOfThePicture) {

@@ -19,6 +19,7 @@
 namespace stromar {
 
 namespace {
+constexpr int kFlash = 600;     // milliseconds that a level is tinted when it is first touched
 constexpr int kTurnPoints = 12; // of a drawn turn of a helix
 constexpr std::size_t kMaxLines = 40000; // that are drawn of what a line of a text wrote
 
@@ -59,6 +60,9 @@ std::uint64_t nameOf(const CTree& tree, const CLeaf& leaf) {
 CViewController::CViewController(CViewport& viewport, CParamPanel& panel, CDocument& document, QObject* parent)
     : QObject(parent), m_viewport(viewport), m_panel(panel), m_document(document) {
     connect(&m_panel, &CParamPanel::touched, this, &CViewController::onTouched);
+    m_flash.setSingleShot(true);
+    connect(&m_flash, &QTimer::timeout, this, &CViewController::endFlash);
+    connect(&m_document, &CDocument::changed, this, &CViewController::endFlash);
     connect(&m_panel, &CParamPanel::lineTouched, this, &CViewController::onLineTouched);
     connect(&m_panel, &CParamPanel::rangeHeld, this, &CViewController::onRangeHeld);
     connect(&m_panel, &CParamPanel::released, this, &CViewController::onPanelReleased);
@@ -94,8 +98,25 @@ const Guide* CViewController::guideOf(const ParamRef& ref) const {
     return nullptr;
 }
 
+/// The tree is seen in its own colours while a value changes, and after.
+void CViewController::endFlash() {
+    m_flash.stop();
+    if (!m_tintKept) m_viewport.tint(ViewPart::kNone);
+}
+
+void CViewController::setTintKept(bool on) {
+    m_tintKept = on;
+    m_flash.stop();
+    m_viewport.tint(on ? m_touched : ViewPart::kNone);
+}
+
 void CViewController::onTouched(const std::optional<ParamRef>& ref) {
-    m_viewport.tint(ref ? generationOf(*ref) : ViewPart::kNone);
+    const int touched = ref ? generationOf(*ref) : ViewPart::kNone;
+    if (touched != m_touched) {
+        m_viewport.tint(touched);
+        m_flash.start(kFlash);
+    }
+    m_touched = touched;
     // Guides stay while the mouse goes to their handles, until another value is touched.
     if (!ref || guideOf(*ref) == m_guide) return;
     m_guide = guideOf(*ref);

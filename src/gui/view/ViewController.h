@@ -4,12 +4,13 @@
 #include "view/Viewport.h"
 #include "stromar/app/Methods.h"
 #include <QObject>
+#include <QTimer>
 
 namespace stromar {
 
 class CParamPanel;
 
-/// What one sees of what one edits: brings viewport, panel and document together. Tints the generation of the value in
+/// What one sees of what one edits: brings viewport, panel and document together. Tints for a moment the generation of the value in
 /// hand, draws the guides of crown and envelope, tells about the stem or leaf that was clicked.
 class CViewController : public QObject {
     Q_OBJECT
@@ -23,6 +24,8 @@ public:
     /// Switches of the look.
     void setLook(const std::function<void(ViewLook&)>& change);
     void setStatistics(bool on);
+    /// Whether the level that is edited stays tinted; else it flashes when it is first touched.
+    void setTintKept(bool on);
     void clearSelection();
     bool hasSelection() const { return m_selected.has_value(); }
     /// Whether a handle is held.
@@ -48,6 +51,7 @@ private:
     };
 
     void onTouched(const std::optional<ParamRef>& ref);
+    void endFlash();
     void onPicked(const std::optional<ViewHit>& hit);
     void onLineTouched(const ParamRef& ref, int line);
     void onRangeHeld(const ParamRef& curve, double low, double high);
@@ -74,7 +78,9 @@ private:
     std::optional<Selected> m_selected;
     std::optional<HeldRange> m_range;
     const Guide* m_guide = nullptr;
-    bool m_statistics = false, m_dragging = false;
+    bool m_statistics = false, m_dragging = false, m_tintKept = false;
+    int m_touched = ViewPart::kNone; ///< the level whose value has the focus
+    QTimer m_flash;
 };
 
 } // namespace stromar

@@ -85,6 +85,8 @@ constexpr Command kCommands[] = {
      QT_TRANSLATE_NOOP("Commands", "Cut the tree and let it fall; the timeline runs over its fall"), [](W& w, bool on) { w.setFelled(on); }, false, false, Kind::Switch},
     {"statistics", Menu::View, QT_TRANSLATE_NOOP("Commands", "&Statistics"), "I", "",
      QT_TRANSLATE_NOOP("Commands", "Show sizes and counts in the picture"), [](W& w, bool on) { w.view().setStatistics(on); }, false, false, Kind::KeptSwitch},
+    {"tintEdited", Menu::View, QT_TRANSLATE_NOOP("Commands", "Tint What Is &Edited"), "Shift+T", "",
+     QT_TRANSLATE_NOOP("Commands", "Keep the tint of what the value in hand changes; else it only flashes"), [](W& w, bool on) { w.view().setTintKept(on); }, false, false, Kind::KeptSwitch},
     {"backdropSky", Menu::View, QT_TRANSLATE_NOOP("Commands", "Before the S&ky"), "Ctrl+1", "",
      QT_TRANSLATE_NOOP("Commands", "Sky and ground behind the tree"), [](W& w, bool) { w.view().setLook([](ViewLook& look) { look.backdrop = Backdrop::Sky; }); }, false, true, Kind::KeptSwitch, "backdrop"},
     {"backdropLight", Menu::View, QT_TRANSLATE_NOOP("Commands", "Before &Light Grey"), "Ctrl+2", "",
