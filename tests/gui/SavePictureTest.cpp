@@ -53,7 +53,7 @@ protected:
                 choices->findChild<QSpinBox*>(QStringLiteral("frames"))->setValue(wanted.frames);
                 choices->findChild<QCheckBox*>()->setChecked(wanted.transparent);
                 press(choices->findChild<QDialogButtonBox*>()->button(QDialogButtonBox::Save));
-            } else if (auto* progress = qobject_cast<QProgressDialog*>(dialog)) {
+            } else if (auto* progress = qobject_cast<QProgressDialog*>(dialog); progress && wanted.frames > kPatience) {
                 press(progress->findChild<QPushButton*>());
             }
         });
@@ -67,6 +67,7 @@ protected:
     QStringList files() const { return QDir(folder.path()).entryList(QDir::AllEntries | QDir::NoDotAndDotDot); }
 
     static constexpr QImage::Format kPixels = QImage::Format_ARGB32;
+    static constexpr int kPatience = 100; ///< frames: longer turntables are cancelled
     QTemporaryDir folder;
     QStringList messages; ///< of the message boxes on the way
     QString offered;      ///< what the dialog calls pictures

@@ -55,6 +55,7 @@ void CFileController::tellError(const QString& title, const QString& text) {
 bool CFileController::open(const QString& path) {
     try {
         m_document.open(path);
+        m_changesBehind = false;
     } catch (const std::exception& e) {
         tellError(tr("Cannot open the tree"), QString::fromUtf8(e.what()));
         return false;
@@ -64,9 +65,11 @@ bool CFileController::open(const QString& path) {
 }
 
 bool CFileController::openPreset(const QString& path) {
-    if (!mayLoseChanges()) return false;
+    takeTyped(*m_window);
+    const bool changed = m_document.isModified();
     try {
         m_document.loadPreset(path);
+        m_changesBehind |= changed;
     } catch (const std::exception& e) {
         tellError(tr("Cannot open the preset"), QString::fromUtf8(e.what()));
         return false;
@@ -77,6 +80,7 @@ bool CFileController::openPreset(const QString& path) {
 bool CFileController::save(const QString& path) {
     try {
         m_document.save(path);
+        m_changesBehind = false;
     } catch (const std::exception& e) {
         tellError(tr("Cannot save the tree"), QString::fromUtf8(e.what()));
         return false;
@@ -90,7 +94,9 @@ bool CFileController::save(const QString& path) {
 }
 
 void CFileController::startNew(const ParamBlock& block) {
-    if (mayLoseChanges()) m_document.startNew(block);
+    if (!mayLoseChanges()) return;
+    m_document.startNew(block);
+    m_changesBehind = false;
 }
 
 void CFileController::chooseAndOpen() {
@@ -247,6 +253,10 @@ void CFileController::offerRestore() {
 
 bool CFileController::mayLoseChanges() {
     takeTyped(*m_window);
+    if (!m_document.isModified() && m_changesBehind)
+        return QMessageBox::question(m_window, tr("Unsaved changes"),
+                                     tr("Changes from before a preset was opened are not saved; Undo brings them back. Go on without them?"),
+                                     QMessageBox::Discard | QMessageBox::Cancel, QMessageBox::Cancel) == QMessageBox::Discard;
     if (!m_document.isModified()) return true;
     const auto answer =
         QMessageBox::question(m_window, tr("Unsaved changes"), tr("Save the changes of %1?").arg(m_document.displayName()),

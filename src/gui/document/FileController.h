@@ -68,6 +68,7 @@ private:
     QWidget* m_window;
     CFileWatch m_watch;
     CAutosave m_autosave;
+    bool m_changesBehind = false; ///< that only the history has: a preset was opened over them
 };
 
 /// What is typed into a window but not yet taken counts.

@@ -20,6 +20,7 @@ namespace stromar {
 
 namespace {
 constexpr int kFlash = 600;     // milliseconds that a level is tinted when it is first touched
+constexpr int kPatience = 4000;  // milliseconds until a dialog says how far one picture is
 constexpr int kTurnPoints = 12; // of a drawn turn of a helix
 constexpr std::size_t kMaxLines = 40000; // that are drawn of what a line of a text wrote
 
@@ -388,6 +389,8 @@ void CViewController::savePicture(QWidget* parent) {
     if (wanted.transparent) look.backdrop = Backdrop::Nothing;
     QProgressDialog progress(tr("Writing pictures"), tr("Cancel"), 0, wanted.frames, parent);
     progress.setWindowModality(Qt::WindowModal);
+    progress.setMinimumDuration(wanted.frames > 1 ? 0 : kPatience);
+    progress.setValue(0); // painted before the first picture takes its time
     CCamera camera = m_viewport.camera();
     const int passes = wanted.frames == 1 ? CRestPicture::kPasses : CRestPicture::kFramePasses;
     int written = 0;
