@@ -10,7 +10,7 @@ namespace stromar {
 
 namespace {
 constexpr RenderView kViews[] = {
-    {"front", 0, 4, 1, 0.5}, {"side", 90, 4, 1, 0.5}, {"top", 0, 90, 1, 0.5}, {"crown", 25, 5, 0.55, 0.7}, {"closeup", 25, 6, 0.28, 0.62}};
+    {"front", 0, 4, 1, 0.5}, {"side", 90, 4, 1, 0.5}, {"top", 0, 90, 1, 0.5}, {"crown", 25, 5, 0.45, 0.72}, {"closeup", 25, 6, 0.28, 0.62}};
 constexpr SeasonName kSeasons[] = {{"spring", 4.6}, {"summer", 7}, {"autumn", 10.1}, {"winter", 1}};
 constexpr std::string_view kBackdrops[] = {"sky", "light", "dark", "none"}; // as Backdrop
 } // namespace

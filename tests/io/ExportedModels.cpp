@@ -3,6 +3,7 @@
 #include "mesh/SampleTrees.h"
 #include "stromar/params/methods/weberpenn/WeberPennParams.h"
 #include "stromar/app/Export.h"
+#include "stromar/model/JoinedModel.h"
 #include <algorithm>
 #include <glm/common.hpp>
 #include <gtest/gtest.h>
@@ -16,10 +17,10 @@ const ForeignReader kOsg{"osgDB in another process",
 const ForeignReader kPovRay{"POV-Ray", {".pov"}};
 
 namespace {
-/// With one bark for all stems.
+/// With one bark for all stems; with its wood in one piece, as files have it.
 std::shared_ptr<const TreeModel> create(CParams params, const Detail& detail) {
     params.text.bark1Texture = params.text.bark2Texture = params.text.bark3Texture = "";
-    return CTreeCreator().create(params, detail, CProgress(2));
+    return joined(CTreeCreator().create(params, detail, CProgress(2)), CProgress(2));
 }
 
 CParams fewBranches() {
@@ -62,11 +63,7 @@ Bounds boundsOf(const TreeModel& model, Axes axes) {
     return box;
 }
 
-double barkVolume(const TreeModel& model) {
-    double volume = 0;
-    for (const auto& mesh : model.stems) volume += signedVolume(*mesh);
-    return volume;
-}
+double barkVolume(const TreeModel& model) { return signedVolume(model.stems); }
 
 void expectNear(const Bounds& box, const Bounds& wanted) {
     for (int i = 0; i < 3; ++i) {

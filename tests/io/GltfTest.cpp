@@ -2,6 +2,7 @@
 #include "cli/Process.h"
 #include "io/ExportedModels.h"
 #include "io/Tools.h"
+#include "stromar/model/JoinedModel.h"
 #include "stromar/app/Export.h"
 #include "stromar/mesh/Shading.h"
 #include "stromar/util/FileSet.h"
@@ -21,7 +22,7 @@ std::vector<std::shared_ptr<const TreeModel>> lodsOf(const CParams& params) {
     CTreeCreator creator;
     std::vector<std::shared_ptr<const TreeModel>> lods;
     for (const Detail& detail : detailTable())
-        if (detail.model == Model::Full) lods.push_back(creator.create(params, detail, CProgress(2)));
+        if (detail.model == Model::Full) lods.push_back(joined(creator.create(params, detail, CProgress(2)), CProgress(2)));
     return lods;
 }
 

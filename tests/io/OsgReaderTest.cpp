@@ -1,6 +1,7 @@
 // Models read back by OpenSceneGraph in a fresh process.
 #include "cli/Process.h"
 #include "io/ExportedModels.h"
+#include "stromar/model/JoinedModel.h"
 #include "stromar/app/Export.h"
 #include <filesystem>
 #include <glm/common.hpp>
@@ -82,7 +83,7 @@ TEST(OsgReadsLods, AllOfThem) {
     ExportOptions options;
     options.lods = static_cast<int>(ExportedLods::InOneFile);
     for (const Detail* detail : detailsOf(options)) {
-        lods.push_back(creator.create(sampleModel("small").params, *detail, CProgress(2)));
+        lods.push_back(joined(creator.create(sampleModel("small").params, *detail, CProgress(2)), CProgress(2)));
         triangles += lods.back()->triangleCount();
     }
     for (const char* ending : {".osg", ".osgt", ".osgb"}) {

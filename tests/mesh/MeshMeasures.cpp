@@ -35,6 +35,14 @@ double signedVolume(const CMesh& mesh, std::size_t firstIndex, std::size_t index
     return volume;
 }
 
+double signedVolume(const std::vector<std::shared_ptr<const CMesh>>& meshes) {
+    double sixfold = 0;
+    for (const auto& mesh : meshes)
+        for (std::size_t t = 0; t < mesh->indices.size(); t += 3)
+            sixfold += glm::dot(corner(*mesh, t), glm::cross(corner(*mesh, t + 1), corner(*mesh, t + 2)));
+    return sixfold / 6;
+}
+
 bool sameBytes(const CMesh& a, const CMesh& b) {
     return a.name == b.name && a.surface == b.surface && sameArray(a.positions, b.positions) &&
            sameArray(a.normals, b.normals) && sameArray(a.texCoords, b.texCoords) &&

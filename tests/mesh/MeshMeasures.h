@@ -12,6 +12,8 @@ double signedVolume(const CMesh& mesh, std::size_t firstIndex, std::size_t index
 /// Closed surfaces that are inside out.
 std::size_t invertedSurfaces(const MeshPlan& plan, const CMesh& mesh);
 inline double signedVolume(const CMesh& mesh) { return signedVolume(mesh, 0, mesh.indices.size()); }
+/// Of meshes that are closed only together.
+double signedVolume(const std::vector<std::shared_ptr<const CMesh>>& meshes);
 
 /// How many edges of meshes together have not just as many triangles on one side as on the other; positions within 0.01 mm are
 /// the same.
