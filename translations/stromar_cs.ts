@@ -2842,6 +2842,10 @@
         <source>Meshes (*.obj *.glb);;All files (*)</source>
         <translation>Sítě (*.obj *.glb);;Všechny soubory (*)</translation>
     </message>
+    <message>
+        <source>Changes from before a preset was opened are not saved; Undo brings them back. Go on without them?</source>
+        <translation>Změny z doby před otevřením předvolby nejsou uloženy; Zpět je vrátí. Pokračovat bez nich?</translation>
+    </message>
 </context>
 <context>
     <name>stromar::CGrowthController</name>

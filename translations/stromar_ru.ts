@@ -2842,6 +2842,10 @@
         <source>Meshes (*.obj *.glb);;All files (*)</source>
         <translation>Сетки (*.obj *.glb);;Все файлы (*)</translation>
     </message>
+    <message>
+        <source>Changes from before a preset was opened are not saved; Undo brings them back. Go on without them?</source>
+        <translation>Изменения, сделанные до открытия заготовки, не сохранены; «Отменить» вернёт их. Продолжить без них?</translation>
+    </message>
 </context>
 <context>
     <name>stromar::CGrowthController</name>

@@ -2842,6 +2842,10 @@
         <source>Meshes (*.obj *.glb);;All files (*)</source>
         <translation>Mreže (*.obj *.glb);;Vse datoteke (*)</translation>
     </message>
+    <message>
+        <source>Changes from before a preset was opened are not saved; Undo brings them back. Go on without them?</source>
+        <translation>Spremembe od pred odprtjem prednastavitve niso shranjene; Razveljavi jih povrne. Nadaljujem brez njih?</translation>
+    </message>
 </context>
 <context>
     <name>stromar::CGrowthController</name>
