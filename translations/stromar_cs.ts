@@ -2624,10 +2624,6 @@
         <source>Restore</source>
         <translation>Obnovit</translation>
     </message>
-    <message>
-        <source>Change %1</source>
-        <translation>Změna %1</translation>
-    </message>
 </context>
 <context>
     <name>stromar::CExportController</name>

@@ -2624,10 +2624,6 @@
         <source>Restore</source>
         <translation>Восстановить</translation>
     </message>
-    <message>
-        <source>Change %1</source>
-        <translation>Изменение %1</translation>
-    </message>
 </context>
 <context>
     <name>stromar::CExportController</name>

@@ -2624,10 +2624,6 @@
         <source>Restore</source>
         <translation>Obnovi</translation>
     </message>
-    <message>
-        <source>Change %1</source>
-        <translation>Sprememba %1</translation>
-    </message>
 </context>
 <context>
     <name>stromar::CExportController</name>
@@ -2844,7 +2840,7 @@
     </message>
     <message>
         <source>Changes from before a preset was opened are not saved; Undo brings them back. Go on without them?</source>
-        <translation>Spremembe od pred odprtjem prednastavitve niso shranjene; Razveljavi jih povrne. Nadaljujem brez njih?</translation>
+        <translation>Spremembe izpred odprtja predloge niso shranjene; Razveljavi jih povrne. Nadaljujem brez njih?</translation>
     </message>
 </context>
 <context>

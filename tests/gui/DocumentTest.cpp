@@ -30,6 +30,16 @@ TEST(Document, ADragIsOneStepAndGesturesAreApart) {
     EXPECT_EQ(valueOf(document, "Scale"), 13);
 }
 
+TEST(Document, StepsSayWhatTheyChangeInThePanelsWords) {
+    CDocument document;
+    for (const double v : {60.0, 75.0, 90.0}) document.setValue(paramRef("1Branches"), v, 1);
+    EXPECT_EQ(document.history().text(0).toStdString(), "Branches 1 ▸ Number: 10 → 90") << "all of a drag";
+    document.setValue(paramRef("Shape"), 1, 0);
+    EXPECT_EQ(document.history().text(1).toStdString(), "Tree ▸ Crown shape: conical → spherical");
+    document.setValue(paramRef("Species"), std::string("Elm"), 0);
+    EXPECT_FALSE(document.history().text(2).contains(QStringLiteral("→"))) << "texts may be long";
+}
+
 TEST(Document, ADragBackToItsStartLeavesNoStep) {
     CDocument document;
     for (const double v : {11.0, 12.0, 10.0}) document.setValue(paramRef("Scale"), v, 1);

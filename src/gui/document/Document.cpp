@@ -1,5 +1,6 @@
 #include "document/Document.h"
 #include "window/QtText.h"
+#include "window/Settings.h"
 #include "stromar/params/BuiltInMesh.h"
 #include "stromar/texture/Draw.h"
 #include <QFileInfo>
@@ -37,12 +38,21 @@ CParams withWholePaths(CParams params, const fs::path& folder) {
 }
 } // namespace
 
+/// Of a step that changes one value: "Branches 1 ▸ Number: 50 → 90".
+QString stepText(const ParamRef& ref, const CParams& before, const CParams& after) {
+    const QString name = QStringLiteral("%1 ▸ %2").arg(groupTitle(ref.group(), ref.level), trText(ref.info->label));
+    const auto caption = [&](const CParams& params) { return captionOf(*ref.info, ref.get(params)); };
+    return ref.info->numeric() ? QStringLiteral("%1: %2 → %3").arg(name, caption(before), caption(after)) : name;
+}
+
 /// A step of the history: the values before and after, and the folder that paths in them start at.
 class CEditCommand : public QUndoCommand {
 public:
-    CEditCommand(CDocument& document, const QString& text, CParams after, int gesture, QString subject)
-        : QUndoCommand(text), m_document(document), m_before(document.params()), m_after(std::move(after)),
-          m_folder(document.folder()), m_gesture(gesture), m_subject(std::move(subject)) {}
+    CEditCommand(CDocument& document, const CDocument::StepText& text, CParams after, int gesture, QString subject)
+        : m_document(document), m_before(document.params()), m_after(std::move(after)), m_folder(document.folder()), m_gesture(gesture),
+          m_subject(std::move(subject)), m_text(text) {
+        setText(m_text(m_before, m_after));
+    }
 
     void undo() override { m_document.assign(m_before, m_folder); }
     void redo() override { m_document.assign(m_after, m_folder); }
@@ -51,6 +61,7 @@ public:
         const auto* other = static_cast<const CEditCommand*>(next);
         if (other->m_gesture != m_gesture || other->m_subject != m_subject || other->m_folder != m_folder) return false;
         m_after = other->m_after;
+        setText(m_text(m_before, m_after));
         setObsolete(m_after == m_before);
         return true;
     }
@@ -61,6 +72,7 @@ private:
     fs::path m_folder;
     int m_gesture;
     QString m_subject;
+    CDocument::StepText m_text;
 };
 
 /// The step to another file's tree and back.
@@ -172,15 +184,18 @@ void CDocument::saveCopy(const QString& path, const QString& species) const {
 
 void CDocument::edit(const QString& text, const std::function<void(CParams&)>& change, int gesture,
                      const QString& subject) {
+    push([text](const CParams&, const CParams&) { return text; }, change, gesture, subject);
+}
+
+void CDocument::push(const StepText& text, const std::function<void(CParams&)>& change, int gesture, const QString& subject) {
     CParams after = m_params;
     change(after);
     if (after != m_params) m_history.push(new CEditCommand(*this, text, std::move(after), gesture, subject));
 }
 
 void CDocument::setValue(const ParamRef& ref, const ParamValue& value, int gesture) {
-    const QString key = toQString(ref.key());
-    edit(
-        tr("Change %1").arg(key), [&](CParams& p) { ref.setValue(p, value); }, gesture, key);
+    push([ref](const CParams& before, const CParams& after) { return stepText(ref, before, after); },
+         [&](CParams& p) { ref.setValue(p, value); }, gesture, toQString(ref.key()));
 }
 
 void CDocument::setValues(const QString& text, const ParamValues& values) {

@@ -41,6 +41,9 @@ public:
     /// Writes the tree under another species name; the document stays what it is. Throws CError.
     void saveCopy(const QString& path, const QString& species) const;
 
+    /// What a step is called, by the values before and after it.
+    using StepText = std::function<QString(const CParams& before, const CParams& after)>;
+
     /// Changes values through `change`; one step of the history. Changes with the same positive `gesture` on the same
     /// `subject` are one step.
     void edit(const QString& text, const std::function<void(CParams&)>& change, int gesture = 0,
@@ -63,6 +66,7 @@ signals:
 private:
     friend class CEditCommand;
     friend class CPresetCommand;
+    void push(const StepText& text, const std::function<void(CParams&)>& change, int gesture, const QString& subject);
     /// Where a tree comes from and is saved to. Steps of the history share it, so that saving is not undone.
     struct Place {
         std::shared_ptr<const CTreeFile> file;

@@ -74,16 +74,6 @@ void addFaces(Picture& picture, const CMesh& mesh, const QColor& colour, const T
     }
 }
 
-QString captionOf(const ParamInfo& info, double value) {
-    if (!info.words.empty())
-        return trText(info.words[static_cast<std::size_t>(value)]).replace(QLatin1Char('-'), QLatin1Char(' '));
-    if (info.unit == Unit::Metre) {
-        const LengthUnit unit = lengthUnit();
-        return QLocale().toString(value * unit.perMetre, 'g', 3) + QLatin1Char(' ') + unit.name;
-    }
-    return QLocale().toString(value, 'g', 4) + trText(unitName(info.unit));
-}
-
 /// In a strong gale.
 Meshes blown(const std::shared_ptr<const TreeModel>& model) {
     const auto sway = swayOf(model, nullptr, CProgress());

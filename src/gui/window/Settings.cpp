@@ -87,4 +87,14 @@ QString lengthText(double metres) {
     return QStringLiteral("%1 %2").arg(QLocale().toString(value, 'f', decimals), unit.name);
 }
 
+QString captionOf(const ParamInfo& info, double value) {
+    if (!info.words.empty())
+        return trText(info.words[static_cast<std::size_t>(value)]).replace(QLatin1Char('-'), QLatin1Char(' '));
+    if (info.unit == Unit::Metre) {
+        const LengthUnit unit = lengthUnit();
+        return QLocale().toString(value * unit.perMetre, 'g', 3) + QLatin1Char(' ') + unit.name;
+    }
+    return QLocale().toString(value, 'g', 4) + trText(unitName(info.unit));
+}
+
 } // namespace stromar

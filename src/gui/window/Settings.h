@@ -1,4 +1,5 @@
 #pragma once
+#include "stromar/params/ParamTable.h"
 #include <QObject>
 #include <QVariant>
 #include <span>
@@ -50,6 +51,8 @@ struct LengthUnit {
     QString name;
 };
 LengthUnit lengthUnit();
+/// A number of a row as people read it: a word, or in the unit that is shown, with few digits.
+QString captionOf(const ParamInfo& info, double value);
 /// "12.3 m" or "40.4 ft".
 QString lengthText(double metres);
 

@@ -59,7 +59,8 @@ public:
         m_firstNewIndex = m_nextIndex;
         for (const JoinedWalls& own : walls) append(own);
         const std::vector<std::size_t> changed = changedTriangles();
-        if (!turnNormalsToFront(*m_out, changed)) splitCreases(changed);
+        turnNormalsToFront(*m_out, changed);
+        splitCreases(changed); // of slivers rounding may say something else
         joined.meshes.push_back(m_out);
         joined.sources.push_back(std::move(m_sources));
     }

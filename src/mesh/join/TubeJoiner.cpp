@@ -58,6 +58,14 @@ public:
     }
 
 private:
+    /// A point of a collar.
+    struct Added {
+        JoinedWalls::Vertex vertex;
+        double turns; ///< where it lies in the plane of its triangle at the start
+        std::uint32_t branch;
+    };
+    const Added& addedAt(CTriangulation::Index vertex) const { return m_added[vertex - m_tube.vertices]; }
+
     /// The points of the rings, from the lowest; a ring has one vertex more, at its seam.
     std::vector<std::uint32_t> ringPoints() const {
         std::vector<std::uint32_t> points(m_tube.collarRings, m_tube.points);
@@ -121,8 +129,6 @@ private:
     /// Leaves those that can be; false when others cannot.
     bool cutOut(std::vector<std::uint32_t>& branches, CTriangulation& surface) {
         m_added.clear();
-        m_addedAt.clear();
-        m_addedFor.clear();
         return std::erase_if(branches, [&](std::uint32_t branch) { return !cutOut(branch, surface); }) == 0;
     }
 
@@ -133,14 +139,10 @@ private:
             const SurfacePoint& point = m_next.plan.collarPoints[tube.firstCollarPoint + i];
             const auto triangle = static_cast<CTriangulation::Index>((point.triangle - m_tube.firstIndex) / 3);
             loop.push_back({triangle, placeOf(point)});
-            m_added.push_back(vertexAt(point, tube.firstVertex + i));
-            m_addedAt.push_back(loop.back().at.x);
-            m_addedFor.push_back(branch);
+            m_added.push_back({vertexAt(point, tube.firstVertex + i), loop.back().at.x, branch});
         }
         const bool cut = surface.cutOut(loop);
         m_added.resize(surface.vertexCount() - m_tube.vertices); // fewer when one could not be added
-        m_addedAt.resize(m_added.size());
-        m_addedFor.resize(m_added.size());
         return cut;
     }
 
@@ -159,7 +161,7 @@ private:
         for (std::size_t i = 1; i < edges.size(); ++i) {
             if (edges[i][0] != edges[i - 1][0] || edges[i][1] != edges[i - 1][1]) continue;
             for (const std::uint32_t v : {edges[i][0], edges[i][1], edges[i][2], edges[i - 1][2]})
-                if (v >= m_tube.vertices) tangled.push_back(m_addedFor[v - m_tube.vertices]);
+                if (v >= m_tube.vertices) tangled.push_back(addedAt(v).branch);
             if (tangled.empty()) tangled = branches;
         }
         return std::erase_if(branches, [&](std::uint32_t branch) { return std::ranges::find(tangled, branch) != tangled.end(); }) == 0;
@@ -189,10 +191,10 @@ private:
     }
 
     glm::dvec3 placeOf(CTriangulation::Index vertex) const {
-        return glm::dvec3(vertex < m_tube.vertices ? position(vertex) : m_added[vertex - m_tube.vertices].position);
+        return glm::dvec3(vertex < m_tube.vertices ? position(vertex) : addedAt(vertex).vertex.position);
     }
     glm::dvec3 normalOf(CTriangulation::Index vertex) const {
-        return glm::dvec3(vertex < m_tube.vertices ? m_mesh.normals[m_tube.firstVertex + vertex] : m_added[vertex - m_tube.vertices].normal);
+        return glm::dvec3(vertex < m_tube.vertices ? m_mesh.normals[m_tube.firstVertex + vertex] : addedAt(vertex).vertex.normal);
     }
 
     /// Of a triangle: 1 when equilateral, towards 0 when thin, negative when it faces inwards.
@@ -240,13 +242,13 @@ private:
     /// The index of a vertex that a triangle shows at so many turns: of the mesh where that has one there.
     std::uint32_t written(CTriangulation::Index vertex, double turns) {
         const bool added = vertex >= m_tube.vertices;
-        const double own = added ? m_addedAt[vertex - m_tube.vertices] : m_at[vertex].x;
+        const double own = added ? addedAt(vertex).turns : m_at[vertex].x;
         const int further = static_cast<int>(std::lround(turns - own));
         if (!added && further == 0) return m_tube.firstVertex + vertex;
         const auto [found, isNew] =
             m_written.try_emplace({vertex, further}, static_cast<std::uint32_t>(m_mesh.vertexCount() + m_walls.vertices.size()));
         if (isNew) {
-            JoinedWalls::Vertex copy = added ? m_added[vertex - m_tube.vertices] : ownVertex(vertex);
+            JoinedWalls::Vertex copy = added ? addedAt(vertex).vertex : ownVertex(vertex);
             copy.texCoord.x += static_cast<float>(m_around * further);
             m_walls.vertices.push_back(copy);
         }
@@ -271,9 +273,7 @@ private:
     std::uint32_t m_firstTip = 0; ///< of the tube's vertices: the tips of a pointed one
     std::vector<std::uint32_t> m_own; ///< of the tube's vertices: the one that stands for it
     std::vector<glm::dvec2> m_at;     ///< likewise: unrolled
-    std::vector<JoinedWalls::Vertex> m_added;
-    std::vector<double> m_addedAt; ///< their turns
-    std::vector<std::uint32_t> m_addedFor; ///< for which branch
+    std::vector<Added> m_added;
     std::map<std::pair<CTriangulation::Index, int>, std::uint32_t> m_written;
     JoinedWalls m_walls;
 };
