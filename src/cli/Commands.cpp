@@ -50,6 +50,7 @@ void applySetting(CParams& params, const CommonOptions& common, const std::strin
 
 /// Recipes and meshes are read when they are drawn, which may be late or never; a wrong one is told at once.
 void tryFile(const ParamRef& ref, const CParams& params) {
+    if (!ref.info->file()) return;
     if (ref.info->picture() && isRecipe(ref.text(params))) const CRecipe recipe(ref.text(params));
     for (std::size_t kind = 0; kind < kLeafKinds; ++kind)
         if (&ref.text(params) == &(params.text.*kLeafMeshes[kind])) leafMeshOf(params, kind);
