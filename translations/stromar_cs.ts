@@ -392,16 +392,16 @@
         <translation>Před &amp;obrázkem…</translation>
     </message>
     <message>
-        <source>A photograph, or a panorama that lights the tree</source>
-        <translation>Fotografie nebo panorama, které strom osvětluje</translation>
-    </message>
-    <message>
         <source>Tint What Is &amp;Edited</source>
         <translation>Zabarvit, co se &amp;upravuje</translation>
     </message>
     <message>
         <source>Keep the tint of what the value in hand changes; else it only flashes</source>
         <translation>Ponechat zabarvené, co mění vybraná hodnota; jinak jen problikne</translation>
+    </message>
+    <message>
+        <source>A photograph, or an HDRI panorama that lights the tree</source>
+        <translation>Fotografie nebo panorama HDRI, které strom osvětluje</translation>
     </message>
 </context>
 <context>
@@ -3141,18 +3141,6 @@
         <source>Wind</source>
         <translation>Vítr</translation>
     </message>
-    <message>
-        <source>Picture Behind the Tree</source>
-        <translation>Obrázek za stromem</translation>
-    </message>
-    <message>
-        <source>Pictures and panoramas (*.png *.jpg *.jpeg *.hdr)</source>
-        <translation>Obrázky a panoramata (*.png *.jpg *.jpeg *.hdr)</translation>
-    </message>
-    <message>
-        <source>Cannot show the picture</source>
-        <translation>Obrázek nelze zobrazit</translation>
-    </message>
 </context>
 <context>
     <name>stromar::CMessageBar</name>
@@ -3722,6 +3710,18 @@ Na: %5, č. %6</translation>
             <numerusform>Tento bod ovlivňuje %n větve</numerusform>
             <numerusform>Tento bod ovlivňuje %n větví</numerusform>
         </translation>
+    </message>
+    <message>
+        <source>Picture Behind the Tree</source>
+        <translation>Obrázek za stromem</translation>
+    </message>
+    <message>
+        <source>Pictures and HDRI panoramas (*.png *.jpg *.jpeg *.hdr)</source>
+        <translation>Obrázky a panoramata HDRI (*.png *.jpg *.jpeg *.hdr)</translation>
+    </message>
+    <message>
+        <source>Cannot show the picture</source>
+        <translation>Obrázek nelze zobrazit</translation>
     </message>
 </context>
 <context>

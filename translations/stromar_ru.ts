@@ -392,16 +392,16 @@
         <translation>На фоне &amp;изображения…</translation>
     </message>
     <message>
-        <source>A photograph, or a panorama that lights the tree</source>
-        <translation>Фотография или панорама, которая освещает дерево</translation>
-    </message>
-    <message>
         <source>Tint What Is &amp;Edited</source>
         <translation>Подкрашивать р&amp;едактируемое</translation>
     </message>
     <message>
         <source>Keep the tint of what the value in hand changes; else it only flashes</source>
         <translation>Оставлять подкрашенным то, что меняет выбранное значение; иначе оно лишь вспыхивает</translation>
+    </message>
+    <message>
+        <source>A photograph, or an HDRI panorama that lights the tree</source>
+        <translation>Фотография или панорама HDRI, которая освещает дерево</translation>
     </message>
 </context>
 <context>
@@ -3141,18 +3141,6 @@
         <source>Wind</source>
         <translation>Ветер</translation>
     </message>
-    <message>
-        <source>Picture Behind the Tree</source>
-        <translation>Изображение за деревом</translation>
-    </message>
-    <message>
-        <source>Pictures and panoramas (*.png *.jpg *.jpeg *.hdr)</source>
-        <translation>Изображения и панорамы (*.png *.jpg *.jpeg *.hdr)</translation>
-    </message>
-    <message>
-        <source>Cannot show the picture</source>
-        <translation>Не удаётся показать изображение</translation>
-    </message>
 </context>
 <context>
     <name>stromar::CMessageBar</name>
@@ -3722,6 +3710,18 @@ On %5, stem %6</source>
             <numerusform>Эта точка влияет на %n ветви</numerusform>
             <numerusform>Эта точка влияет на %n ветвей</numerusform>
         </translation>
+    </message>
+    <message>
+        <source>Picture Behind the Tree</source>
+        <translation>Изображение за деревом</translation>
+    </message>
+    <message>
+        <source>Pictures and HDRI panoramas (*.png *.jpg *.jpeg *.hdr)</source>
+        <translation>Картинки и панорамы HDRI (*.png *.jpg *.jpeg *.hdr)</translation>
+    </message>
+    <message>
+        <source>Cannot show the picture</source>
+        <translation>Не удаётся показать изображение</translation>
     </message>
 </context>
 <context>

@@ -392,16 +392,16 @@
         <translation>Pred &amp;sliko …</translation>
     </message>
     <message>
-        <source>A photograph, or a panorama that lights the tree</source>
-        <translation>Fotografija ali panorama, ki drevo osvetljuje</translation>
-    </message>
-    <message>
         <source>Tint What Is &amp;Edited</source>
         <translation>Obarvaj, kar s&amp;e ureja</translation>
     </message>
     <message>
         <source>Keep the tint of what the value in hand changes; else it only flashes</source>
         <translation>Obarvano ostane, kar spreminja izbrana vrednost; sicer le utripne</translation>
+    </message>
+    <message>
+        <source>A photograph, or an HDRI panorama that lights the tree</source>
+        <translation>Fotografija ali panorama HDRI, ki osvetljuje drevo</translation>
     </message>
 </context>
 <context>
@@ -3141,18 +3141,6 @@
         <source>Wind</source>
         <translation>Veter</translation>
     </message>
-    <message>
-        <source>Picture Behind the Tree</source>
-        <translation>Slika za drevesom</translation>
-    </message>
-    <message>
-        <source>Pictures and panoramas (*.png *.jpg *.jpeg *.hdr)</source>
-        <translation>Slike in panorame (*.png *.jpg *.jpeg *.hdr)</translation>
-    </message>
-    <message>
-        <source>Cannot show the picture</source>
-        <translation>Slike ni mogoče prikazati</translation>
-    </message>
 </context>
 <context>
     <name>stromar::CMessageBar</name>
@@ -3728,6 +3716,18 @@ Na: %5, št. %6</translation>
             <numerusform>Ta točka vpliva na %n veje</numerusform>
             <numerusform>Ta točka vpliva na %n vej</numerusform>
         </translation>
+    </message>
+    <message>
+        <source>Picture Behind the Tree</source>
+        <translation>Slika za drevesom</translation>
+    </message>
+    <message>
+        <source>Pictures and HDRI panoramas (*.png *.jpg *.jpeg *.hdr)</source>
+        <translation>Slike in panorame HDRI (*.png *.jpg *.jpeg *.hdr)</translation>
+    </message>
+    <message>
+        <source>Cannot show the picture</source>
+        <translation>Slike ni mogoče prikazati</translation>
     </message>
 </context>
 <context>

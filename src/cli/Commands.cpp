@@ -359,7 +359,11 @@ std::vector<RenderTree> createTrees(CommonOptions common, const Detail& detail, 
     std::vector<RenderTree> trees;
     for (const std::string& file : all) {
         common.file = file;
-        trees.push_back({createModel(common, detail, progress), std::filesystem::path(file).parent_path()});
+        try {
+            trees.push_back({createModel(common, detail, progress), std::filesystem::path(file).parent_path()});
+        } catch (const CTooLarge& e) {
+            throw CError(file + ": " + e.what());
+        }
         common.limits.vertices -= double(trees.back().model->vertexCount());
         common.limits.bytes -= kCopiesInPicture * double(trees.back().model->bytes());
     }

@@ -256,7 +256,7 @@ void addRender(CLI::App& command, Options& options) {
     command.add_flag("--fit", options.rendered.fit, "The tree just fills the picture");
     command.add_option("--focal-length", options.rendered.focalLength, "Millimetres, for a picture 24 mm high; default: 45")
         ->check(CLI::Range(8.0, 1000.0));
-    command.add_option("--backdrop", options.backdrop, "What is behind the tree; or a picture, .png or .jpg, or a panorama, .hdr, that lights it")
+    command.add_option("--backdrop", options.backdrop, "What is behind the tree; or a picture, .png or .jpg, or an HDRI panorama, .hdr, that lights it")
         ->option_text(joined(backdropNames()) + "|FILE");
     for (const LightRow& row : lightTable())
         command.add_option(std::string(row.flag), options.rendered.light.*row.field, std::string(row.help))

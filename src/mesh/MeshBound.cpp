@@ -2,10 +2,11 @@
 #include "stem/CentreLine.h"
 #include "stem/Fork.h"
 #include "stem/Smoother.h"
-#include "stromar/mesh/MeshBuilder.h"
+#include "stromar/mesh/JoinedStems.h"
 #include "stromar/mesh/twig/Twig.h"
 #include <algorithm>
 #include <cmath>
+#include <thread>
 
 namespace stromar {
 
@@ -14,6 +15,8 @@ constexpr double kRingsPerReach = 14; // of a flare or roots
 constexpr double kRoundEndRings = 40; // likewise a round end
 constexpr double kBytesPerVertex = 2 * sizeof(glm::vec3) + sizeof(glm::vec2) + sizeof(VertexLook);
 constexpr double kCopies = 2;           // the mesh, and what the graphics card or a writer gets
+constexpr double kJoinedGrowth = 1.3;   // of wood that is joined for a file: points of collars, copies at seams and creases
+constexpr double kBytesPerWall = 100;   // of a triangle while its tube is joined: unrolled, and in the tries
 
 /// Of stems of one thickness in a generation.
 class CStemMeshBound {
@@ -35,6 +38,15 @@ public:
     double vertices() const { return (rings() + 2 * m_bound.paths) * (points() + 1); }
     /// Of the triangles: walls have two for each point of a ring, whose seam is doubled; lids have fewer.
     double corners() const { return vertices() * 6 * points() / (points() + 1); }
+    /// Of wood that is joined for a file: once more its mesh, with where its vertices come from, and the points of all collars. Its plan
+    /// takes the place of the one it was meshed by.
+    double joinedBytes() const {
+        if (m_detail.collarRings == 0) return 0;
+        const double each = kBytesPerVertex + sizeof(VertexSource);
+        return kJoinedGrowth * (vertices() * each + corners() * sizeof(std::uint32_t)) + pointBytes();
+    }
+    /// While the walls of one stem are cut open.
+    double wallBytes() const { return m_detail.collarRings == 0 ? 0 : kBytesPerWall * corners() / 3; }
     double planBytes() const {
         return rings() * sizeof(Ring) + m_bound.paths * (sizeof(Tube) + 2 * sizeof(Fork) + sizeof(std::int32_t)) + 1;
     }
@@ -155,7 +167,8 @@ OrganBound organBound(const SizeBound& tree, Organ organ, const MeshParams& para
 
 MeshBound meshBound(const SizeBound& tree, const MeshParams& params, const Detail& detail, bool onCards) {
     MeshBound bound;
-    double corners = 0, maxPointBytes = 0;
+    double corners = 0, maxPointBytes = 0, maxWallBytes = 0;
+    const double threads = std::max(1u, std::thread::hardware_concurrency());
     const std::vector<GenerationBound>& wood = onCards ? tree.twigs.wood : tree.generations;
     for (std::size_t g = 0; g < wood.size(); ++g) {
         const bool sparse = !onCards && g >= 2 && g + 1 == wood.size();
@@ -168,10 +181,12 @@ MeshBound meshBound(const SizeBound& tree, const MeshParams& params, const Detai
             corners += stems * each.corners();
             bound.bytes += 2 * stems * each.planBytes(); // its parts and the whole
             pointBytes += 2 * stems * each.pointBytes();
+            bound.bytes += stems * each.joinedBytes();
+            if (g + 1 < wood.size()) maxWallBytes = std::max(maxWallBytes, std::min(stems, threads) * each.wallBytes());
         }
         maxPointBytes = std::max(maxPointBytes, pointBytes);
     }
-    bound.bytes += maxPointBytes;
+    bound.bytes += maxPointBytes + maxWallBytes;
     for (const Organ organ : kOrgans) {
         const OrganBound own = organBound(tree, organ, params, detail, onCards);
         bound.vertices += own.vertices;

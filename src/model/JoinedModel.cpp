@@ -6,7 +6,7 @@ namespace stromar {
 
 StemMesh planned(const TreeModel& model, std::size_t generation, const StemMesh* below, const CProgress& progress) {
     const StemSet asCards = model.twig ? twigsOf(*model.tree, *model.tree->organs(Organ::Leaf)) : StemSet();
-    const Meshes& stems = model.joints ? model.joints->apart : model.stems;
+    const Meshes& stems = model.unjoined ? model.unjoined->stems : model.stems;
     StemMesh own{planRings(*model.tree, static_cast<int>(generation), meshParamsOf(model.params), *model.detail, below, progress, asCards),
                  stems[generation]};
     assert(own.plan.vertexCount == own.mesh->vertexCount());
@@ -14,14 +14,14 @@ StemMesh planned(const TreeModel& model, std::size_t generation, const StemMesh*
 }
 
 std::shared_ptr<const TreeModel> joined(const std::shared_ptr<const TreeModel>& model, const CProgress& progress) {
-    if (model->joints || model->detail->collarRings == 0) return model;
+    if (model->unjoined || model->detail->collarRings == 0) return model;
     std::vector<StemMesh> stems;
     for (std::size_t g = 0; g < model->stems.size(); ++g)
         stems.push_back(planned(*model, g, g > 0 ? &stems.back() : nullptr, progress));
     JoinedStems wood = joinStems(*model->tree, stems, progress);
     auto whole = std::make_shared<TreeModel>(*model);
     whole->stems = std::move(wood.meshes);
-    whole->joints = std::make_shared<const WoodJoints>(WoodJoints{model->stems, std::move(wood.sources)});
+    whole->unjoined = std::make_shared<const UnjoinedStems>(UnjoinedStems{model->stems, std::move(wood.sources)});
     return whole;
 }
 

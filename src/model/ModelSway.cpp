@@ -39,11 +39,11 @@ private:
     }
 
     bool isKnown(std::size_t g) const {
-        return !m_model.joints && nodesAreKnown(g) && g < m_known->stems.size() && m_known->model->stems[g] == m_model.stems[g];
+        return !m_model.unjoined && nodesAreKnown(g) && g < m_known->stems.size() && m_known->model->stems[g] == m_model.stems[g];
     }
 
     void addStems() {
-        const Meshes& stems = m_model.joints ? m_model.joints->apart : m_model.stems;
+        const Meshes& stems = m_model.unjoined ? m_model.unjoined->stems : m_model.stems;
         std::size_t count = stems.size();
         while (count > 0 && isKnown(count - 1)) --count;
         StemMesh below;
@@ -56,14 +56,14 @@ private:
             m_sway.stems.push_back(isKnown(g) ? m_known->stems[g] : shared(swayOfStems(*m_sway.table, g, own.plan, *own.mesh, m_progress)));
             below = std::move(own);
         }
-        if (m_model.joints) joinStems();
+        if (m_model.unjoined) joinStems();
     }
 
     /// The vertices of joined wood hang where those do that they come from.
     void joinStems() {
         const auto apart = std::move(m_sway.stems);
         m_sway.stems.clear();
-        for (const std::vector<VertexSource>& sources : m_model.joints->sources) {
+        for (const std::vector<VertexSource>& sources : m_model.unjoined->sources) {
             SwayPlaces places;
             for (const VertexSource& source : sources) places.push_back((*apart[source.generation])[source.vertex]);
             m_sway.stems.push_back(shared(std::move(places)));

@@ -1,4 +1,5 @@
 #include "stromar/scene/BackdropPicture.h"
+#include "stromar/texture/PictureSize.h"
 #include "stromar/util/Error.h"
 #include <algorithm>
 #include <cmath>
@@ -55,6 +56,7 @@ std::shared_ptr<const BackdropPicture> readBackdrop(const std::string& file) {
     picture->panorama = ending == "hdr";
     if (ending != "png" && ending != "jpg" && ending != "jpeg" && !picture->panorama)
         throw CError("a backdrop is a picture, .png or .jpg, or a panorama, .hdr: not " + file);
+    refuseHugePicture(file);
     std::error_code problem;
     if (std::filesystem::is_regular_file(file, problem)) picture->image = osgDB::readRefImageFile(file);
     if (!picture->image || picture->image->s() < 1) throw CError("cannot read the backdrop " + file);

@@ -1,6 +1,8 @@
 #include "stromar/scene/SurfaceMaps.h"
 #include "stromar/texture/Opacity.h"
+#include "stromar/texture/PictureSize.h"
 #include "stromar/texture/TextureMaps.h"
+#include "stromar/util/Error.h"
 #include <cstring>
 #include <osg/Texture2D>
 #include <osgDB/ReadFile>
@@ -27,10 +29,24 @@ osg::ref_ptr<osg::Texture2D> makeTexture(osg::Image* image) {
     return texture;
 }
 
-ImageRef readMap(const std::string& albedo, const char* suffix) {
+/// Null, with the problem told, when it cannot be shown.
+ImageRef readPicture(const std::string& file, std::string& problem) {
+    try {
+        refuseHugePicture(file);
+    } catch (const CError& e) {
+        problem = e.what();
+        return nullptr;
+    }
+    const ImageRef image = osgDB::readRefImageFile(file);
+    if (!image) problem = "cannot show the picture " + file;
+    return image;
+}
+
+/// Null where there is none.
+ImageRef readMap(const std::string& albedo, const char* suffix, std::string& problem) {
     const std::string file = mapBeside(albedo, suffix).string();
-    std::error_code problem;
-    return std::filesystem::is_regular_file(file, problem) ? osgDB::readRefImageFile(file) : nullptr;
+    std::error_code none;
+    return std::filesystem::is_regular_file(file, none) ? readPicture(file, problem) : nullptr;
 }
 
 Pixels pixelsOf(const osg::Image& image) {
@@ -100,12 +116,11 @@ ImageRef glossImage(const osg::Image* roughness, const osg::Image* through, bool
 std::shared_ptr<const SurfaceMaps> readSurface(Surface surface, const std::string& file) {
     const SurfaceInfo& info = surfaceOf(surface);
     auto maps = std::make_shared<SurfaceMaps>();
-    ImageRef albedo = file.empty() ? nullptr : osgDB::readRefImageFile(file);
-    if (!file.empty() && !albedo) maps->problem = "cannot show the picture " + file;
-    const ImageRef relief = albedo ? readMap(file, "_normal") : nullptr;
-    const ImageRef roughness = albedo ? readMap(file, "_roughness") : nullptr,
-                   through = albedo ? readMap(file, "_translucency") : nullptr;
-    maps->under = albedo && info.cutOut ? readMap(file, "_back") : nullptr;
+    ImageRef albedo = file.empty() ? nullptr : readPicture(file, maps->problem);
+    const ImageRef relief = albedo ? readMap(file, "_normal", maps->problem) : nullptr;
+    const ImageRef roughness = albedo ? readMap(file, "_roughness", maps->problem) : nullptr,
+                   through = albedo ? readMap(file, "_translucency", maps->problem) : nullptr;
+    maps->under = albedo && info.cutOut ? readMap(file, "_back", maps->problem) : nullptr;
     if (!albedo) albedo = plainImage({info.colour.x, info.colour.y, info.colour.z, 1});
     maps->albedo = info.cutOut ? cutOutImage(*albedo) : albedo;
     maps->bumpy = relief.valid();

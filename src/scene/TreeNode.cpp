@@ -93,9 +93,12 @@ osg::BoundingBox CTreeNode::bounds() const {
 void CTreeNode::updateCrown() {
     osg::BoundingBox box = bounds();
     if (!box.valid()) box = kNoTree;
-    const osg::Vec3 half = (box._max - box._min) / 2;
-    osg::StateSet* state = m_node->getOrCreateStateSet();
-    setVector(state, "crownMiddle", box.center() - m_place);
+    setCrown(m_node->getOrCreateStateSet(), osg::BoundingBox(box._min - m_place, box._max - m_place));
+}
+
+void setCrown(osg::StateSet* state, const osg::BoundingBox& room) {
+    const osg::Vec3 half = (room._max - room._min) / 2;
+    setVector(state, "crownMiddle", room.center());
     setVector(state, "crownSize", {std::max(half.x(), kLeastCrown), std::max(half.y(), kLeastCrown), std::max(half.z(), kLeastCrown)});
 }
 

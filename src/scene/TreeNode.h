@@ -8,6 +8,9 @@ constexpr unsigned kInstancesMask = 2; ///< of nodes whose triangles OpenSceneGr
 /// What a scene without a tree is framed by.
 inline const osg::BoundingBox kNoTree(-1, -1, 0, 1, 1, 2);
 
+/// Tells the shaders the room of leaves whose shade they compute.
+void setCrown(osg::StateSet* state, const osg::BoundingBox& room);
+
 /// One tree of the scene: a group for each surface with its pictures, and the parts that show it. Its uniforms are those of the tree
 /// alone, but for the pose of the wind.
 class CTreeNode {

@@ -362,10 +362,8 @@ osg::BoundingBox CViewScene::bounds() const {
 void CViewScene::updateGround() {
     osg::BoundingBox box = bounds();
     if (!box.valid()) box = kNoTree;
-    const osg::Vec3 half = (box._max - box._min) / 2;
     m_grass->setTree(box);
-    setVector(m_state, "crownMiddle", box.center());
-    setVector(m_state, "crownSize", {std::max(half.x(), 0.01f), std::max(half.y(), 0.01f), std::max(half.z(), 0.01f)});
+    setCrown(m_state, box);
     m_person->getChild(0)->dirtyBound();
     setVector(m_state, "place", osg::Vec3(osg::Vec3d(personAt().x(), personAt().y(), 0)));
     updateLight();

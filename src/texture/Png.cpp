@@ -1,3 +1,4 @@
+#include "stromar/texture/PictureSize.h"
 #include "stromar/texture/TextureMaps.h"
 #include "stromar/util/Error.h"
 #include <csetjmp>
@@ -64,6 +65,7 @@ constexpr MapFile kMaps[] = {
 class CPngReader {
 public:
     explicit CPngReader(const std::filesystem::path& path) : m_path(path) {
+        refuseHugePicture(path);
         m_image.version = PNG_IMAGE_VERSION;
         if (!png_image_begin_read_from_file(&m_image, path.c_str())) fail();
     }

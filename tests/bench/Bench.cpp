@@ -63,6 +63,16 @@ void buildMeshes(State& state, const CParams& params, const Detail& detail) {
     state.counters["vertices/s"] = perSecond(double(vertices));
 }
 
+/// The wood of a file in one piece, beside what buildMeshes() takes.
+void joinWood(State& state, const CParams& params) {
+    const CProgress progress;
+    const auto tree = growTree(*methodOf(params).makeBuilder(true), params, progress);
+    const auto stems = meshAllStems(*tree, meshParamsOf(params), detailOf(Model::Full), progress);
+    std::size_t branches = 0;
+    for (auto _ : state) branches = joinStems(*tree, stems, progress).joined;
+    state.counters["branches/s"] = perSecond(double(branches));
+}
+
 /// What one step of a slider costs: what the value does not touch is kept.
 void editValue(State& state, const CParams& params, const ParamRef& ref) {
     CTreeCreator creator;
@@ -122,6 +132,7 @@ void addPreset(const Preset& preset) {
             add("MemCopy" + kind + "/" + preset.name,
                 [=, &detail](State& state) { copyMeshes(state, *CTreeCreator().create(params, detail, CProgress())); });
     }
+    add("Join/" + preset.name, [=](State& state) { joinWood(state, params); });
     if (&params.block() == &strandsBlock()) return addEdit(preset, "TrunkHeight", "curve");
     if (&params.block() == &lsystemBlock()) return addEdit(preset, "LengthUnit", "word");
     const int levels = std::min(kParamLevels, weberPenn(params).levels + 1);

@@ -18,7 +18,8 @@ struct JoinedStems {
 
 /// Cuts the walls of stems open along the collars of their branches, and leaves out what lies inside: with equal positions
 /// taken as one vertex, all meshes together are one closed surface. An edge of a hole has the positions of the collar's
-/// lowest ring; its normals and bark are the parent's. The wall around it keeps its vertices, and gets no others.
+/// lowest ring; its normals and bark are the parent's. The wall around it keeps its vertices; copies are added where the seam of the
+/// bark or a crease wants other values at the same place.
 /// A branch stays apart when its collar crosses itself, another one or a fork, or passes exactly through a vertex.
 /// `stems` are all generations with their plans' collars. Time n log n in the triangles of stems that bear branches;
 /// same result for any number of threads. Throws CCancelled.

@@ -12,8 +12,8 @@
 namespace stromar {
 
 /// What joined wood was made of.
-struct WoodJoints {
-    Meshes apart;                                   ///< by generation: each stem closed by itself
+struct UnjoinedStems {
+    Meshes stems;                                   ///< by generation: each stem closed by itself
     std::vector<std::vector<VertexSource>> sources; ///< by generation, of the joined meshes' vertices: in these
 };
 
@@ -26,7 +26,7 @@ struct TreeModel {
     std::shared_ptr<const CTree> tree; ///< of its organs those are grown that are shown
     std::shared_ptr<const CTree> grown; ///< the same at the end of its life, bare
     Meshes stems;                      ///< by generation
-    std::shared_ptr<const WoodJoints> joints; ///< null: every stem is closed by itself
+    std::shared_ptr<const UnjoinedStems> unjoined; ///< null: every stem is closed by itself
     OrganMeshes organs;                ///< leaves by kind, blossoms, fruits; some may be empty
     std::shared_ptr<const Twig> twig;   ///< what cards show in place of last stems with leaves; null: there are none
     std::shared_ptr<const CMesh> cards; ///< of it; null without it

@@ -10,9 +10,11 @@
 #include "stromar/params/ParamText.h"
 #include "stromar/tree/Nearest.h"
 #include "stromar/util/Random.h"
+#include <QFileDialog>
 #include <QLocale>
 #include <QMessageBox>
 #include <QProgressDialog>
+#include <QStandardPaths>
 #include <QTabWidget>
 #include <algorithm>
 
@@ -379,6 +381,24 @@ void CViewController::setLook(const std::function<void(ViewLook&)>& change) {
 void CViewController::setStatistics(bool on) {
     m_statistics = on;
     updateOverlay();
+}
+
+bool CViewController::chooseBackdrop(QWidget* parent) {
+    const QString folder = QStandardPaths::writableLocation(QStandardPaths::PicturesLocation);
+    const QString file =
+        QFileDialog::getOpenFileName(parent, tr("Picture Behind the Tree"), folder, tr("Pictures and HDRI panoramas (*.png *.jpg *.jpeg *.hdr)"));
+    if (file.isEmpty()) return false;
+    try {
+        const auto picture = readBackdrop(toPath(file).string());
+        setLook([&](ViewLook& look) {
+            look.backdrop = Backdrop::Picture;
+            look.picture = picture;
+        });
+    } catch (const CError& e) {
+        QMessageBox::critical(parent, tr("Cannot show the picture"), toQString(e.what()));
+        return false;
+    }
+    return true;
 }
 
 void CViewController::savePicture(QWidget* parent) {

@@ -30,6 +30,8 @@ public:
     bool hasSelection() const { return m_selected.has_value(); }
     /// Whether a handle is held.
     bool held() const { return m_dragging; }
+    /// Asks for a picture behind the tree. False, perhaps with a message, when there is none to show.
+    bool chooseBackdrop(QWidget* parent);
     /// Asks for size and file, and writes a picture or the frames of a turntable.
     void savePicture(QWidget* parent);
 

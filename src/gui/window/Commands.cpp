@@ -94,7 +94,7 @@ constexpr Command kCommands[] = {
     {"backdropDark", Menu::View, QT_TRANSLATE_NOOP("Commands", "Before &Dark Grey"), "Ctrl+3", "",
      QT_TRANSLATE_NOOP("Commands", "A dark, plain backdrop"), [](W& w, bool) { w.view().setLook([](ViewLook& look) { look.backdrop = Backdrop::Dark; }); }, false, false, Kind::KeptSwitch, "backdrop"},
     {"backdropPicture", Menu::View, QT_TRANSLATE_NOOP("Commands", "Before a &Picture…"), "Ctrl+4", "",
-     QT_TRANSLATE_NOOP("Commands", "A photograph, or a panorama that lights the tree"), [](W& w, bool) { w.chooseBackdrop(); }},
+     QT_TRANSLATE_NOOP("Commands", "A photograph, or an HDRI panorama that lights the tree"), [](W& w, bool) { w.chooseBackdrop(); }},
     {"shadingLit", Menu::View, QT_TRANSLATE_NOOP("Commands", "&Lit"), "Alt+1", "",
      QT_TRANSLATE_NOOP("Commands", "The tree in the light"), [](W& w, bool) { w.view().setLook([](ViewLook& look) { look.shading = Shading::Lit; }); }, false, true, Kind::Switch, "shading"},
     {"shadingMaterial", Menu::View, QT_TRANSLATE_NOOP("Commands", "&Material Alone"), "Alt+2", "",

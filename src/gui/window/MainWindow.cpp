@@ -32,8 +32,6 @@
 #include <QComboBox>
 #include <QDockWidget>
 #include <QDragEnterEvent>
-#include <QFile>
-#include <QFileDialog>
 #include <QKeyEvent>
 #include <QLabel>
 #include <QLineEdit>
@@ -46,7 +44,6 @@
 #include <QScreen>
 #include <QScrollArea>
 #include <QSettings>
-#include <QStandardPaths>
 #include <QStatusBar>
 #include <QToolBar>
 #include <QUndoView>
@@ -533,19 +530,7 @@ void CMainWindow::chooseTexture(const char* key) {
 }
 
 void CMainWindow::chooseBackdrop() {
-    const QString folder = QStandardPaths::writableLocation(QStandardPaths::PicturesLocation);
-    const QString file = QFileDialog::getOpenFileName(this, tr("Picture Behind the Tree"), folder, tr("Pictures and panoramas (*.png *.jpg *.jpeg *.hdr)"));
-    if (file.isEmpty()) return;
-    try {
-        const auto picture = readBackdrop(QFile::encodeName(file).toStdString());
-        m_viewController->setLook([&](ViewLook& look) {
-            look.backdrop = Backdrop::Picture;
-            look.picture = picture;
-        });
-    } catch (const CError& e) {
-        QMessageBox::critical(this, tr("Cannot show the picture"), toQString(e.what()));
-        return;
-    }
+    if (!m_viewController->chooseBackdrop(this)) return;
     QActionGroup* backdrops = findChild<QAction*>(QStringLiteral("backdropSky"))->actionGroup();
     backdrops->setExclusionPolicy(QActionGroup::ExclusionPolicy::None); // none of them is on
     if (QAction* before = backdrops->checkedAction()) before->setChecked(false);

@@ -167,7 +167,7 @@ std::vector<JoinedWalls> joinGeneration(const CTree& tree, std::size_t g, std::s
         walls.size(), kTubeGrain,
         [&](std::size_t begin, std::size_t end) {
             for (std::size_t i = begin; i < end; ++i)
-                walls[i] = joinWalls(tree, g, stems[g], stems[g].plan.tubes[bearers.tubes[i]], stems[g + 1], bearers.branches[i]);
+                walls[i] = joinWalls(tree, g, stems[g], stems[g].plan.tubes[bearers.tubes[i]], stems[g + 1], bearers.branches[i], progress);
         },
         progress);
     return walls;
@@ -176,17 +176,21 @@ std::vector<JoinedWalls> joinGeneration(const CTree& tree, std::size_t g, std::s
 
 JoinedStems joinStems(const CTree& tree, std::span<const StemMesh> stems, const CProgress& progress) {
     JoinedStems joined;
+    std::size_t collars = 0;
     std::vector<bool> standsInHole(stems.empty() ? 0 : stems.front().plan.tubes.size());
     for (std::size_t g = 0; g < stems.size(); ++g) {
         const std::vector<JoinedWalls> walls = joinGeneration(tree, g, stems, progress);
         CWoodWriter(static_cast<std::uint32_t>(g), stems[g], standsInHole).write(walls, joined);
-        if (g + 1 < stems.size()) standsInHole.assign(stems[g + 1].plan.tubes.size(), false);
+        if (g + 1 < stems.size()) {
+            standsInHole.assign(stems[g + 1].plan.tubes.size(), false);
+            collars += static_cast<std::size_t>(std::ranges::count_if(stems[g + 1].plan.tubes, [](const Tube& tube) { return tube.collarRings > 0; }));
+        }
         for (const JoinedWalls& own : walls) {
             joined.joined += own.joined.size();
-            joined.apart += own.apart;
             for (const std::uint32_t tube : own.joined) standsInHole[tube] = true;
         }
     }
+    joined.apart = collars - joined.joined;
     return joined;
 }
 

@@ -352,7 +352,7 @@ bool CTriangulation::cutOut(std::span<const LoopPoint> loop) {
     return false;
 }
 
-void CTriangulation::improve(const BetterTurned& better) {
+void CTriangulation::improve(const BetterFlipped& better) {
     for (int pass = 0; pass < kPasses; ++pass) {
         bool flipped = false;
         for (Index t = 0; t < m_triangles.size(); ++t)

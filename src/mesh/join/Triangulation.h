@@ -33,7 +33,7 @@ public:
         glm::dvec2 at;
     };
     /// Whether to turn the edge between two triangles: corners 0 and 1 are its ends, 2 and 3 opposite, in the first and the second.
-    using BetterTurned = std::function<bool(const std::array<Index, 4>&)>;
+    using BetterFlipped = std::function<bool(const std::array<Index, 4>&)>;
 
     /// Vertices are counted from 0. Time n log n in the triangles.
     CTriangulation(std::vector<Triangle> triangles, Index vertexCount);
@@ -42,7 +42,7 @@ public:
     /// it cannot be, or something else was cut out there: then nothing is taken out, but new vertices stay.
     bool cutOut(std::span<const LoopPoint> loop);
     /// Flips edges of changed triangles that are not part of a loop, where that is better.
-    void improve(const BetterTurned& better);
+    void improve(const BetterFlipped& better);
 
     std::span<const Triangle> triangles() const { return m_triangles; }
     Index vertexCount() const { return static_cast<Index>(m_touching.size()); }

@@ -11,10 +11,11 @@
 namespace stromar {
 
 namespace {
+constexpr int kMaxTries = 16;         // without branches that could not be cut out, each time fewer
 constexpr double kLeastAround = 1e-6; // repeats of the bark: to unroll it by
-constexpr double kGood = 0.3;         // of a triangle: not turned
+constexpr double kGood = 0.3;         // quality of a triangle: not flipped
 constexpr double kFlat = 0.02;        // sine of a bend that is none
-constexpr double kBetter = 1.05;      // times: of an edge that is turned
+constexpr double kBetter = 1.05;      // times: quality after a flip
 
 using Triangle = CTriangulation::Triangle;
 
@@ -36,24 +37,22 @@ public:
         : m_generation(static_cast<std::uint32_t>(generation)), m_mesh(*stems.mesh), m_plan(stems.plan), m_tube(tube), m_next(next),
           m_wallsEnd(CTubeWalls(tree.generation(generation), stems.plan, tube).end()) {}
 
-    JoinedWalls join(const std::vector<std::uint32_t>& branches) {
+    JoinedWalls join(const std::vector<std::uint32_t>& branches, const CProgress& progress) {
         unrollVertices();
-        if (m_around < kLeastAround) {
-            m_walls.apart = branches.size();
-            return std::move(m_walls);
-        }
+        if (m_around < kLeastAround) return std::move(m_walls);
         const std::vector<Triangle> walls = unrolledTriangles();
         std::vector<std::uint32_t> left = branches;
-        for (bool all = false; !all && !left.empty();) { // what was added for one that failed must not stay
+        bool all = false;
+        for (int tries = 0; !all && !left.empty() && tries < kMaxTries; ++tries) { // what was added for one that failed must not stay
+            progress.poll();
             CTriangulation surface(walls, m_tube.vertices);
             all = cutOut(left, surface);
             if (!all) continue;
-            surface.improve([&](const auto& corners) { return isBetterTurned(corners); });
+            surface.improve([&](const auto& corners) { return isBetterFlipped(corners); });
             all = leaveTangled(surface, left);
             if (all) write(surface);
         }
-        m_walls.joined = left;
-        m_walls.apart = branches.size() - left.size();
+        if (all) m_walls.joined = left;
         return std::move(m_walls);
     }
 
@@ -215,16 +214,16 @@ private:
         return lengths > 0 ? glm::dot(glm::cross(other, one), b - a) / lengths : 0;
     }
 
-    /// Wood is round: an edge in a valley is turned, which brings back the ridges of the walls as they were; between triangles that
+    /// Wood is round: an edge in a valley is flipped, which brings back the ridges of the walls as they were; between triangles that
     /// lie flat one that makes them thin.
-    bool isBetterTurned(const std::array<CTriangulation::Index, 4>& corners) const {
+    bool isBetterFlipped(const std::array<CTriangulation::Index, 4>& corners) const {
         const auto [a, b, near, far] = corners;
         const double now = std::min(qualityOf(a, b, near), qualityOf(b, a, far));
-        const double turned = std::min(qualityOf(a, far, near), qualityOf(far, b, near));
+        const double flipped = std::min(qualityOf(a, far, near), qualityOf(far, b, near));
         const double valley = valleyAt(corners);
-        if (valley > kFlat) return turned > std::min(now, 0.0);
-        if (valley < -kFlat) return now <= 0 && turned > 0;
-        return now < kGood && turned > kBetter * now;
+        if (valley > kFlat) return flipped > std::min(now, 0.0);
+        if (valley < -kFlat) return now <= 0 && flipped > 0;
+        return now < kGood && flipped > kBetter * now;
     }
 
     void write(const CTriangulation& surface) {
@@ -280,8 +279,8 @@ private:
 } // namespace
 
 JoinedWalls joinWalls(const CTree& tree, std::size_t generation, const StemMesh& stems, const Tube& tube, const StemMesh& next,
-                      const std::vector<std::uint32_t>& branches) {
-    return CTubeJoiner(tree, generation, stems, tube, next).join(branches);
+                      const std::vector<std::uint32_t>& branches, const CProgress& progress) {
+    return CTubeJoiner(tree, generation, stems, tube, next).join(branches, progress);
 }
 
 } // namespace stromar

@@ -18,11 +18,10 @@ struct JoinedWalls {
     std::vector<Vertex> vertices;         ///< new ones
     std::vector<std::uint32_t> triangles; ///< new ones, three indices each: of the mesh, and behind its end of `vertices`
     std::vector<std::uint32_t> joined;    ///< which of the branches stand in a hole
-    std::size_t apart = 0;                ///< how many could not
 };
 
-/// Cuts the collars of `branches`, tubes of the next generation, out of a tube.
+/// Cuts the collars of `branches`, tubes of the next generation, out of a tube. Throws CCancelled.
 JoinedWalls joinWalls(const CTree& tree, std::size_t generation, const StemMesh& stems, const Tube& tube, const StemMesh& next,
-                      const std::vector<std::uint32_t>& branches);
+                      const std::vector<std::uint32_t>& branches, const CProgress& progress);
 
 } // namespace stromar
