@@ -3,14 +3,17 @@
 #include "Relief.h"
 #include "TileNoise.h"
 #include "stromar/texture/Opacity.h"
+#include <glm/common.hpp>
 #include <glm/geometric.hpp>
 #include <glm/vec3.hpp>
 #include <numbers>
+#include <span>
+#include <vector>
 
 namespace stromar {
 
 namespace {
-constexpr double kRelief = 0.02; // of a picture's height
+constexpr int kCells = 24;       // a side of the card has, where blades are looked up
 using Tissue = Blade::Tissue;
 
 glm::dvec3 rgb(const Colour& c) { return {c[0], c[1], c[2]}; }
@@ -31,17 +34,46 @@ struct Place {
     bool left;
 };
 
+/// Which blades may show in a cell of the card.
+class CBladeGrid {
+public:
+    CBladeGrid(std::vector<Blade> blades, double width, double margin) : m_blades(std::move(blades)), m_width(width), m_cells(kCells * kCells) {
+        for (const Blade& blade : m_blades) add(blade, margin);
+    }
+
+    /// From the lowest to the highest.
+    std::span<const Blade* const> at(const glm::dvec2& p) const { return m_cells[static_cast<std::size_t>(row(p.y) * kCells + column(p.x))]; }
+
+private:
+    static int cell(double part) { return static_cast<int>(std::clamp(part * kCells, 0.0, kCells - 1.0)); }
+    int column(double x) const { return cell(x / m_width + 0.5); }
+    static int row(double y) { return cell(y); }
+
+    void add(const Blade& blade, double margin) {
+        const glm::dvec2 axis(std::sin(blade.turn), std::cos(blade.turn)), low = blade.foot - 0.05 * blade.length * axis,
+                         high = blade.foot + 1.05 * blade.length * axis;
+        const double aside = blade.half + margin + 1.1025 * std::abs(blade.bend) * blade.length;
+        const glm::dvec2 min = glm::min(low, high) - aside, max = glm::max(low, high) + aside;
+        for (int y = row(min.y); y <= row(max.y); ++y)
+            for (int x = column(min.x); x <= column(max.x); ++x) m_cells[static_cast<std::size_t>(y * kCells + x)].push_back(&blade);
+    }
+
+    std::vector<Blade> m_blades;
+    double m_width;
+    std::vector<std::vector<const Blade*>> m_cells;
+};
+
 class CLeafPainter {
 public:
     CLeafPainter(const LeafParams& leaf, int size)
         : m_leaf(leaf), m_size(size), m_cloud(seed(), 11), m_fine(seed(), 12), m_cells(seed(), 13),
-          m_blades(bladesOf(leaf)) {}
+          m_blades(bladesOf(leaf), leaf.width, pixel()) {}
 
     Layered at(int x, int y) const {
         const glm::dvec2 uv((x + 0.5) / m_size, (m_size - 1 - y + 0.5) / m_size);
         const glm::dvec2 p((uv.x - 0.5) * m_leaf.width, uv.y);
         Layered here;
-        for (const Blade& blade : m_blades) lay(blade, p, here);
+        for (const Blade* blade : m_blades.at(p)) lay(*blade, p, here);
         return here;
     }
 
@@ -217,7 +249,7 @@ private:
     LeafParams m_leaf;
     int m_size;
     CTileNoise m_cloud, m_fine, m_cells;
-    std::vector<Blade> m_blades;
+    CBladeGrid m_blades;
 };
 
 std::array<std::uint8_t, 4> bytes(const glm::dvec3& colour, double opacity) {
@@ -241,7 +273,7 @@ TextureMaps makeLeaf(const LeafParams& leaf, int size, const CProgress& progress
         maps.translucency[i] = toByte(255 * here.translucency);
         maps.height01[i] = toByte(255 * heights[i]);
     });
-    addNormals(maps, heights, kRelief, progress);
+    addNormals(maps, heights, kLeafRelief, progress);
     for (Pixels* side : {&maps.albedo, &maps.back}) spreadColours(*side, size, size);
     return maps;
 }

@@ -129,24 +129,16 @@ public:
         addStalk({0, 0}, {0, 0.07}, 0.03);
     }
 
-    /// A twig with needles all around, those towards the eye foreshortened.
+    /// A twig with needles all around; perhaps with side twigs, shorter towards its tip.
     void needleTwig() {
         const double end = 0.9;
-        addStalk({0, 0}, {0, end}, 0.022);
-        const int count = std::max(4, m_leaf.leaflets);
-        for (int i = 0; i < count; ++i) {
-            const double y = end * (i + 0.5) / count;
-            const double around = 2 * std::numbers::pi * uniform(), aside = std::sin(around);
-            const double turn = aside * (m_leaf.spread + vary(10)) * kDegree;
-            const double shown = 0.45 + 0.55 * std::abs(aside);
-            Blade needle = needleAt({0.012 * aside, y}, turn, shown * fitted({0, y}, turn, m_leaf.width * 0.62));
-            needle.bend = -0.12 * aside;
-            needle.layer = std::cos(around) > 0 ? 2 : 0;
-            needle.tone = (std::cos(around) > 0 ? 0.15 : -0.35) + vary(0.25);
-            add(needle);
+        const int pairs = m_leaf.lobes;
+        for (int i = 0; i < 2 * pairs; ++i) {
+            const double y = end * (i + 0.7 + vary(0.2)) / (2 * pairs + 1), side = i % 2 ? 1 : -1;
+            const double turn = side * (90 * (1 - m_leaf.slant) + vary(6)) * kDegree, part = 1 - 0.85 * std::pow(y / end, 1.3);
+            addNeedles({0, y}, turn, fitted({0, y}, turn, 0.66 * m_leaf.width * part * (0.85 + 0.3 * uniform())), 3 * (i % 2));
         }
-        for (const double side : {-1.0, 0.0, 1.0})
-            add(needleAt({0, end - 0.01}, side * 22 * kDegree, fitted({0, end}, 0, 1 - end)));
+        addNeedles({0, 0}, 0, end, pairs > 0 ? 6 : 0);
     }
 
     /// Twigs that fork into twigs, covered with scales.
@@ -210,7 +202,34 @@ private:
         return needle;
     }
 
-    void addStalk(const glm::dvec2& from, const glm::dvec2& to, double thick) {
+    /// All around a twig, those towards the eye foreshortened.
+    void addNeedles(const glm::dvec2& foot, double turn, double length, int layer) {
+        const glm::dvec2 axis = towards(turn), right(axis.y, -axis.x);
+        const double fine = 1.0 / (1 + m_leaf.lobes), longest = 0.62 * m_leaf.width * fine;
+        addStalk(foot, foot + length * axis, 0.022 * fine, layer + 1);
+        const int count = std::max(4, static_cast<int>(std::lround(m_leaf.leaflets * length / 0.9)));
+        for (int i = 0; i < count; ++i) {
+            const double along = length * (i + 0.5) / count;
+            const double around = 2 * std::numbers::pi * uniform(), aside = std::sin(around);
+            const double off = turn + aside * (m_leaf.spread + vary(10)) * kDegree;
+            const double shown = 0.45 + 0.55 * std::abs(aside);
+            const glm::dvec2 at = foot + along * axis + 0.012 * fine * aside * right;
+            Blade needle = needleAt(at, off, shown * fitted(foot + along * axis, off, longest));
+            needle.bend = -0.12 * aside;
+            needle.layer = layer + (std::cos(around) > 0 ? 2 : 0);
+            needle.tone = (std::cos(around) > 0 ? 0.15 : -0.35) + vary(0.25);
+            add(needle);
+        }
+        const glm::dvec2 tip = foot + length * axis;
+        const double end = fine < 1 ? longest : 1;
+        for (const double side : {-1.0, 0.0, 1.0}) {
+            Blade needle = needleAt(tip - 0.01 * fine * axis, turn + side * 22 * kDegree, std::min(end, fitted(tip, turn, 1)));
+            needle.layer += layer;
+            add(needle);
+        }
+    }
+
+    void addStalk(const glm::dvec2& from, const glm::dvec2& to, double thick, int layer = 1) {
         const glm::dvec2 way = to - from;
         const double length = std::hypot(way.x, way.y);
         if (length < 1e-6) return;
@@ -222,7 +241,7 @@ private:
         stalk.peak = 0.5;
         stalk.base = stalk.tip = 0.12;
         stalk.tissue = Blade::Tissue::Stalk;
-        stalk.layer = 1;
+        stalk.layer = layer;
         add(stalk);
     }
 

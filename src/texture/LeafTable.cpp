@@ -82,7 +82,7 @@ constexpr RecipeParam<L> kTable[] = {
     {"heart", N_("Heart"), N_("How far the blade reaches back beside its stalk."), &L::heart, 0, 1},
     {"teeth", N_("Teeth"), N_("How many teeth each half of a blade has."), &L::teeth, 0, 80},
     {"tooth", N_("Depth of teeth"), N_("How deep they are cut, as a part of the half's width."), &L::tooth, 0, 0.6},
-    {"lobes", N_("Lobes"), N_("How many lobes a half, or a hand-shaped leaf, has. Of blossoms: how many flowers."), &L::lobes, 0, 60},
+    {"lobes", N_("Lobes"), N_("How many lobes a half, or a hand-shaped leaf, has. Of blossoms: how many flowers. Of spruce twigs: how many pairs of side twigs."), &L::lobes, 0, 60},
     {"lobe", N_("Depth of lobes"), N_("How deep they are cut. Of leaflets and needles: how wide they are."), &L::lobe, 0, 1},
     {"slant", N_("Slant"), N_("How far teeth and lobes lean towards the tip."), &L::slant, 0, 1.5},
     {"leaflets", N_("Leaflets"), N_("Pairs of leaflets, leaflets of a hand, needles or petals."), &L::leaflets, 0, 300},

@@ -44,10 +44,64 @@ LeafBlade sheet() {
     return blade;
 }
 
+/// As the texture leaf:fan spreads: rays out of the end of a stalk, folded along their middle, whose tips hang.
+class CFanMaker {
+public:
+    LeafBlade make() {
+        for (int half = 0; half < 2 * kRays; ++half) addStrip(half);
+        addStrip({point(-kStalkHalf, 0), point(kStalkHalf, 0), point(-kStalkHalf, kPalm), point(kStalkHalf, kPalm)});
+        return std::move(m_blade);
+    }
+
+private:
+    static constexpr int kRays = 34, kRings = 5;
+    static constexpr double kAspect = 1.4, kPalm = 0.3, kSpread = 131 * std::numbers::pi / 180; // of the texture
+    static constexpr double kStalkHalf = 0.018, kFold = 0.55, kDroop = 0.55, kRim = 0.985;
+
+    /// Between a fold and the edge beside it; strips share no vertices, so that folds stay sharp.
+    void addStrip(int half) {
+        std::vector<glm::dvec3> places;
+        for (int ring = 0; ring <= kRings; ++ring)
+            for (const int side : {0, 1}) places.push_back(point(half + side, double(ring) / kRings));
+        addStrip(places);
+    }
+
+    void addStrip(const std::vector<glm::dvec3>& places) {
+        const auto first = static_cast<std::uint32_t>(m_blade.points.size());
+        for (std::size_t row = 0; row + 1 < places.size(); row += 2)
+            for (const std::size_t side : {0u, 1u}) {
+                const std::size_t low = row > 0 ? row - 2 : 0, high = std::min(row + 2, places.size() - 2);
+                const glm::dvec3 across = places[std::max(row, high) + 1] - places[std::max(row, high)], along = places[high + side] - places[low + side];
+                const glm::dvec3& place = places[row + side];
+                m_blade.points.push_back({place, glm::normalize(glm::cross(across, along)), {place.x + 0.5, place.y}});
+                if (row + 3 >= places.size() || side == 1) continue;
+                const auto corner = first + static_cast<std::uint32_t>(row);
+                for (const std::uint32_t next : {0u, 1u, 3u, 0u, 3u, 2u}) m_blade.indices.push_back(corner + next);
+            }
+    }
+
+    static glm::dvec3 point(double x, double y) { return {x / kAspect, y, 0}; }
+
+    /// On the edge of a half ray, some part of the way out to the rim of the card.
+    static glm::dvec3 point(int edge, double part) {
+        const double at = double(edge) / kRays - 1, turn = -at * kSpread, c = std::cos(turn), s = -std::sin(turn);
+        double reach = kRim * (1 - kPalm);
+        if (std::abs(s) > 1e-6) reach = std::min(reach, kRim * kAspect / 2 / std::abs(s));
+        if (c < 0) reach = std::min(reach, kRim * kPalm / -c);
+        const double out = part * reach, ray = kSpread / kRays * std::min(out, 0.6 * reach);
+        const double rise = (edge % 2 ? -0.5 : 0.5) * kFold * ray, sink = kDroop * std::pow(std::max(0.0, part - 0.45), 2) + 0.12 * at * at * part;
+        return {out * s / kAspect, kPalm + out * c, (rise - sink) / kAspect};
+    }
+
+    LeafBlade m_blade;
+};
+LeafBlade fan() { return CFanMaker().make(); }
+
 constexpr BuiltInLeaf kBuiltIn[] = {{"curved", N_("curved"), &sheet<curved>},
                                     {"cupped", N_("cupped"), &sheet<cupped>},
                                     {"wavy", N_("wavy"), &sheet<wavy>},
-                                    {"rolled", N_("rolled"), &sheet<rolled>}};
+                                    {"rolled", N_("rolled"), &sheet<rolled>},
+                                    {"fan", N_("fan"), &fan}};
 
 struct Box {
     glm::dvec3 min, max;
