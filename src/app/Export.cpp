@@ -1,5 +1,6 @@
 #include "stromar/app/Export.h"
 #include "wind/WindExport.h"
+#include "stromar/app/DisplacedModel.h"
 #include "stromar/app/Formats.h"
 #include "stromar/params/ParamTable.h"
 #include "stromar/mesh/VoxelMesh.h"
@@ -160,11 +161,14 @@ std::vector<std::shared_ptr<const TreeModel>> makeLods(CTreeCreator& creator, co
     return lods;
 }
 
-/// As files show them: the wood in one piece.
-std::vector<std::shared_ptr<const TreeModel>> joinedLods(std::vector<std::shared_ptr<const TreeModel>> lods, const ExportOptions& options,
-                                                         const CProgress& progress) {
-    if (!isSolid(options))
-        for (auto& lod : lods) lod = joined(lod, progress);
+/// As files show them: the wood in one piece, perhaps with the relief of its bark.
+std::vector<std::shared_ptr<const TreeModel>> finishedLods(std::vector<std::shared_ptr<const TreeModel>> lods, const ExportOptions& options,
+                                                           const fs::path& treeFolder, const SizeLimits& limits, const CProgress& progress) {
+    if (isSolid(options)) return lods;
+    for (auto& lod : lods) {
+        lod = joined(lod, progress);
+        lod = displaced(lod, {options.displacement, options.displacementStrength}, treeFolder, limits, progress);
+    }
     return lods;
 }
 
@@ -174,18 +178,19 @@ Meshes meshesFor(const TreeModel& model, const ExportOptions& options, const CPr
     return {voxelMesh(*model.tree, meshParamsOf(model.params), options.voxelSize, progress)};
 }
 
-/// Makes the poses of a motion, some at a time.
+/// Makes the poses of a motion, some at a time, of a tree that the limits allow.
 class CPoseMaker {
 public:
-    CPoseMaker(const CParams& params, const ExportOptions& options, const Motion& motion, bool varied, const SizeLimits& limits)
-        : m_params(params), m_options(options), m_motion(motion), m_varied(varied), m_limits(limits) {}
+    CPoseMaker(const CParams& params, const ExportOptions& options, const Motion& motion, bool varied, const SizeLimits& limits,
+               const fs::path& treeFolder)
+        : m_params(params), m_options(options), m_motion(motion), m_varied(varied), m_limits(limits), m_folder(treeFolder) {}
 
     /// For wind: what all moments share.
     void prepare(double age, const CProgress& progress) {
         if (!m_motion.sways()) return;
-        CTreeCreator creator(m_varied, m_limits);
+        CTreeCreator creator(m_varied, SizeLimits::none());
         creator.setAge(age);
-        m_lods = joinedLods(makeLods(creator, m_params, m_options, progress), m_options, progress);
+        m_lods = finishedLods(makeLods(creator, m_params, m_options, progress), m_options, m_folder, m_limits, progress);
         for (const auto& lod : m_lods) m_moving.emplace_back(lod, m_motion, progress);
     }
 
@@ -196,7 +201,7 @@ public:
         if (!m_motion.sways()) {
             std::unique_ptr<CTreeCreator> creator = takeCreator();
             creator->setAge(moment.age);
-            pose.lods = joinedLods(makeLods(*creator, m_params, m_options, progress), m_options, progress);
+            pose.lods = finishedLods(makeLods(*creator, m_params, m_options, progress), m_options, m_folder, m_limits, progress);
             giveBack(std::move(creator));
             for (const auto& lod : pose.lods) pose.meshes.push_back(meshesFor(*lod, m_options, progress));
             return pose;
@@ -209,7 +214,7 @@ public:
 private:
     std::unique_ptr<CTreeCreator> takeCreator() {
         const std::lock_guard lock(m_mutex);
-        if (m_creators.empty()) return std::make_unique<CTreeCreator>(m_varied, m_limits);
+        if (m_creators.empty()) return std::make_unique<CTreeCreator>(m_varied, SizeLimits::none());
         auto creator = std::move(m_creators.back());
         m_creators.pop_back();
         return creator;
@@ -224,6 +229,7 @@ private:
     const Motion& m_motion;
     bool m_varied;
     SizeLimits m_limits;
+    const fs::path& m_folder;
     std::vector<std::shared_ptr<const TreeModel>> m_lods;
     std::vector<CMovingModel> m_moving; ///< of the lods
     std::mutex m_mutex;
@@ -232,6 +238,7 @@ private:
 
 /// How many trees fit into memory side by side.
 int workersFor(const CParams& params, const ExportOptions& options, const SizeLimits& limits, std::size_t moments, const CProgress& progress) {
+    if (options.displacement > 0) return 1; // which may take all that is allowed
     double bytes = 1;
     for (const Detail* detail : detailsOf(options)) bytes += predictSize(params, *detail, progress).bytes;
     const double most = std::min(double(progress.threads()), double(moments));
@@ -239,10 +246,11 @@ int workersFor(const CParams& params, const ExportOptions& options, const SizeLi
 }
 } // namespace
 
-void exportModels(const std::vector<std::shared_ptr<const TreeModel>>& lods, const ExportOptions& options,
-                  const fs::path& treeFolder, const fs::path& path, const CProgress& progress, const Motion& motion) {
-    refuseUnless(options, formatOf(path), path);
-    Pose pose{joinedLods(lods, options, progress), {}, {}};
+namespace {
+/// Of finished models.
+void writeModels(const std::vector<std::shared_ptr<const TreeModel>>& lods, const ExportOptions& options, const fs::path& treeFolder,
+                 const fs::path& path, const CProgress& progress, const Motion& motion) {
+    Pose pose{lods, {}, {}};
     const bool carriesWind = options.wind != static_cast<int>(ExportedWind::None);
     for (std::size_t i = 0; carriesWind && i < lods.size(); ++i) {
         pose.sways.push_back(CMovingModel(pose.lods[i], motion, progress).sway());
@@ -251,6 +259,13 @@ void exportModels(const std::vector<std::shared_ptr<const TreeModel>>& lods, con
     for (const auto& lod : pose.lods) pose.meshes.push_back(meshesFor(*lod, options, progress));
     writePose(pose, options, treeFolder, {path, path}, progress, motion);
 }
+} // namespace
+
+void exportModels(const std::vector<std::shared_ptr<const TreeModel>>& lods, const ExportOptions& options,
+                  const fs::path& treeFolder, const fs::path& path, const CProgress& progress, const Motion& motion) {
+    refuseUnless(options, formatOf(path), path);
+    writeModels(finishedLods(lods, options, treeFolder, SizeLimits(), progress), options, treeFolder, path, progress, motion);
+}
 
 void exportFrames(const CParams& params, const ExportOptions& options, const Motion& motion, double age, bool varied,
                   const SizeLimits& limits, const fs::path& treeFolder, const fs::path& path,
@@ -258,7 +273,7 @@ void exportFrames(const CParams& params, const ExportOptions& options, const Mot
     refuseUnless(options, formatOf(path), path);
     if (isSolid(options) && motion.sways()) throw CError("one solid does not move in the wind");
     for (const Detail* detail : detailsOf(options)) refuseTooLarge(params, *detail, limits, progress);
-    CPoseMaker maker(params, options, motion, varied, SizeLimits::none());
+    CPoseMaker maker(params, options, motion, varied, limits, treeFolder);
     maker.prepare(age, progress);
     const std::vector<Moment> moments = maker.moments(age);
     std::atomic<std::size_t> done = 0;
@@ -280,8 +295,8 @@ std::vector<std::shared_ptr<const TreeModel>> exportTree(CTreeCreator& creator, 
                                                          const fs::path& path, const CProgress& progress,
                                                          const std::shared_ptr<const TreeModel>& ready, const Motion& motion) {
     refuseUnless(options, formatOf(path), path); // before anything grows
-    const auto lods = joinedLods(makeLods(creator, params, options, progress, ready), options, progress);
-    exportModels(lods, options, treeFolder, path, progress, motion);
+    const auto lods = finishedLods(makeLods(creator, params, options, progress, ready), options, treeFolder, creator.limits(), progress);
+    writeModels(lods, options, treeFolder, path, progress, motion);
     return lods;
 }
 

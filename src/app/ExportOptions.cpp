@@ -74,6 +74,17 @@ constexpr ExportChoice kChoices[] = {
      .help = N_("How many of the thickest stems get a bone of their own; the others follow theirs. Only with bones."),
      .field = &ExportOptions::bones,
      .range = {1, kMaxBones}},
+    {.key = "displacement",
+     .label = N_("Displacement"),
+     .help = N_("The relief of the bark as triangles, in cells of so many metres: 0.02 for a trunk seen from near; 0: none. Only "
+                "level of detail 0 gets it."),
+     .number = &ExportOptions::displacement,
+     .range = {0, 1}},
+    {.key = "displacement-strength",
+     .label = N_("Strength of displacement"),
+     .help = N_("How deep displaced bark is: 1 is what the picture of its normals shows. Seen from near it may be more."),
+     .number = &ExportOptions::displacementStrength,
+     .range = {0, 10}},
     {.key = "watertight",
      .label = N_("One solid"),
      .help = N_("For printing: all wood as one closed surface, without leaves. Of up to 5,000 stems."),
@@ -105,6 +116,8 @@ string_view conflictOf(const ExportOptions& options, const Format& format) {
     const bool moves = options.wind != static_cast<int>(ExportedWind::None);
     if (isSolid(options) && (moves || lods != ExportedLods::None || simple || options.lod > 0))
         return N_("one solid has no levels of detail and does not move in the wind");
+    if (options.displacement > 0 && (isSolid(options) || simple || (lods == ExportedLods::None && options.lod > 0)))
+        return N_("only the full model's level of detail 0 has displaced bark");
     const auto up = static_cast<ExportedUp>(options.up);
     const bool usual = up == ExportedUp::Format || (up == ExportedUp::Y) == (format.upAxis == "y");
     if (!usual && !format.anyUp)

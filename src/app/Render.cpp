@@ -171,9 +171,17 @@ private:
     std::vector<osg::Vec3f> m_beside; ///< where the other trees have vertices
     SurfaceFiles m_shown;
 };
+
+/// As it is to be seen.
+std::shared_ptr<const TreeModel> finished(const RenderTree& tree, const RenderOptions& options, const SizeLimits& limits, const CProgress& progress) {
+    return displaced(tree.model, options.displacement, tree.folder, limits, progress);
+}
 } // namespace
 
-Pixels renderPicture(std::span<const RenderTree> trees, const RenderOptions& options, const CProgress& progress) {
+Pixels renderPicture(std::span<const RenderTree> plain, const RenderOptions& options, const CProgress& progress) {
+    std::vector<RenderTree> finishedTrees;
+    for (const RenderTree& tree : plain) finishedTrees.push_back({finished(tree, options, SizeLimits(), progress), tree.folder});
+    const std::span<const RenderTree> trees = finishedTrees;
     CTreePainter painter(trees.front().folder, options);
     painter.show(trees.front().model, progress);
     painter.showBeside(trees.subspan(1), progress);
@@ -185,8 +193,11 @@ void renderMotion(CTreeCreator& creator, const CParams& params, const Detail& de
                   const std::filesystem::path& treeFolder, const RenderOptions& options,
                   const std::function<void(std::size_t, const Pixels&)>& take, const CProgress& progress) {
     CTreePainter painter(treeFolder, options);
-    creator.setAge(age);
-    const auto last = creator.create(params, detail, progress);
+    const auto create = [&](double at) {
+        creator.setAge(at);
+        return finished({creator.create(params, detail, progress), treeFolder}, options, creator.limits(), progress);
+    };
+    const auto last = create(age);
     std::optional<CMovingModel> moving;
     if (motion.sways()) moving.emplace(last, motion, progress);
     painter.show(moving ? moving->sway()->model : last, progress);
@@ -199,10 +210,8 @@ void renderMotion(CTreeCreator& creator, const CParams& params, const Detail& de
         progress.poll();
         if (moving)
             painter.move(*moving, moments[i].seconds, progress);
-        else if (moments[i].age != age || i > 0) {
-            creator.setAge(moments[i].age);
-            painter.show(creator.create(params, detail, progress), progress);
-        }
+        else if (moments[i].age != age || i > 0)
+            painter.show(create(moments[i].age), progress);
         take(i, painter.paint());
         progress.report(double(i + 1) / double(moments.size()));
     }

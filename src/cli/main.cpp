@@ -254,6 +254,14 @@ void addRender(CLI::App& command, Options& options) {
     command.add_option("--from", options.from, "From where else: degrees around the tree (0 the front) and above level")
         ->type_name("AZIMUTH,ELEVATION");
     command.add_flag("--fit", options.rendered.fit, "The tree just fills the picture");
+    command.add_option("--displacement", options.rendered.displacement.cell,
+                       "The relief of the bark as triangles, in cells of so many metres; only level of detail 0")
+        ->check(CLI::Range(0.0, 1.0))
+        ->type_name("SIZE");
+    command.add_option("--displacement-strength", options.rendered.displacement.strength,
+                       "How deep it is: 1 is what the picture of the bark's normals shows; default: 3")
+        ->check(CLI::Range(0.0, 10.0))
+        ->type_name("S");
     command.add_option("--focal-length", options.rendered.focalLength, "Millimetres, for a picture 24 mm high; default: 45")
         ->check(CLI::Range(8.0, 1000.0));
     command.add_option("--backdrop", options.backdrop, "What is behind the tree; or a picture, .png or .jpg, or an HDRI panorama, .hdr, that lights it")

@@ -10,7 +10,6 @@ namespace stromar {
 
 namespace {
 constexpr double kTurn = 6.283185307179586;
-constexpr double kRelief = 0.02; // of a tile's width, at depth 1
 
 /// One place of a bark.
 struct Sample {
@@ -214,7 +213,7 @@ TextureMaps makeBark(const BarkParams& bark, int size, const CProgress& progress
         maps.roughness[i] = toByte(255 * here.roughness);
         maps.height01[i] = toByte(255 * here.height);
     });
-    addNormals(maps, heights, bark.depth * kRelief, progress);
+    addNormals(maps, heights, reliefOf(bark), progress);
     return maps;
 }
 

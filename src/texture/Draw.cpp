@@ -84,6 +84,11 @@ void CRecipe::setValue(std::size_t row, const std::string& value) {
     std::visit([&](auto& params) { bookOf(params).setValue(params, bookOf(params).table[row], value); }, m_params);
 }
 
+double CRecipe::relief() const {
+    const auto* bark = std::get_if<BarkParams>(&m_params);
+    return bark ? reliefOf(*bark) : kLeafRelief;
+}
+
 TextureMaps CRecipe::draw(int size, const CProgress& progress) const {
     return std::visit([&](const auto& params) { return drawn(params, size, progress); }, m_params);
 }

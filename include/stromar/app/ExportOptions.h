@@ -12,7 +12,7 @@ namespace stromar {
 /// What a user can choose for one export. A plain value; what each means stands in the table.
 struct ExportOptions {
     int model = 0, lod = 0, lods = 0, up = 0, textures = 0, wind = 0, bones = 64, watertight = 0;
-    double scale = 1, voxelSize = 0.02;
+    double scale = 1, voxelSize = 0.02, displacement = 0, displacementStrength = 3;
 
     bool operator==(const ExportOptions&) const = default;
 };

@@ -1,4 +1,5 @@
 #pragma once
+#include "stromar/app/DisplacedModel.h"
 #include "stromar/app/Motion.h"
 #include "stromar/app/TreeCreator.h"
 #include "stromar/model/Light.h"
@@ -39,6 +40,7 @@ struct RenderOptions {
     Light light{};
     std::optional<std::pair<double, double>> from; ///< yaw and pitch in place of the view's
     double focalLength = 0; ///< millimetres, of a picture 24 mm high; 0: that of the window
+    Displacement displacement{0};
     bool fit = false;       ///< the whole tree just fills the picture
 };
 

@@ -17,6 +17,7 @@ public:
 
     /// Throws CCancelled, and CError when the tree would be too large. What was made before stays valid.
     std::shared_ptr<const TreeModel> create(const CParams& params, const Detail& detail, const CProgress& progress);
+    const SizeLimits& limits() const { return m_limits; }
     void setLimits(const SizeLimits& limits) { m_limits = limits; }
     /// How old the trees of the next create() are, 0..1 of their life.
     void setAge(double age) { m_age = age; }

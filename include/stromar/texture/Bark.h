@@ -14,6 +14,10 @@ struct BarkParams {
     bool operator==(const BarkParams&) const = default;
 };
 
+/// How far the highest place lies above the deepest, in widths of the picture: at a depth of 1, and of a bark.
+constexpr double kBarkRelief = 0.02;
+inline double reliefOf(const BarkParams& bark) { return bark.depth * kBarkRelief; }
+
 /// furrowed, plated, smooth …
 const RecipeBook<BarkParams>& barkBook();
 

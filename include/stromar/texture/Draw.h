@@ -31,6 +31,8 @@ public:
     std::string value(std::size_t row) const;
     /// Throws CError.
     void setValue(std::size_t row, const std::string& value);
+    /// How far the highest place lies above the deepest, in widths of the picture.
+    double relief() const;
     TextureMaps draw(int size, const CProgress& progress) const;
 
 private:

@@ -22,6 +22,9 @@ struct LeafParams {
     bool operator==(const LeafParams&) const = default;
 };
 
+/// How far the highest place lies above the deepest, in heights of the picture.
+constexpr double kLeafRelief = 0.02;
+
 /// Months between which leaves are simply green: younger ones are lighter, older ones turn.
 constexpr double kGreenFrom = 5.8, kGreenUntil = 8.7;
 
