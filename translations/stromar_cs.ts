@@ -1839,10 +1839,6 @@
         <translation>Jak hluboko jsou vykrojeny, jako díl šířky půle.</translation>
     </message>
     <message>
-        <source>How many lobes a half, or a hand-shaped leaf, has. Of blossoms: how many flowers.</source>
-        <translation>Kolik laloků má půle nebo dlanitý list. U květenství: kolik květů.</translation>
-    </message>
-    <message>
         <source>Depth of lobes</source>
         <translation>Hloubka laloků</translation>
     </message>
@@ -2598,6 +2594,46 @@
         <source>none</source>
         <translation>žádná</translation>
     </message>
+    <message>
+        <source>Displacement</source>
+        <translation>Posunutí povrchu</translation>
+    </message>
+    <message>
+        <source>The relief of the bark as triangles, in cells of so many metres: 0.02 for a trunk seen from near; 0: none. Only level of detail 0 gets it.</source>
+        <translation>Reliéf kůry jako trojúhelníky, v buňkách o tolika metrech: 0,02 pro kmen zblízka; 0: žádný. Dostane jej jen úroveň detailu 0.</translation>
+    </message>
+    <message>
+        <source>Strength of displacement</source>
+        <translation>Síla posunutí</translation>
+    </message>
+    <message>
+        <source>How deep displaced bark is: 1 is what the picture of its normals shows. Seen from near it may be more.</source>
+        <translation>Jak hluboká je posunutá kůra: 1 je to, co ukazuje obrázek jejích normál. Zblízka jí může být víc.</translation>
+    </message>
+    <message>
+        <source>only the full model&apos;s level of detail 0 has displaced bark</source>
+        <translation>posunutou kůru má jen úroveň detailu 0 úplného modelu</translation>
+    </message>
+    <message>
+        <source>Sun and shade</source>
+        <translation>Slunce a stín</translation>
+    </message>
+    <message>
+        <source>How much leaves that grow in the shade of the crown differ from those in the sun: at 1 they are 1.6 times as long and wide, and darker in the window and its pictures.</source>
+        <translation>Jak se listy, které rostou ve stínu koruny, liší od těch na slunci: při 1 jsou 1,6krát delší a širší a v okně a na jeho obrázcích tmavší.</translation>
+    </message>
+    <message>
+        <source>Dome</source>
+        <translation>Vyklenutí</translation>
+    </message>
+    <message>
+        <source>How far the middle of a cluster of blossoms stands out: 0 is a flat card, at 1 its edge lies half its width lower.</source>
+        <translation>Jak daleko vystupuje střed květenství: 0 je plochá karta, při 1 leží její okraj o půl šířky níž.</translation>
+    </message>
+    <message>
+        <source>How many lobes a half, or a hand-shaped leaf, has. Of blossoms: how many flowers. Of spruce twigs: how many pairs of side twigs.</source>
+        <translation>Kolik laloků má půle nebo dlanitý list. U květenství: kolik květů. U smrkových větviček: kolik párů postranních větviček.</translation>
+    </message>
 </context>
 <context>
     <name>stromar::CCurveEditor</name>
@@ -3050,70 +3086,6 @@
         <translation>Stránky příručky nejsou nainstalované.</translation>
     </message>
     <message>
-        <source>In the picture</source>
-        <translation>V obrázku</translation>
-    </message>
-    <message>
-        <source>Wheel</source>
-        <translation>Kolečko</translation>
-    </message>
-    <message>
-        <source>Nearer and farther</source>
-        <translation>Blíž a dál</translation>
-    </message>
-    <message>
-        <source>Click</source>
-        <translation>Kliknutí</translation>
-    </message>
-    <message>
-        <source>In the parameters</source>
-        <translation>V parametrech</translation>
-    </message>
-    <message>
-        <source>Scroll; changes an editor only after a click into it</source>
-        <translation>Posouvá; hodnotu mění až po kliknutí do ní</translation>
-    </message>
-    <message>
-        <source>Shift</source>
-        <translation>Shift</translation>
-    </message>
-    <message>
-        <source>Finer steps of a slider</source>
-        <translation>Jemnější kroky posuvníku</translation>
-    </message>
-    <message>
-        <source>Ctrl</source>
-        <translation>Ctrl</translation>
-    </message>
-    <message>
-        <source>Larger steps of a slider</source>
-        <translation>Větší kroky posuvníku</translation>
-    </message>
-    <message>
-        <source>Double click on a name</source>
-        <translation>Dvojklik na název</translation>
-    </message>
-    <message>
-        <source>Back to the default</source>
-        <translation>Zpět na výchozí hodnotu</translation>
-    </message>
-    <message>
-        <source>Right click on a name</source>
-        <translation>Pravé kliknutí na název</translation>
-    </message>
-    <message>
-        <source>Copy, paste, lock</source>
-        <translation>Kopírovat, vložit, zamknout</translation>
-    </message>
-    <message>
-        <source>Keys</source>
-        <translation>Klávesy</translation>
-    </message>
-    <message>
-        <source>Mouse and keys</source>
-        <translation>Myš a klávesy</translation>
-    </message>
-    <message>
         <source>About Stromar</source>
         <translation>O programu Stromar</translation>
     </message>
@@ -3132,10 +3104,6 @@
     <message>
         <source>The tree is growing; Esc cancels</source>
         <translation>Strom roste; Esc růst zruší</translation>
-    </message>
-    <message>
-        <source>Show details of the stem or leaf</source>
-        <translation>Ukázat podrobnosti o větvi nebo listu</translation>
     </message>
     <message>
         <source>Wind</source>
@@ -3471,6 +3439,77 @@
     <message>
         <source>ffmpeg could not make the video. %1</source>
         <translation>ffmpeg video nevytvořil. %1</translation>
+    </message>
+</context>
+<context>
+    <name>stromar::CShortcutsDialog</name>
+    <message>
+        <source>Mouse and keys</source>
+        <translation>Myš a klávesy</translation>
+    </message>
+    <message>
+        <source>Wheel</source>
+        <translation>Kolečko</translation>
+    </message>
+    <message>
+        <source>Nearer and farther</source>
+        <translation>Blíž a dál</translation>
+    </message>
+    <message>
+        <source>Click</source>
+        <translation>Kliknutí</translation>
+    </message>
+    <message>
+        <source>Show details of the stem or leaf</source>
+        <translation>Ukázat podrobnosti o větvi nebo listu</translation>
+    </message>
+    <message>
+        <source>Scroll; changes an editor only after a click into it</source>
+        <translation>Posouvá; hodnotu mění až po kliknutí do ní</translation>
+    </message>
+    <message>
+        <source>Shift</source>
+        <translation>Shift</translation>
+    </message>
+    <message>
+        <source>Finer steps of a slider</source>
+        <translation>Jemnější kroky posuvníku</translation>
+    </message>
+    <message>
+        <source>Ctrl</source>
+        <translation>Ctrl</translation>
+    </message>
+    <message>
+        <source>Larger steps of a slider</source>
+        <translation>Větší kroky posuvníku</translation>
+    </message>
+    <message>
+        <source>Double click on a name</source>
+        <translation>Dvojklik na název</translation>
+    </message>
+    <message>
+        <source>Back to the default</source>
+        <translation>Zpět na výchozí hodnotu</translation>
+    </message>
+    <message>
+        <source>Right click on a name</source>
+        <translation>Pravé kliknutí na název</translation>
+    </message>
+    <message>
+        <source>Copy, paste, lock</source>
+        <translation>Kopírovat, vložit, zamknout</translation>
+    </message>
+    <message>
+        <source>In the picture</source>
+        <translation>V obrázku</translation>
+    </message>
+    <message>
+        <source>In the parameters</source>
+        <translation>V parametrech</translation>
+    </message>
+    <message>
+        <source>Keys</source>
+        <translation>Klávesy</translation>
     </message>
 </context>
 <context>

@@ -1839,10 +1839,6 @@
         <translation>Насколько глубоко вырезаны, как доля ширины половины.</translation>
     </message>
     <message>
-        <source>How many lobes a half, or a hand-shaped leaf, has. Of blossoms: how many flowers.</source>
-        <translation>Сколько лопастей у половины или у пальчатого листа. У соцветий: сколько цветков.</translation>
-    </message>
-    <message>
         <source>Depth of lobes</source>
         <translation>Глубина лопастей</translation>
     </message>
@@ -2598,6 +2594,46 @@
         <source>none</source>
         <translation>нет</translation>
     </message>
+    <message>
+        <source>Displacement</source>
+        <translation>Смещение поверхности</translation>
+    </message>
+    <message>
+        <source>The relief of the bark as triangles, in cells of so many metres: 0.02 for a trunk seen from near; 0: none. Only level of detail 0 gets it.</source>
+        <translation>Рельеф коры в виде треугольников, в ячейках по столько метров: 0,02 для ствола вблизи; 0: без него. Его получает только уровень детализации 0.</translation>
+    </message>
+    <message>
+        <source>Strength of displacement</source>
+        <translation>Сила смещения</translation>
+    </message>
+    <message>
+        <source>How deep displaced bark is: 1 is what the picture of its normals shows. Seen from near it may be more.</source>
+        <translation>Насколько глубока смещённая кора: 1 — как показывает картинка её нормалей. Вблизи может быть и больше.</translation>
+    </message>
+    <message>
+        <source>only the full model&apos;s level of detail 0 has displaced bark</source>
+        <translation>смещённая кора есть только у уровня детализации 0 полной модели</translation>
+    </message>
+    <message>
+        <source>Sun and shade</source>
+        <translation>Солнце и тень</translation>
+    </message>
+    <message>
+        <source>How much leaves that grow in the shade of the crown differ from those in the sun: at 1 they are 1.6 times as long and wide, and darker in the window and its pictures.</source>
+        <translation>Насколько листья, растущие в тени кроны, отличаются от листьев на солнце: при 1 они в 1,6 раза длиннее и шире, а в окне и на его картинках темнее.</translation>
+    </message>
+    <message>
+        <source>Dome</source>
+        <translation>Выпуклость</translation>
+    </message>
+    <message>
+        <source>How far the middle of a cluster of blossoms stands out: 0 is a flat card, at 1 its edge lies half its width lower.</source>
+        <translation>Насколько выступает середина соцветия: 0 — плоская карточка, при 1 её край лежит на половину ширины ниже.</translation>
+    </message>
+    <message>
+        <source>How many lobes a half, or a hand-shaped leaf, has. Of blossoms: how many flowers. Of spruce twigs: how many pairs of side twigs.</source>
+        <translation>Сколько лопастей у половины или у пальчатого листа. У соцветий: сколько цветков. У еловых веточек: сколько пар боковых веточек.</translation>
+    </message>
 </context>
 <context>
     <name>stromar::CCurveEditor</name>
@@ -3050,70 +3086,6 @@
         <translation>Страницы руководства не установлены.</translation>
     </message>
     <message>
-        <source>In the picture</source>
-        <translation>В картинке</translation>
-    </message>
-    <message>
-        <source>Wheel</source>
-        <translation>Колесо</translation>
-    </message>
-    <message>
-        <source>Nearer and farther</source>
-        <translation>Ближе и дальше</translation>
-    </message>
-    <message>
-        <source>Click</source>
-        <translation>Щелчок</translation>
-    </message>
-    <message>
-        <source>In the parameters</source>
-        <translation>В параметрах</translation>
-    </message>
-    <message>
-        <source>Scroll; changes an editor only after a click into it</source>
-        <translation>Прокручивает; меняет значение только после щелчка в него</translation>
-    </message>
-    <message>
-        <source>Shift</source>
-        <translation>Shift</translation>
-    </message>
-    <message>
-        <source>Finer steps of a slider</source>
-        <translation>Мелкие шаги ползунка</translation>
-    </message>
-    <message>
-        <source>Ctrl</source>
-        <translation>Ctrl</translation>
-    </message>
-    <message>
-        <source>Larger steps of a slider</source>
-        <translation>Крупные шаги ползунка</translation>
-    </message>
-    <message>
-        <source>Double click on a name</source>
-        <translation>Двойной щелчок по имени</translation>
-    </message>
-    <message>
-        <source>Back to the default</source>
-        <translation>К значению по умолчанию</translation>
-    </message>
-    <message>
-        <source>Right click on a name</source>
-        <translation>Правый щелчок по имени</translation>
-    </message>
-    <message>
-        <source>Copy, paste, lock</source>
-        <translation>Копировать, вставить, закрепить</translation>
-    </message>
-    <message>
-        <source>Keys</source>
-        <translation>Клавиши</translation>
-    </message>
-    <message>
-        <source>Mouse and keys</source>
-        <translation>Мышь и клавиши</translation>
-    </message>
-    <message>
         <source>About Stromar</source>
         <translation>О программе Stromar</translation>
     </message>
@@ -3132,10 +3104,6 @@
     <message>
         <source>The tree is growing; Esc cancels</source>
         <translation>Дерево растёт; Esc — отмена</translation>
-    </message>
-    <message>
-        <source>Show details of the stem or leaf</source>
-        <translation>Показать сведения о ветви или листе</translation>
     </message>
     <message>
         <source>Wind</source>
@@ -3471,6 +3439,77 @@
     <message>
         <source>ffmpeg could not make the video. %1</source>
         <translation>ffmpeg не смог создать видео. %1</translation>
+    </message>
+</context>
+<context>
+    <name>stromar::CShortcutsDialog</name>
+    <message>
+        <source>Mouse and keys</source>
+        <translation>Мышь и клавиши</translation>
+    </message>
+    <message>
+        <source>Wheel</source>
+        <translation>Колесо</translation>
+    </message>
+    <message>
+        <source>Nearer and farther</source>
+        <translation>Ближе и дальше</translation>
+    </message>
+    <message>
+        <source>Click</source>
+        <translation>Щелчок</translation>
+    </message>
+    <message>
+        <source>Show details of the stem or leaf</source>
+        <translation>Показать сведения о ветви или листе</translation>
+    </message>
+    <message>
+        <source>Scroll; changes an editor only after a click into it</source>
+        <translation>Прокручивает; меняет значение только после щелчка в него</translation>
+    </message>
+    <message>
+        <source>Shift</source>
+        <translation>Shift</translation>
+    </message>
+    <message>
+        <source>Finer steps of a slider</source>
+        <translation>Мелкие шаги ползунка</translation>
+    </message>
+    <message>
+        <source>Ctrl</source>
+        <translation>Ctrl</translation>
+    </message>
+    <message>
+        <source>Larger steps of a slider</source>
+        <translation>Крупные шаги ползунка</translation>
+    </message>
+    <message>
+        <source>Double click on a name</source>
+        <translation>Двойной щелчок по имени</translation>
+    </message>
+    <message>
+        <source>Back to the default</source>
+        <translation>К значению по умолчанию</translation>
+    </message>
+    <message>
+        <source>Right click on a name</source>
+        <translation>Правый щелчок по имени</translation>
+    </message>
+    <message>
+        <source>Copy, paste, lock</source>
+        <translation>Копировать, вставить, закрепить</translation>
+    </message>
+    <message>
+        <source>In the picture</source>
+        <translation>В картинке</translation>
+    </message>
+    <message>
+        <source>In the parameters</source>
+        <translation>В параметрах</translation>
+    </message>
+    <message>
+        <source>Keys</source>
+        <translation>Клавиши</translation>
     </message>
 </context>
 <context>

@@ -1839,10 +1839,6 @@
         <translation>Kako globoko so zarezani, kot del širine polovice.</translation>
     </message>
     <message>
-        <source>How many lobes a half, or a hand-shaped leaf, has. Of blossoms: how many flowers.</source>
-        <translation>Koliko krp ima polovica ali dlanast list. Pri socvetjih: koliko cvetov.</translation>
-    </message>
-    <message>
         <source>Depth of lobes</source>
         <translation>Globina krp</translation>
     </message>
@@ -2598,6 +2594,46 @@
         <source>none</source>
         <translation>brez</translation>
     </message>
+    <message>
+        <source>Displacement</source>
+        <translation>Odmik površine</translation>
+    </message>
+    <message>
+        <source>The relief of the bark as triangles, in cells of so many metres: 0.02 for a trunk seen from near; 0: none. Only level of detail 0 gets it.</source>
+        <translation>Relief lubja kot trikotniki, v celicah po toliko metrov: 0,02 za deblo od blizu; 0: brez. Dobi ga le raven podrobnosti 0.</translation>
+    </message>
+    <message>
+        <source>Strength of displacement</source>
+        <translation>Moč odmika</translation>
+    </message>
+    <message>
+        <source>How deep displaced bark is: 1 is what the picture of its normals shows. Seen from near it may be more.</source>
+        <translation>Kako globoko je odmaknjeno lubje: 1 je toliko, kot kaže slika njegovih normal. Od blizu ga je lahko več.</translation>
+    </message>
+    <message>
+        <source>only the full model&apos;s level of detail 0 has displaced bark</source>
+        <translation>odmaknjeno lubje ima le raven podrobnosti 0 polnega modela</translation>
+    </message>
+    <message>
+        <source>Sun and shade</source>
+        <translation>Sonce in senca</translation>
+    </message>
+    <message>
+        <source>How much leaves that grow in the shade of the crown differ from those in the sun: at 1 they are 1.6 times as long and wide, and darker in the window and its pictures.</source>
+        <translation>Koliko se listi, ki rastejo v senci krošnje, razlikujejo od tistih na soncu: pri 1 so 1,6-krat daljši in širši ter v oknu in na njegovih slikah temnejši.</translation>
+    </message>
+    <message>
+        <source>Dome</source>
+        <translation>Izbočenost</translation>
+    </message>
+    <message>
+        <source>How far the middle of a cluster of blossoms stands out: 0 is a flat card, at 1 its edge lies half its width lower.</source>
+        <translation>Kako daleč štrli sredina socvetja: 0 je ploska karta, pri 1 je njen rob za pol širine nižje.</translation>
+    </message>
+    <message>
+        <source>How many lobes a half, or a hand-shaped leaf, has. Of blossoms: how many flowers. Of spruce twigs: how many pairs of side twigs.</source>
+        <translation>Koliko krp ima polovica ali dlanast list. Pri socvetjih: koliko cvetov. Pri smrekovih vejicah: koliko parov stranskih vejic.</translation>
+    </message>
 </context>
 <context>
     <name>stromar::CCurveEditor</name>
@@ -3050,70 +3086,6 @@
         <translation>Strani priročnika niso nameščene.</translation>
     </message>
     <message>
-        <source>In the picture</source>
-        <translation>V sliki</translation>
-    </message>
-    <message>
-        <source>Wheel</source>
-        <translation>Kolesce</translation>
-    </message>
-    <message>
-        <source>Nearer and farther</source>
-        <translation>Bliže in dlje</translation>
-    </message>
-    <message>
-        <source>Click</source>
-        <translation>Klik</translation>
-    </message>
-    <message>
-        <source>In the parameters</source>
-        <translation>V parametrih</translation>
-    </message>
-    <message>
-        <source>Scroll; changes an editor only after a click into it</source>
-        <translation>Drsi; vrednost spremeni šele po kliku vanjo</translation>
-    </message>
-    <message>
-        <source>Shift</source>
-        <translation>Shift</translation>
-    </message>
-    <message>
-        <source>Finer steps of a slider</source>
-        <translation>Finejši koraki drsnika</translation>
-    </message>
-    <message>
-        <source>Ctrl</source>
-        <translation>Ctrl</translation>
-    </message>
-    <message>
-        <source>Larger steps of a slider</source>
-        <translation>Večji koraki drsnika</translation>
-    </message>
-    <message>
-        <source>Double click on a name</source>
-        <translation>Dvojni klik na ime</translation>
-    </message>
-    <message>
-        <source>Back to the default</source>
-        <translation>Nazaj na privzeto</translation>
-    </message>
-    <message>
-        <source>Right click on a name</source>
-        <translation>Desni klik na ime</translation>
-    </message>
-    <message>
-        <source>Copy, paste, lock</source>
-        <translation>Kopiraj, prilepi, zakleni</translation>
-    </message>
-    <message>
-        <source>Keys</source>
-        <translation>Tipke</translation>
-    </message>
-    <message>
-        <source>Mouse and keys</source>
-        <translation>Miška in tipke</translation>
-    </message>
-    <message>
         <source>About Stromar</source>
         <translation>O programu Stromar</translation>
     </message>
@@ -3132,10 +3104,6 @@
     <message>
         <source>The tree is growing; Esc cancels</source>
         <translation>Drevo raste; Esc prekliče rast</translation>
-    </message>
-    <message>
-        <source>Show details of the stem or leaf</source>
-        <translation>Pokaži podrobnosti veje ali lista</translation>
     </message>
     <message>
         <source>Wind</source>
@@ -3473,6 +3441,77 @@
     <message>
         <source>ffmpeg could not make the video. %1</source>
         <translation>ffmpeg ni mogel izdelati videa. %1</translation>
+    </message>
+</context>
+<context>
+    <name>stromar::CShortcutsDialog</name>
+    <message>
+        <source>Mouse and keys</source>
+        <translation>Miška in tipke</translation>
+    </message>
+    <message>
+        <source>Wheel</source>
+        <translation>Kolesce</translation>
+    </message>
+    <message>
+        <source>Nearer and farther</source>
+        <translation>Bliže in dlje</translation>
+    </message>
+    <message>
+        <source>Click</source>
+        <translation>Klik</translation>
+    </message>
+    <message>
+        <source>Show details of the stem or leaf</source>
+        <translation>Pokaži podrobnosti veje ali lista</translation>
+    </message>
+    <message>
+        <source>Scroll; changes an editor only after a click into it</source>
+        <translation>Drsi; vrednost spremeni šele po kliku vanjo</translation>
+    </message>
+    <message>
+        <source>Shift</source>
+        <translation>Shift</translation>
+    </message>
+    <message>
+        <source>Finer steps of a slider</source>
+        <translation>Finejši koraki drsnika</translation>
+    </message>
+    <message>
+        <source>Ctrl</source>
+        <translation>Ctrl</translation>
+    </message>
+    <message>
+        <source>Larger steps of a slider</source>
+        <translation>Večji koraki drsnika</translation>
+    </message>
+    <message>
+        <source>Double click on a name</source>
+        <translation>Dvojni klik na ime</translation>
+    </message>
+    <message>
+        <source>Back to the default</source>
+        <translation>Nazaj na privzeto</translation>
+    </message>
+    <message>
+        <source>Right click on a name</source>
+        <translation>Desni klik na ime</translation>
+    </message>
+    <message>
+        <source>Copy, paste, lock</source>
+        <translation>Kopiraj, prilepi, zakleni</translation>
+    </message>
+    <message>
+        <source>In the picture</source>
+        <translation>V sliki</translation>
+    </message>
+    <message>
+        <source>In the parameters</source>
+        <translation>V parametrih</translation>
+    </message>
+    <message>
+        <source>Keys</source>
+        <translation>Tipke</translation>
     </message>
 </context>
 <context>

@@ -14,6 +14,8 @@ MeshParams meshParamsOf(const CParams& params) {
                  g.leafStalk, g.leafScaleX,    g.leafRounding};
     for (std::size_t other = 0; other < mesh.otherLeaves.size(); ++other) mesh.otherLeaves[other].share = g.*kLeafShares[other];
     mesh.blossomPlanes = g.blossomPlanes;
+    mesh.blossomDome = g.blossomDome;
+    mesh.sunAndShade = g.leafSunShade;
     mesh.fruitStalk = g.fruitStalk;
     mesh.season = {{{now.leaves, now.leafSize}, {now.blossoms, 1}, {now.fruits, now.fruitSize}}};
     return mesh;

@@ -161,7 +161,7 @@ void main() {
 inline constexpr const char* kTreeFragmentShader = R"(
 uniform mat4 osg_ViewMatrixInverse;
 uniform sampler2D picture, relief, gloss, under; // albedo; normals; roughness and what goes through; albedo from below
-uniform float leaf, colourVariation, tinted, generation, reliefDepth, underSide, smoothEdges, alphaCut, softFrom, softTo;
+uniform float leaf, colourVariation, sunAndShade, tinted, generation, reliefDepth, underSide, smoothEdges, alphaCut, softFrom, softTo;
 uniform sampler2D olderPicture, olderRelief, olderGloss, youngerPicture, youngerRelief, youngerGloss;
 uniform vec2 neighbourRate;
 uniform int view; // 0 lit, 1 material, 2 occlusion, 3 normals
@@ -221,6 +221,8 @@ void main() {
     float hue = fract(17.3 * shade);
     vec3 own = vec3(0.97, 0.99, 0.9) +
                colourVariation * ((shade - 0.5) * vec3(1.0, 0.76, 0.8) + (hue - 0.5) * vec3(0.45, 0.0, -0.3));
+    float lit = clamp((skyVisibility - 0.35) / 0.65, 0.0, 1.0);
+    own *= mix(vec3(1.0), mix(vec3(0.68, 0.8, 0.76), vec3(1.06, 1.03, 0.96), lit), sunAndShade);
     albedo *= mix(vec3(1.0), own, leaf);
     if (back && !fromBelow) albedo = mix(albedo, vec3(dot(albedo, vec3(0.3, 0.6, 0.1))), 0.25) * 1.15;
 #if BEST

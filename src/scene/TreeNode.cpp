@@ -41,6 +41,7 @@ void CTreeNode::show(const std::vector<ViewPart>& parts, bool instancing) {
         osg::StateSet* state = geometry->getOrCreateStateSet();
         if (!state->getUniform("generation")) setFloat(state, "generation", part.generation);
         setFloat(state, "colourVariation", part.colourVariation);
+        setFloat(state, "sunAndShade", part.sunAndShade);
         setNeighbours(*state, part.neighbours);
         m_surfaces[static_cast<std::size_t>(part.surface)]->addChild(geometry);
         m_drawn.push_back(geometry);

@@ -208,6 +208,7 @@ std::vector<ViewPart> viewPartsOf(const TreeModel& model, const std::vector<View
         part.*source = shown;
         part.surface = surface;
         part.colourVariation = model.params.common.leafColourV;
+        part.sunAndShade = isLeaf(surface) || surface == Surface::Twig ? model.params.common.leafSunShade : 0;
         if (isBark(surface)) part.neighbours = neighbourBarksOf(model, surface);
         parts.push_back(std::move(part));
     };

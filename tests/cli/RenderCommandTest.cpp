@@ -177,6 +177,37 @@ TEST_F(Render, ABackdropMayBeAPictureOrAPanoramaThatLights) {
         EXPECT_NE(cli({"render", kAspen, "-o", path(), "--backdrop", wrong}).status, 0) << wrong;
 }
 
+TEST_F(Render, DisplacedBarkHasARoughOutline) {
+    const auto outline = [](const Picture& p) { // how much the trunk's left edge goes to and fro
+        int last = 0, way = 0;
+        for (unsigned y = p.height / 2; y < p.height; ++y) {
+            int x = 0;
+            while (x < static_cast<int>(p.width) && p.rgba[4 * (y * p.width + static_cast<unsigned>(x)) + 3] < 128) ++x;
+            if (last > 0 && x < static_cast<int>(p.width)) way += std::abs(x - last);
+            last = x;
+        }
+        return way;
+    };
+    const Words pole{"--set", "Levels=1", "--set", "Scale=3", "--set", "Ratio=0.1", "--set", "Leaves=0", "--set", "BarkTexture=bark:furrowed ridges=12",
+                     "--transparent", "--fit", "--season", "winter"};
+    Words rough = pole;
+    rough.insert(rough.end(), {"--displacement", "0.01", "--displacement-strength", "4"});
+    EXPECT_GT(outline(render(rough)), 1.5 * outline(render(pole)));
+    EXPECT_NE(cli({"render", kAspen, "-o", path(), "--displacement", "0.0001"}).err.find("million triangles"), std::string::npos);
+}
+
+/// A few bytes can be a picture that takes all memory.
+TEST_F(Render, HugePicturesAreRefused) {
+    const std::string huge = (m_folder.path() / "huge.png").string(), tree = (m_folder.path() / "huge.tree").string();
+    std::ofstream(huge, std::ios::binary) << std::string("\x89PNG\r\n\x1A\n\0\0\0\rIHDR\0\1\0\0\0\1\0\0\x08\6\0\0\0", 29);
+    std::ofstream(tree) << "Format = 1\nScale = 2\nLevels = 1\nBarkTexture = \"huge.png\"\n";
+    for (const Words& words : {Words{"render", kAspen, "-o", path(), "--backdrop", huge}, Words{"render", tree, "-o", path()}}) {
+        const auto result = cli(words);
+        EXPECT_NE(result.status, 0);
+        EXPECT_NE(result.err.find("65536 x 65536 pixels is too large"), std::string::npos) << result.err;
+    }
+}
+
 TEST_F(Render, SeveralTreesStandInARow) {
     const auto columns = [](const Picture& p) {
         std::vector<std::size_t> trees; // pixels of each, between empty columns

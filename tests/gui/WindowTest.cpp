@@ -4,6 +4,7 @@
 #include "params/ParamEditor.h"
 #include "params/ParamPanel.h"
 #include "window/QtText.h"
+#include "window/Theme.h"
 #include "Support.h"
 #include "view/Viewport.h"
 #include "WindowFixture.h"
@@ -21,11 +22,15 @@
 #include <QMessageBox>
 #include <QProcess>
 #include <QPushButton>
+#include <QScreen>
 #include <QSignalSpy>
 #include <QSlider>
 #include <QSpinBox>
 #include <QTemporaryDir>
+#include <QTextBrowser>
 #include <QTimer>
+#include <QToolBar>
+#include <QToolButton>
 #include <gtest/gtest.h>
 
 namespace stromar {
@@ -261,6 +266,36 @@ TEST_F(WindowTest, CommandsHaveTextsIconsAndShortcutsOfTheirOwn) {
         EXPECT_FALSE(shortcuts.contains(made->shortcut().toString())) << command.name;
         shortcuts << made->shortcut().toString();
     }
+}
+
+TEST_F(WindowTest, TheListOfKeysFitsOnALowScreen) {
+    QTimer::singleShot(0, &window, [&] {
+        QWidget* dialog = QApplication::activeModalWidget();
+        ASSERT_TRUE(dialog);
+        EXPECT_LE(dialog->height(), 0.8 * dialog->screen()->availableSize().height());
+        EXPECT_LE(dialog->minimumSizeHint().height(), 400);
+        const QString text = dialog->findChild<QTextBrowser*>()->toPlainText();
+        for (const Command& command : commandTable())
+            EXPECT_TRUE(text.contains(QKeySequence(QLatin1String(command.shortcut)).toString(QKeySequence::NativeText))) << command.name;
+        dialog->close();
+    });
+    action("shortcuts")->trigger();
+}
+
+TEST_F(WindowTest, InTheDarkThemeTheRestOfTheToolBarIsFound) {
+    auto* bar = window.findChild<QToolBar*>(QStringLiteral("tools"));
+    auto* more = bar->findChild<QToolButton*>(QStringLiteral("qt_toolbar_ext_button"));
+    ASSERT_TRUE(more);
+    applyTheme(QStringLiteral("dark"));
+    bar->setMaximumWidth(200);
+    ASSERT_TRUE(waitFor([&] { return more->isVisible(); }));
+    const QImage shown = more->grab().toImage();
+    int light = 0;
+    for (int y = 0; y < shown.height(); ++y)
+        for (int x = 0; x < shown.width(); ++x) light += shown.pixelColor(x, y).lightness() > 160;
+    EXPECT_GT(light, 4);
+    bar->setMaximumWidth(QWIDGETSIZE_MAX);
+    applyTheme(QStringLiteral("light"));
 }
 
 TEST_F(WindowTest, ATreeThatWouldBeTooLargeAsksFirstAndOffersWhatFits) {

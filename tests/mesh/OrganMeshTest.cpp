@@ -1,6 +1,8 @@
 #include "mesh/MeshMeasures.h"
 #include "mesh/SampleTrees.h"
 #include "stromar/mesh/check/MeshCheck.h"
+#include <cmath>
+#include <glm/common.hpp>
 #include <glm/geometric.hpp>
 #include <gtest/gtest.h>
 #include <set>
@@ -53,6 +55,63 @@ TEST(OrganMesh, LeavesThatFallEarlyAreGoneLater) {
     std::set<std::pair<float, float>> places;
     for (const glm::vec3& p : early->positions) places.insert({p.x, p.z});
     for (const glm::vec3& p : late->positions) ASSERT_TRUE(places.contains({p.x, p.z}));
+}
+
+TEST(OrganMesh, LeavesInTheShadeAreLarger) {
+    CParams params = preset("norway_maple");
+    const auto lengths = [&](double sunAndShade) {
+        params.common.leafSunShade = sunAndShade;
+        const auto tree = grow(params);
+        const auto all = meshAllStems(*tree, meshParamsOf(params), full(), CProgress(2));
+        std::vector<const MeshPlan*> plans;
+        for (const StemMesh& own : all) plans.push_back(&own.plan);
+        const auto leaves = meshOfOrgans(*tree, Organ::Leaf, plans, meshParamsOf(params), full(), CProgress(2));
+        std::vector<InstancePlace> places;
+        for (std::size_t i = 0; i < leaves[0]->count(); ++i) places.push_back(leaves[0]->place(i));
+        return places;
+    };
+    const auto even = lengths(0), shaded = lengths(1);
+    ASSERT_EQ(even.size(), shaded.size());
+    glm::vec3 low(1e9f), high(-1e9f);
+    for (const InstancePlace& place : even) {
+        low = glm::min(low, place.position);
+        high = glm::max(high, place.position);
+    }
+    double inner = 0, inners = 0, outer = 0, outers = 0, smallest = 1e9, largest = 0, area = 0;
+    for (std::size_t i = 0; i < even.size(); ++i) {
+        const double ratio = shaded[i].length / even[i].length;
+        smallest = std::min(smallest, ratio);
+        largest = std::max(largest, ratio);
+        area += ratio * ratio;
+        ASSERT_NEAR(shaded[i].width / even[i].width, ratio, 1e-5) << "they keep their shape";
+        const float out = glm::length((even[i].position - (low + high) / 2.f) / ((high - low) / 2.f));
+        if (out < 0.5f) inner += ratio, ++inners;
+        if (out > 0.95f) outer += ratio, ++outers;
+    }
+    ASSERT_GT(inners, 10);
+    ASSERT_GT(outers, 10);
+    EXPECT_LE(largest, 1.6 * smallest + 1e-6);
+    EXPECT_GT(largest, 1.5 * smallest);
+    EXPECT_GT(inner / inners, 1.25 * outer / outers);
+    EXPECT_NEAR(area / double(even.size()), 1, 1e-6) << "all together have the same area";
+}
+
+TEST(OrganMesh, DomesOfBlossomsStandOutInTheMiddle) {
+    MeshParams params = meshParamsOf(orchard());
+    params.blossomDome = 1;
+    const LeafBlade dome = bladeOf(params, Organ::Blossom, full());
+    double middle = -1e9, corner = 1e9;
+    for (const LeafBlade::Point& point : dome.points) {
+        const double out = std::hypot(point.place.x, point.place.y - 0.5);
+        if (out < 0.01) middle = point.place.z;
+        if (out > 0.7) corner = point.place.z;
+        EXPECT_NEAR(glm::length(point.normal), 1, 1e-9);
+        EXPECT_GE(point.normal.x * point.place.x + point.normal.y * (point.place.y - 0.5), out > 0.01 ? 1e-3 : -1e-9) << "they look outwards";
+    }
+    EXPECT_NEAR(middle - corner, 1, 1e-9);
+    EXPECT_EQ(bladeOf(params, Organ::Blossom, full(2)).points.size(), 4u) << "far ones are cards";
+    params.blossomDome = 0;
+    EXPECT_EQ(bladeOf(params, Organ::Blossom, full()).points.size(), 4u);
 }
 
 TEST(OrganMesh, PlanesCrossInTheLengthOfTheirLeaf) {

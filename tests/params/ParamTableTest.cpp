@@ -33,7 +33,7 @@ const std::map<std::string, double>& specified() {
                                           {"Trunks", 1},          {"TrunksSpread", 0.2},
                                           {"TrunksLean", 10},     {"Blossoms", 0},
                                           {"BlossomScale", 0.05}, {"BlossomMonth", 4.5},
-                                          {"BlossomUp", 0},       {"BlossomPlanes", 1},
+                                          {"BlossomUp", 0},       {"BlossomPlanes", 1}, {"BlossomDome", 0}, {"LeafSunShade", 0},
                                           {"Fruits", 0},          {"FruitScale", 0.07},
                                           {"FruitScaleX", 1},     {"FruitStalk", 0.3},
                                           {"FruitMonth", 9},      {"LeafFold", 0},
@@ -185,7 +185,7 @@ TEST(InvalidationOf, EveryRowNamesItsStage) {
         "MinRadius",  "Lobes",    "LobeDepth", "LobeFade",     "Roots",         "RootReach",    "RootHeight",
         "LeafShape",  "LeafForm", "LeafStalk", "LeafFold",     "LeafRounding",  "TextureWrapX", "TextureWrapY",
         "Leaf2Share", "Leaf3Share", "Leaf4Share",
-        "LeafPlanes", "Season",   "Evergreen", "BlossomMonth", "BlossomPlanes", "FruitStalk",   "FruitMonth"};
+        "LeafPlanes", "Season",   "Evergreen", "BlossomMonth", "BlossomPlanes", "BlossomDome", "LeafSunShade", "FruitStalk",   "FruitMonth"};
     const auto in = [](const std::vector<std::string>& list, const std::string& key) {
         return std::ranges::find(list, key) != list.end();
     };

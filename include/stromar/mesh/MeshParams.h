@@ -38,6 +38,8 @@ struct MeshParams {
     LeafForm leaf;                         ///< of the first kind
     std::array<LeafKind, kLeafKinds - 1> otherLeaves{};
     int blossomPlanes = 1;
+    double blossomDome = 0;                ///< of each plane: how far its edge lies below its middle, in half widths
+    double sunAndShade = 0;                ///< 0..1: how much larger leaves inside the crown are
     double fruitStalk = 0;                 ///< parts of the length
     std::array<SeasonShare, kOrgans.size()> season; ///< by Organ
 

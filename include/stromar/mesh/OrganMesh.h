@@ -36,6 +36,16 @@ struct Rounding {
     glm::dvec3 turned(const glm::dvec3& normal, const glm::dvec3& place) const;
 };
 
+/// How much larger a leaf is that grew in the shade of its crown: an ellipsoid, as the window shades it. Leaves in the sun are smaller,
+/// so that all have the same area together.
+struct CrownShade {
+    glm::dvec3 centre{0}, half{1}; ///< of the stems that bear leaves
+    double most = 0;               ///< what is added to the size in the deepest shade
+    double sunlit = 1;             ///< size in the full sun
+
+    double sizeAt(const glm::dvec3& place) const;
+};
+
 /// One of many places where a blade stands, as graphics cards want it.
 struct InstancePlace {
     glm::vec3 position; ///< of the blade's foot
@@ -48,7 +58,7 @@ class COrganMesh {
 public:
     /// Those of `organs` that `shown` lists, `growth` times as large as they are grown.
     COrganMesh(Organ organ, std::size_t kind, LeafBlade blade, std::shared_ptr<const COrgans> organs, std::vector<std::uint32_t> shown,
-               double growth, const Rounding& rounding);
+               double growth, const Rounding& rounding, const CrownShade& shade = {});
 
     Organ organ() const { return m_organ; }
     std::size_t kind() const { return m_kind; } ///< of a leaf, else 0
@@ -75,6 +85,8 @@ public:
     std::shared_ptr<const CMesh> expanded(const CProgress& progress) const;
 
 private:
+    double sizeOf(const CLeaf& leaf) const { return m_growth * m_shade.sizeAt(leaf.position); }
+
     Organ m_organ;
     std::size_t m_kind;
     LeafBlade m_blade;
@@ -83,6 +95,7 @@ private:
     std::vector<std::uint32_t> m_shown; ///< empty where all are
     double m_growth;
     Rounding m_rounding;
+    CrownShade m_shade;
 };
 
 using OrganMeshes = std::vector<std::shared_ptr<const COrganMesh>>;

@@ -15,10 +15,10 @@ struct CommonParams {
     double minRadius, textureWrapX, textureWrapY;
     double flare, lobeDepth, lobeFade, rootReach, rootHeight;
     double season, flexibility;
-    double leafScale, leafScaleX, leafBend, leafQuality, leafStalk, leafRounding, leafColourV;
+    double leafScale, leafScaleX, leafBend, leafQuality, leafStalk, leafRounding, leafSunShade, leafColourV;
     Degrees leafFold;
     double leafShare2, leafShare3, leafShare4;
-    double blossomScale, blossomUp, blossomMonth, fruitScale, fruitScaleX, fruitStalk, fruitMonth;
+    double blossomScale, blossomUp, blossomDome, blossomMonth, fruitScale, fruitScaleX, fruitStalk, fruitMonth;
     int seed, evergreen, lobes, roots;
     int leafShape, leafForm, leafWhorl, leafPlanes, blossoms, blossomPlanes, fruits;
 

@@ -32,6 +32,7 @@ struct ViewPart {
     std::shared_ptr<const CMesh> mesh{};        ///< what it shows: this
     std::shared_ptr<const COrganMesh> organs{}; ///< or these
     double colourVariation = 0;                 ///< of its leaves, 0..1
+    double sunAndShade = 0;                     ///< likewise: how dark those inside the crown are
     NeighbourBarks neighbours{};                ///< of the bark of stems
 };
 

@@ -18,6 +18,7 @@
 #include "library/PresetBrowser.h"
 #include "window/QtText.h"
 #include "window/Settings.h"
+#include "window/ShortcutsDialog.h"
 #include "window/Theme.h"
 #include "library/Thumbnails.h"
 #include "library/Variants.h"
@@ -46,6 +47,7 @@
 #include <QSettings>
 #include <QStatusBar>
 #include <QToolBar>
+#include <QToolButton>
 #include <QUndoView>
 #include <QVBoxLayout>
 #include <utility>
@@ -210,6 +212,9 @@ void CMainWindow::makeActions() {
         if (QLatin1String(command.name) == QLatin1String("open")) m_recentMenu = menu->addMenu(tr("Open &Recent"));
     }
     m_files->fillRecentMenu(*m_recentMenu);
+    auto* more = bar->findChild<QToolButton*>(QStringLiteral("qt_toolbar_ext_button"));
+    more->setText(QStringLiteral("»")); // the style's picture is black in every theme
+    more->setToolButtonStyle(Qt::ToolButtonTextOnly);
 }
 
 /// A new tree of each way to grow.
@@ -574,28 +579,7 @@ void CMainWindow::showManual() {
     m_help->raise();
 }
 
-void CMainWindow::showShortcuts() {
-    const auto row = [](const QString& key, const QString& what) {
-        return QStringLiteral("<tr><td>%1&nbsp;&nbsp;</td><td>%2</td></tr>").arg(key, what);
-    };
-    QString text = QStringLiteral("<p><b>%1</b></p><table>").arg(tr("In the picture"));
-    for (const MouseGesture& gesture : navigationNamed(CSettings::instance().text("navigation")).gestures)
-        text += row(gestureText(gesture), motionText(gesture.motion));
-    text += row(tr("Wheel"), tr("Nearer and farther")) + row(tr("Click"), tr("Show details of the stem or leaf")) +
-            QStringLiteral("</table><p><b>%1</b></p><table>").arg(tr("In the parameters")) +
-            row(tr("Wheel"), tr("Scroll; changes an editor only after a click into it")) +
-            row(tr("Shift"), tr("Finer steps of a slider")) + row(tr("Ctrl"), tr("Larger steps of a slider")) +
-            row(tr("Double click on a name"), tr("Back to the default")) +
-            row(tr("Right click on a name"), tr("Copy, paste, lock")) +
-            QStringLiteral("</table><p><b>%1</b></p><table>").arg(tr("Keys"));
-    for (const Command& command : commandTable())
-        if (*command.shortcut)
-            text += row(QKeySequence(QLatin1String(command.shortcut)).toString(QKeySequence::NativeText),
-                        tr2(command.text).remove(QLatin1Char('&')).remove(QChar(0x2026)));
-    QMessageBox box(QMessageBox::NoIcon, tr("Mouse and keys"), text + QStringLiteral("</table>"), QMessageBox::Close,
-                    this);
-    box.exec();
-}
+void CMainWindow::showShortcuts() { CShortcutsDialog(this).exec(); }
 
 void CMainWindow::showAbout() {
     QMessageBox::about(this, tr("About Stromar"),

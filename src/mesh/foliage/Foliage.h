@@ -17,5 +17,7 @@ inline std::size_t evenly(std::size_t i, std::size_t count, std::size_t total) {
 
 /// About the middle of the stems that bear some.
 Rounding roundingOf(const CTree& tree, const COrgans& organs, const LeafForm& form);
+/// Of the same stems, 0 to 1.
+CrownShade shadeOf(const CTree& tree, const COrgans& organs, double sunAndShade);
 
 } // namespace stromar

@@ -150,6 +150,9 @@ private:
     LeafBlade m_blade;
 };
 
+/// Whether more than plain cards is seen of it.
+bool isClose(const Detail& detail) { return detail.model == Model::Full && detail.lod <= 1; }
+
 LeafBlade onStalk(const LeafBlade& mesh, double stalk) {
     CBladeMaker maker(0, stalk, true);
     maker.add(mesh);
@@ -160,7 +163,7 @@ LeafBlade onStalk(const LeafBlade& mesh, double stalk) {
 
 LeafBlade makeBlade(const LeafForm& form, const Detail& detail) {
     if (form.mesh) return onStalk(*form.mesh, form.stalk);
-    const bool close = detail.model == Model::Full && detail.lod <= 1;
+    const bool close = isClose(detail);
     const bool card = !form.outline || !close;
     CBladeMaker maker(close ? form.fold : 0, form.stalk, card);
     for (const Leaflet& leaflet : card ? std::span<const Leaflet>(kCards) : kShapes[form.shape]) maker.add(leaflet);
@@ -171,21 +174,24 @@ LeafBlade makeBlade(const LeafForm& form, const Detail& detail) {
 
 LeafBlade bladeOf(const MeshParams& params, Organ organ, const Detail& detail, std::size_t kind) {
     switch (organ) {
-    case Organ::Blossom: return makeCard(params.blossomPlanes);
+    case Organ::Blossom: return makeBlossom(params.blossomPlanes, params.blossomDome, detail);
     case Organ::Fruit: return makeFruit(params.fruitStalk, detail);
     default: return makeBlade(params.formOf(kind), detail);
     }
 }
 
-LeafBlade makeCard(int planes) {
+LeafBlade makeBlossom(int planes, double dome, const Detail& detail) {
     CBladeMaker maker(0, 0, true);
-    maker.add(kCards[0]);
+    if (dome > 0 && isClose(detail))
+        maker.add(bentCard([&](double x, double y) { return -2 * dome * (x * x + (y - 0.5) * (y - 0.5)); }));
+    else
+        maker.add(kCards[0]);
     maker.addPlanes(planes);
     return maker.take();
 }
 
 LeafBlade makeFruit(double stalk, const Detail& detail) {
-    const bool close = detail.model == Model::Full && detail.lod <= 1;
+    const bool close = isClose(detail);
     const int around = close ? 10 - 4 * detail.lod : 4, rings = close ? 6 - 2 * detail.lod : 2;
     LeafBlade fruit;
     // A pole has a vertex for each side, the rings between one more: the picture's edge.

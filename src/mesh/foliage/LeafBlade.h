@@ -1,6 +1,7 @@
 #pragma once
 #include "stromar/mesh/OrganMesh.h"
 #include <algorithm>
+#include <functional>
 #include <glm/geometric.hpp>
 
 namespace stromar {
@@ -38,8 +39,12 @@ private:
 
 /// A leaf as a card for a picture or as its outline. Coarse models get plain cards.
 LeafBlade makeBlade(const LeafForm& form, const Detail& detail);
-/// A square for a picture, in so many planes.
-LeafBlade makeCard(int planes);
+/// Height over a place of a card: x −0.5 .. 0.5 and y 0 .. 1. In parts of the width.
+using LeafRelief = std::function<double(double x, double y)>;
+/// A card that is bent; its foot stays.
+LeafBlade bentCard(const LeafRelief& relief);
+/// A square for a picture, in so many planes; near ones as domes whose edges lie so many half widths lower.
+LeafBlade makeBlossom(int planes, double dome, const Detail& detail);
 /// An ellipsoid on a stalk of so many of its lengths.
 LeafBlade makeFruit(double stalk, const Detail& detail);
 

@@ -1,4 +1,5 @@
 #include "stromar/mesh/LeafMeshes.h"
+#include "foliage/LeafBlade.h"
 #include "stromar/params/BuiltInMesh.h"
 #include "stromar/util/Error.h"
 #include "stromar/util/Translatable.h"
@@ -16,32 +17,20 @@ namespace stromar {
 namespace {
 constexpr int kAcross = 4, kAlong = 6; // cells of a built-in blade
 
-/// Height over a place of the card: x −0.5 .. 0.5 and y 0 .. 1. In parts of the width.
-using Relief = double (*)(double x, double y);
-
 double curved(double, double y) { return 0.9 * y * (0.45 - y); }
 double cupped(double x, double y) { return 1.1 * x * x + 0.25 * (y - 0.5) * (y - 0.5); }
 double wavy(double x, double y) { return 0.35 * std::abs(x) * std::sin(3 * std::numbers::pi * y + (x < 0 ? 1.3 : 0)) - 0.3 * y * y; }
 double rolled(double x, double y) { return -1.6 * x * x - 0.5 * y * y; }
 
 /// The normal of a relief, by its slopes.
-glm::dvec3 normalOf(Relief relief, double x, double y) {
+glm::dvec3 normalOf(const LeafRelief& relief, double x, double y) {
     constexpr double d = 1e-4;
     return glm::normalize(glm::dvec3(relief(x - d, y) - relief(x + d, y), relief(x, y - d) - relief(x, y + d), 2 * d));
 }
 
-template <Relief relief>
+template <double (*relief)(double, double)>
 LeafBlade sheet() {
-    LeafBlade blade;
-    for (int row = 0; row <= kAlong; ++row)
-        for (int column = 0; column <= kAcross; ++column) {
-            const double u = double(column) / kAcross, v = double(row) / kAlong, x = u - 0.5;
-            blade.points.push_back({{x, v, relief(x, v) - relief(0, 0)}, normalOf(relief, x, v), {u, v}});
-            if (row == kAlong || column == kAcross) continue;
-            const auto low = static_cast<std::uint32_t>(row * (kAcross + 1) + column), high = low + kAcross + 1;
-            for (const std::uint32_t corner : {low, low + 1, high + 1, low, high + 1, high}) blade.indices.push_back(corner);
-        }
-    return blade;
+    return bentCard(relief);
 }
 
 /// As the texture leaf:fan spreads: rays out of the end of a stalk, folded along their middle, whose tips hang.
@@ -134,6 +123,19 @@ glm::dmat3 axesOf(const LeafBlade& mesh, const Box& box) {
     return {glm::cross(ahead, facing), ahead, facing};
 }
 } // namespace
+
+LeafBlade bentCard(const LeafRelief& relief) {
+    LeafBlade blade;
+    for (int row = 0; row <= kAlong; ++row)
+        for (int column = 0; column <= kAcross; ++column) {
+            const double u = double(column) / kAcross, v = double(row) / kAlong, x = u - 0.5;
+            blade.points.push_back({{x, v, relief(x, v) - relief(0, 0)}, normalOf(relief, x, v), {u, v}});
+            if (row == kAlong || column == kAcross) continue;
+            const auto low = static_cast<std::uint32_t>(row * (kAcross + 1) + column), high = low + kAcross + 1;
+            for (const std::uint32_t corner : {low, low + 1, high + 1, low, high + 1, high}) blade.indices.push_back(corner);
+        }
+    return blade;
+}
 
 std::span<const BuiltInLeaf> builtInLeaves() { return kBuiltIn; }
 

@@ -33,9 +33,9 @@ std::size_t countOn(const StemSet& stems, const COrgans& organs) {
 } // namespace
 
 COrganMesh::COrganMesh(Organ organ, std::size_t kind, LeafBlade blade, std::shared_ptr<const COrgans> organs,
-                       std::vector<std::uint32_t> shown, double growth, const Rounding& rounding)
+                       std::vector<std::uint32_t> shown, double growth, const Rounding& rounding, const CrownShade& shade)
     : m_organ(organ), m_kind(kind), m_blade(std::move(blade)), m_organs(std::move(organs)), m_count(shown.size()),
-      m_growth(growth), m_rounding(rounding) {
+      m_growth(growth), m_rounding(rounding), m_shade(shade) {
     if (m_count < m_organs->grown.size()) m_shown = std::move(shown);
 }
 
@@ -43,7 +43,7 @@ std::string COrganMesh::name() const { return lookOf(m_organ).name + (m_kind > 0
 Surface COrganMesh::surface() const { return m_organ == Organ::Leaf ? kLeafSurfaces[m_kind] : lookOf(m_organ).surface; }
 
 InstancePlace COrganMesh::place(std::size_t i) const {
-    const CBladePlacer placer(leaf(i), m_growth);
+    const CBladePlacer placer(leaf(i), sizeOf(leaf(i)));
     const glm::dquat turn = glm::quat_cast(placer.axes());
     return {leaf(i).position, static_cast<float>(placer.length()), static_cast<float>(placer.width()),
             glm::vec4(turn.x, turn.y, turn.z, turn.w)};
@@ -57,7 +57,7 @@ Bounds COrganMesh::bounds(const CProgress& progress) const {
             Bounds box{leaf(begin).position, leaf(begin).position};
             bool first = true;
             for (std::size_t i = begin; i < end; ++i) {
-                const CBladePlacer placer(leaf(i), m_growth);
+                const CBladePlacer placer(leaf(i), sizeOf(leaf(i)));
                 for (const LeafBlade::Point& point : m_blade.points) {
                     const glm::vec3 p(placer.place(point));
                     box = first ? Bounds{p, p} : Bounds{glm::min(box.min, p), glm::max(box.max, p)};
@@ -77,7 +77,7 @@ COrganMesh::Hit COrganMesh::meet(const glm::dvec3& from, const glm::dvec3& direc
     for (const LeafBlade::Point& point : m_blade.points) reach = std::max(reach, glm::length(point.place));
     Hit nearest;
     for (std::size_t i = 0; i < count(); ++i) {
-        const CBladePlacer placer(leaf(i), m_growth);
+        const CBladePlacer placer(leaf(i), sizeOf(leaf(i)));
         const double size = reach * std::max(placer.length(), placer.width());
         const double closest = glm::dot(placer.foot() - from, direction) / glm::dot(direction, direction);
         const glm::dvec3 off = from + closest * direction - placer.foot();
@@ -96,7 +96,7 @@ std::shared_ptr<const CMesh> COrganMesh::expanded(const CProgress& progress) con
     const std::size_t points = m_blade.points.size(), corners = m_blade.indices.size();
     const auto mesh = allocateMesh(name(), surface(), vertexCount(), corners * count());
     const auto write = [&](std::size_t i) {
-        const CBladePlacer placer(leaf(i), m_growth);
+        const CBladePlacer placer(leaf(i), sizeOf(leaf(i)));
         VertexSink sink = sinkAt(*mesh, points * i);
         for (const LeafBlade::Point& point : m_blade.points) {
             const glm::dvec3 place = placer.place(point);
@@ -150,10 +150,11 @@ OrganMeshes meshOfOrgans(const CTree& tree, Organ organ, std::span<const MeshPla
     }
     const double thinned = drawable == 0 ? 1 : std::min(kMaxLeafGrowth, std::sqrt(double(total) / double(drawable)));
     const Rounding rounding = organ == Organ::Fruit ? Rounding() : roundingOf(tree, *organs, params.leaf);
+    const CrownShade shade = organ == Organ::Leaf ? shadeOf(tree, *organs, params.sunAndShade) : CrownShade();
     OrganMeshes meshes;
     for (std::size_t kind = 0; kind < shown.size(); ++kind)
         meshes.push_back(std::make_shared<const COrganMesh>(organ, kind, bladeOf(params, organ, detail, kind), organs,
-                                                            std::move(shown[kind]), thinned * season.size, rounding));
+                                                            std::move(shown[kind]), thinned * season.size, rounding, shade));
     return meshes;
 }
 
