@@ -2,6 +2,17 @@
 <!DOCTYPE TS>
 <TS version="2.1" language="cs">
 <context>
+    <name>ClampingBox</name>
+    <message>
+        <source>The maximum is %1</source>
+        <translation>Maximum je %1</translation>
+    </message>
+    <message>
+        <source>The minimum is %1</source>
+        <translation>Minimum je %1</translation>
+    </message>
+</context>
+<context>
     <name>Commands</name>
     <message>
         <source>&amp;New</source>

@@ -43,6 +43,22 @@ TEST(Guides, DraggingToItsPlaceChangesNothingToSpeakOf) {
     }
 }
 
+TEST(Guides, DraggingTheEnvelopeTurnsPruningOn) {
+    const auto after = [](std::size_t handle, int shape, double ratio) {
+        CParams params = pruned();
+        weberPenn(params).shape = shape;
+        weberPenn(params).pruneRatio = ratio;
+        handles()[handle].drag(params, 15, {2, 8});
+        return weberPenn(params).pruneRatio;
+    };
+    for (const std::size_t handle : {0u, 1u, 2u}) {
+        EXPECT_EQ(after(handle, 1, 0), 1) << handle;
+        EXPECT_EQ(after(handle, 1, 0.4), 0.4) << handle;
+        EXPECT_EQ(after(handle, 8, 0), 0) << handle << ": the crown has this shape already";
+    }
+    EXPECT_EQ(after(3, 1, 0), 0) << "the bare trunk is there without";
+}
+
 TEST(Guides, TheEnvelopeIsWidestWhereItSaysSo) {
     const CParams params = pruned();
     const auto profile = methodOf(params).guides[0].profile(params, 10);

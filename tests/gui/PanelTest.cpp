@@ -21,6 +21,7 @@
 #include <QTabBar>
 #include <QTimer>
 #include <QToolButton>
+#include <QToolTip>
 #include <QWheelEvent>
 #include <gtest/gtest.h>
 
@@ -124,6 +125,37 @@ bool takesWheel(QWidget* over) {
     QWheelEvent event(at, over->mapToGlobal(at), {}, {0, -120}, Qt::NoButton, Qt::NoModifier, Qt::NoScrollPhase, false);
     QCoreApplication::sendEvent(over, &event);
     return event.isAccepted();
+}
+
+TEST(Panel, NumbersBeyondTheRangeBecomeTheNearestAndItIsSaid) {
+    CParamPanel panel;
+    panel.show();
+    ASSERT_TRUE(QTest::qWaitForWindowExposed(&panel));
+    QApplication::setActiveWindow(&panel);
+    const auto type = [&](QAbstractSpinBox* box, const char* text) {
+        box->setFocus();
+        box->selectAll();
+        QTest::keyClicks(box, QLatin1String(text));
+        QTest::keyClick(box, Qt::Key_Return);
+        return QToolTip::text();
+    };
+    panel.tabs().setCurrentIndex(panel.tabOf(Group::Leaves));
+    auto* whole = panel.editor(paramRef("Leaves"))->findChild<QSpinBox*>();
+    const QString said = type(whole, "90000");
+    EXPECT_EQ(whole->value(), whole->maximum());
+    EXPECT_EQ(said, QStringLiteral("The maximum is %1").arg(whole->cleanText()));
+    type(whole, "90");
+    EXPECT_EQ(whole->value(), 90);
+    panel.tabs().setCurrentIndex(panel.tabOf(Group::Tree));
+    auto* real = panel.editor(paramRef("Scale"))->findChild<QDoubleSpinBox*>();
+    const QString high = type(real, "12345678");
+    EXPECT_EQ(real->value(), real->maximum());
+    EXPECT_EQ(high, QStringLiteral("The maximum is %1").arg(real->text()));
+    const QString low = type(real, "0.001");
+    EXPECT_EQ(real->value(), real->minimum());
+    EXPECT_EQ(low, QStringLiteral("The minimum is %1").arg(real->text()));
+    type(real, "7.123456789");
+    EXPECT_NEAR(real->value(), 7.123456789, 0.5 * std::pow(10, -real->decimals())) << "more digits than it shows";
 }
 
 TEST(Panel, TheWheelChangesOnlyAnEditorWithTheFocus) {
@@ -334,6 +366,19 @@ TEST(Panel, CopiesAndPastesBetweenLevels) {
     chooseFromMenu(*panel.row(paramRef("2Curve")), QStringLiteral("Paste"));
     EXPECT_EQ(weberPenn(params).level[2].curve, 33);
     EXPECT_EQ(weberPenn(params).level[2].curveV, 44);
+}
+
+TEST(HelpPictures, BlossomsAndFruitsAreSeen) {
+    for (const char* key : {"Blossoms", "BlossomDome", "Fruits", "FruitMonth"}) {
+        const QImage image = helpPicture(paramRef(key), QApplication::palette(), 1);
+        int red = 0;
+        for (int y = 0; y < image.height(); ++y)
+            for (int x = 0; x < image.width(); ++x) {
+                const QColor colour = image.pixelColor(x, y);
+                red += colour.alpha() > 128 && colour.red() > colour.green() + 40 && colour.red() > colour.blue() + 30;
+            }
+        EXPECT_GT(red, 40) << key;
+    }
 }
 
 TEST(HelpPictures, EveryValueThatActsHasOneAndItsTreesDiffer) {

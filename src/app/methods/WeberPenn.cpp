@@ -64,21 +64,33 @@ bool isOfCrown(const ParamRef& ref) {
     return std::ranges::any_of(std::array{"Shape", "BaseSize", "1Length"}, [&](const char* key) { return *findParam(key) == ref; });
 }
 
+/// A handle of the envelope is dragged: it shall count.
+void usePruning(CParams& params) {
+    if (weberPenn(params).pruneRatio == 0 && weberPenn(params).shape != kEnvelopeShape) set(params, "PruneRatio", 1);
+}
+
 constexpr GuideHandle kEnvelopeHandles[] = {
     {N_("Width and widest place"),
      [](const CParams& p, double scale) { return placeAt(Outline::Envelope, p, scale, weberPenn(p).pruneWidthPeak); },
      [](CParams& p, double scale, const glm::dvec2& to) {
          set(p, "PruneWidth", to.x / scale);
          set(p, "PruneWidthPeak", std::clamp(crownShare(p, scale, to.y), 0.01, 0.99));
+         usePruning(p);
      }},
     {N_("Curve above"),
      [](const CParams& p, double scale) {
          return placeAt(Outline::Envelope, p, scale, (1 + weberPenn(p).pruneWidthPeak) / 2);
      },
-     [](CParams& p, double scale, const glm::dvec2& to) { set(p, "PrunePowerHigh", powerFor(p, scale, to.x)); }},
+     [](CParams& p, double scale, const glm::dvec2& to) {
+         set(p, "PrunePowerHigh", powerFor(p, scale, to.x));
+         usePruning(p);
+     }},
     {N_("Curve below"),
      [](const CParams& p, double scale) { return placeAt(Outline::Envelope, p, scale, weberPenn(p).pruneWidthPeak / 2); },
-     [](CParams& p, double scale, const glm::dvec2& to) { set(p, "PrunePowerLow", powerFor(p, scale, to.x)); }},
+     [](CParams& p, double scale, const glm::dvec2& to) {
+         set(p, "PrunePowerLow", powerFor(p, scale, to.x));
+         usePruning(p);
+     }},
     {N_("Bare trunk"),
      [](const CParams& p, double scale) { return glm::dvec2(0, crownBase(p, scale)); },
      [](CParams& p, double scale, const glm::dvec2& to) { set(p, "BaseSize", std::min(to.y / scale, 0.99)); }},

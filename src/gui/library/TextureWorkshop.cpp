@@ -1,4 +1,5 @@
 #include "library/TextureWorkshop.h"
+#include "params/ClampingBox.h"
 #include "params/ParamSlider.h"
 #include "window/QtText.h"
 #include <QColorDialog>
@@ -104,7 +105,7 @@ QWidget* CTextureWorkshop::makeEditor(std::size_t row) {
 QWidget* CTextureWorkshop::makeNumberEditor(std::size_t i) {
     const CRecipe::Row row = m_recipe.rows()[i];
     const bool whole = row.type == CRecipe::Type::Whole;
-    auto* number = new QDoubleSpinBox;
+    auto* number = new CClampingBox<QDoubleSpinBox>;
     number->setObjectName(toQString(row.key));
     number->setDecimals(whole ? 0 : 3);
     number->setRange(row.min, row.max);

@@ -1,4 +1,5 @@
 #include "params/DefineSlider.h"
+#include "params/ClampingBox.h"
 #include "params/ParamSlider.h"
 #include "window/QtText.h"
 #include <QDoubleSpinBox>
@@ -22,7 +23,7 @@ double rounded(double value, double step) {
 } // namespace
 
 CDefineSlider::CDefineSlider(QWidget* parent)
-    : QWidget(parent), m_label(new QLabel), m_bar(new CParamSlider(kSteps)), m_box(new QDoubleSpinBox) {
+    : QWidget(parent), m_label(new QLabel), m_bar(new CParamSlider(kSteps)), m_box(new CClampingBox<QDoubleSpinBox>) {
     auto* row = new QHBoxLayout(this);
     row->setContentsMargins(20, 0, 0, 0);
     m_label->setMinimumWidth(fontMetrics().horizontalAdvance(QStringLiteral("contraction")));

@@ -69,12 +69,19 @@ void addFaces(Picture& picture, const CMesh& mesh, const QColor& colour, const T
         const float area = glm::length(normal);
         if (area <= 0) continue;
         const float facing = glm::dot(normal / area, sun);
-        face.colour = shaded(colour, 0.75f + 0.35f * (isLeaf(mesh.surface) ? std::abs(facing) : facing));
+        face.colour = shaded(colour, 0.75f + 0.35f * (isBark(mesh.surface) || mesh.surface == Surface::Fruit ? facing : std::abs(facing)));
         picture.faces.push_back(face);
     }
 }
 
 /// In a strong gale.
+QColor colourOf(Surface surface, const QColor& bark) {
+    if (isBark(surface)) return bark;
+    if (surface == Surface::Blossom) return {226, 158, 176};
+    if (surface == Surface::Fruit) return {196, 74, 56};
+    return {106, 158, 74};
+}
+
 Meshes blown(const std::shared_ptr<const TreeModel>& model) {
     const auto sway = swayOf(model, nullptr, CProgress());
     WindPose pose;
@@ -89,22 +96,21 @@ Picture makePicture(const ParamRef& ref, const Demonstration& shown, const QPale
     const QColor bark =
         palette.color(QPalette::Window).lightness() < 128 ? QColor(170, 150, 128) : QColor(140, 118, 96);
     const QColor accent = palette.color(QPalette::Active, QPalette::Highlight);
-    const QColor leaf(106, 158, 74);
     Picture picture;
     const bool above = ref.info->demo.fromAbove;
     const bool inWind = ref.info->demo.inWind; // towards the right
     const Turn turn = above || inWind ? Turn() : widestView(model.meshes());
     picture.caption = captionOf(*ref.info, shown.value);
     if (inWind) {
-        for (const auto& mesh : blown(made)) addFaces(picture, *mesh, isBark(mesh->surface) ? bark : leaf, turn, above);
+        for (const auto& mesh : blown(made)) addFaces(picture, *mesh, colourOf(mesh->surface, bark), turn, above);
         std::ranges::sort(picture.faces, {}, &Face::depth);
         return picture;
     }
     const auto concerned = ref.info->perLevel() ? std::size_t(std::min(ref.level, 1)) : model.stems.size();
     for (std::size_t level = 0; level < model.stems.size(); ++level)
         addFaces(picture, *model.stems[level], level == concerned ? accent : bark, turn, above);
-    for (std::size_t kind = 0; kind < kLeafKinds; ++kind)
-        addFaces(picture, *model.leaves(kind)->expanded(CProgress()), leaf, turn, above);
+    for (const auto& organs : model.organs)
+        addFaces(picture, *organs->expanded(CProgress()), colourOf(organs->surface(), bark), turn, above);
     std::ranges::sort(picture.faces, {}, &Face::depth);
     return picture;
 }

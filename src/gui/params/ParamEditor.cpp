@@ -1,4 +1,5 @@
 #include "params/ParamEditor.h"
+#include "params/ClampingBox.h"
 #include "params/CodeEditor.h"
 #include "params/CurveEditor.h"
 #include "document/Gesture.h"
@@ -28,7 +29,7 @@ namespace {
 constexpr int kBurstMs = 800; // changes that follow each other sooner are one step
 
 /// Shift steps by the last digit that is shown; Ctrl by ten steps is the box's own.
-class CFineSpinBox : public QDoubleSpinBox {
+class CFineSpinBox : public CClampingBox<QDoubleSpinBox> {
 public:
     void stepBy(int steps) override {
         if (!(QGuiApplication::keyboardModifiers() & Qt::ShiftModifier)) return QDoubleSpinBox::stepBy(steps);
@@ -161,7 +162,7 @@ QAbstractSpinBox* CParamEditor::makeBox(Form form) {
     const ParamInfo& p = *m_ref.info;
     QAbstractSpinBox* box = nullptr;
     if (p.integer()) {
-        m_whole = new QSpinBox;
+        m_whole = new CClampingBox<QSpinBox>;
         m_whole->setRange(static_cast<int>(p.range.min), static_cast<int>(p.range.max));
         m_whole->setSingleStep(static_cast<int>(p.step));
         connect(m_whole, &QSpinBox::valueChanged, this, [this](int v) { onBox(v); });

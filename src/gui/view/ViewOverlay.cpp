@@ -18,7 +18,7 @@ const QColor kGuide(255, 176, 64);
 const QColor kWind(120, 200, 255);
 constexpr double kArrowStart = 0.35, kArrowEnd = 1.15; // of the tree's reach
 
-/// Rows of text on a plate that is readable before a light and a dark ground.
+/// Rows of text on a plate that is readable before a light and a dark ground; moved until it lies in the view.
 void drawPlate(QPainter& painter, const QPointF& corner, Qt::Corner which, const QStringList& rows,
                const QColor& ink = Qt::white) {
     const QFontMetricsF metrics(painter.font());
@@ -27,6 +27,9 @@ void drawPlate(QPainter& painter, const QPointF& corner, Qt::Corner which, const
     QRectF plate(corner, QSizeF(wide + 14, metrics.height() * double(rows.size()) + 8));
     if (which == Qt::TopRightCorner || which == Qt::BottomRightCorner) plate.moveRight(corner.x());
     if (which == Qt::BottomLeftCorner || which == Qt::BottomRightCorner) plate.moveBottom(corner.y());
+    const QRectF view = painter.viewport();
+    plate.moveLeft(std::max(view.left(), std::min(plate.left(), view.right() - plate.width())));
+    plate.moveTop(std::max(view.top(), std::min(plate.top(), view.bottom() - plate.height())));
     painter.setPen(Qt::NoPen);
     painter.setBrush(QColor(24, 26, 28, 150));
     painter.drawRoundedRect(plate, 4, 4);

@@ -199,7 +199,7 @@ constexpr ParamInfo kNumbers[] = {
     {.key = "LeafSunShade", .label = N_("Sun and shade"), .group = Group::Leaves, .section = N_("Blade"), .field = field<&CommonParams::leafSunShade>,
      .range = {0, 1}, .useful = {0, 1}, .step = 0.05, .decimals = 2, .defaults = {0}, .invalidates = kLeafMesh,
      .help = N_("How much leaves that grow in the shade of the crown differ from those in the sun: at 1 they are 1.6 times as long and wide, and darker in the window and its pictures."),
-     .demo = {"Leaves=40 LeafScale=0.4 LeafScaleX=0.8", {0, 0.5, 1}}},
+     .demo = {"Levels=3 1Branches=24 2Branches=14 Leaves=16 LeafScale=0.3 LeafScaleX=0.8", {0, 0.5, 1}}},
     {.key = "Leaf2Share", .label = N_("Share 2"), .group = Group::Leaves, .section = N_("Kinds"), .field = field<&CommonParams::leafShare2>,
      .range = {0, 1}, .useful = {0, 1}, .step = 0.05, .decimals = 2, .defaults = {0}, .invalidates = kLeafMesh,
      .help = N_("The part of the leaves that is of this kind, with a texture or a mesh of its own."), .atRandom = false,
