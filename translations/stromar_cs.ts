@@ -2645,6 +2645,82 @@
         <source>How many lobes a half, or a hand-shaped leaf, has. Of blossoms: how many flowers. Of spruce twigs: how many pairs of side twigs.</source>
         <translation>Kolik laloků má půle nebo dlanitý list. U květenství: kolik květů. U smrkových větviček: kolik párů postranních větviček.</translation>
     </message>
+    <message>
+        <source>random</source>
+        <translation>náhoda</translation>
+    </message>
+    <message>
+        <source>autumn winter spring date</source>
+        <translation>podzim zima jaro datum</translation>
+    </message>
+    <message>
+        <source>stiff sway</source>
+        <translation>tuhost kývání</translation>
+    </message>
+    <message>
+        <source>root collar buttress base</source>
+        <translation>kořenový krček opěrné kořeny pata</translation>
+    </message>
+    <message>
+        <source>size</source>
+        <translation>velikost</translation>
+    </message>
+    <message>
+        <source>hue tint random</source>
+        <translation>odstín barva náhoda</translation>
+    </message>
+    <message>
+        <source>gravity droop weeping</source>
+        <translation>gravitace převis smuteční</translation>
+    </message>
+    <message>
+        <source>crown base height clear</source>
+        <translation>výška koruny čistý kmen</translation>
+    </message>
+    <message>
+        <source>order recursion generations</source>
+        <translation>řád rekurze generace</translation>
+    </message>
+    <message>
+        <source>girth radius diameter width</source>
+        <translation>obvod poloměr průměr šířka</translation>
+    </message>
+    <message>
+        <source>gravity droop weeping hang</source>
+        <translation>gravitace převis smuteční visí</translation>
+    </message>
+    <message>
+        <source>shrub clump multi-stem</source>
+        <translation>keř trs vícekmen</translation>
+    </message>
+    <message>
+        <source>count density</source>
+        <translation>počet hustota</translation>
+    </message>
+    <message>
+        <source>pitch</source>
+        <translation>sklon</translation>
+    </message>
+    <message>
+        <source>twist spiral phyllotaxis</source>
+        <translation>zkrut spirála fylotaxe</translation>
+    </message>
+    <message>
+        <source>bend arch</source>
+        <translation>ohyb oblouk</translation>
+    </message>
+    <message>
+        <source>fork clone</source>
+        <translation>rozdvojení klon</translation>
+    </message>
+    <message>
+        <source>foliage count density</source>
+        <translation>listí počet hustota</translation>
+    </message>
+    <message>
+        <source>envelope crop shape</source>
+        <translation>obálka ořez tvar</translation>
+    </message>
 </context>
 <context>
     <name>stromar::CCurveEditor</name>
@@ -3180,6 +3256,10 @@
     <message>
         <source>A mesh that comes with Stromar</source>
         <translation>Síť, která je součástí Stromaru</translation>
+    </message>
+    <message>
+        <source>No parameter is called “%1”.</source>
+        <translation>Žádný parametr se nejmenuje „%1“.</translation>
     </message>
 </context>
 <context>

@@ -2645,6 +2645,82 @@
         <source>How many lobes a half, or a hand-shaped leaf, has. Of blossoms: how many flowers. Of spruce twigs: how many pairs of side twigs.</source>
         <translation>Сколько лопастей у половины или у пальчатого листа. У соцветий: сколько цветков. У еловых веточек: сколько пар боковых веточек.</translation>
     </message>
+    <message>
+        <source>random</source>
+        <translation>случайность</translation>
+    </message>
+    <message>
+        <source>autumn winter spring date</source>
+        <translation>осень зима весна дата</translation>
+    </message>
+    <message>
+        <source>stiff sway</source>
+        <translation>жёсткость качание</translation>
+    </message>
+    <message>
+        <source>root collar buttress base</source>
+        <translation>корневая шейка контрфорсы основание</translation>
+    </message>
+    <message>
+        <source>size</source>
+        <translation>размер</translation>
+    </message>
+    <message>
+        <source>hue tint random</source>
+        <translation>оттенок цвет случайность</translation>
+    </message>
+    <message>
+        <source>gravity droop weeping</source>
+        <translation>гравитация поникание плакучая</translation>
+    </message>
+    <message>
+        <source>crown base height clear</source>
+        <translation>высота кроны чистый ствол</translation>
+    </message>
+    <message>
+        <source>order recursion generations</source>
+        <translation>порядок рекурсия поколения</translation>
+    </message>
+    <message>
+        <source>girth radius diameter width</source>
+        <translation>обхват радиус диаметр ширина</translation>
+    </message>
+    <message>
+        <source>gravity droop weeping hang</source>
+        <translation>гравитация поникание плакучая свисание</translation>
+    </message>
+    <message>
+        <source>shrub clump multi-stem</source>
+        <translation>куст многоствольный</translation>
+    </message>
+    <message>
+        <source>count density</source>
+        <translation>количество густота</translation>
+    </message>
+    <message>
+        <source>pitch</source>
+        <translation>наклон</translation>
+    </message>
+    <message>
+        <source>twist spiral phyllotaxis</source>
+        <translation>скручивание спираль филлотаксис</translation>
+    </message>
+    <message>
+        <source>bend arch</source>
+        <translation>изгиб дуга</translation>
+    </message>
+    <message>
+        <source>fork clone</source>
+        <translation>развилка клон</translation>
+    </message>
+    <message>
+        <source>foliage count density</source>
+        <translation>листва количество густота</translation>
+    </message>
+    <message>
+        <source>envelope crop shape</source>
+        <translation>оболочка обрезка форма</translation>
+    </message>
 </context>
 <context>
     <name>stromar::CCurveEditor</name>
@@ -3180,6 +3256,10 @@
     <message>
         <source>A mesh that comes with Stromar</source>
         <translation>Сетка из комплекта Stromar</translation>
+    </message>
+    <message>
+        <source>No parameter is called “%1”.</source>
+        <translation>Нет параметра с названием «%1».</translation>
     </message>
 </context>
 <context>

@@ -2645,6 +2645,82 @@
         <source>How many lobes a half, or a hand-shaped leaf, has. Of blossoms: how many flowers. Of spruce twigs: how many pairs of side twigs.</source>
         <translation>Koliko krp ima polovica ali dlanast list. Pri socvetjih: koliko cvetov. Pri smrekovih vejicah: koliko parov stranskih vejic.</translation>
     </message>
+    <message>
+        <source>random</source>
+        <translation>naključje</translation>
+    </message>
+    <message>
+        <source>autumn winter spring date</source>
+        <translation>jesen zima pomlad datum</translation>
+    </message>
+    <message>
+        <source>stiff sway</source>
+        <translation>trdota nihanje</translation>
+    </message>
+    <message>
+        <source>root collar buttress base</source>
+        <translation>koreninski vrat oporniki podnožje</translation>
+    </message>
+    <message>
+        <source>size</source>
+        <translation>velikost</translation>
+    </message>
+    <message>
+        <source>hue tint random</source>
+        <translation>odtenek barva naključje</translation>
+    </message>
+    <message>
+        <source>gravity droop weeping</source>
+        <translation>težnost povešanje jokajoča</translation>
+    </message>
+    <message>
+        <source>crown base height clear</source>
+        <translation>višina krošnje čisto deblo</translation>
+    </message>
+    <message>
+        <source>order recursion generations</source>
+        <translation>red rekurzija generacije</translation>
+    </message>
+    <message>
+        <source>girth radius diameter width</source>
+        <translation>obseg polmer premer širina</translation>
+    </message>
+    <message>
+        <source>gravity droop weeping hang</source>
+        <translation>težnost povešanje jokajoča visenje</translation>
+    </message>
+    <message>
+        <source>shrub clump multi-stem</source>
+        <translation>grm šop več debel</translation>
+    </message>
+    <message>
+        <source>count density</source>
+        <translation>število gostota</translation>
+    </message>
+    <message>
+        <source>pitch</source>
+        <translation>naklon</translation>
+    </message>
+    <message>
+        <source>twist spiral phyllotaxis</source>
+        <translation>zasuk spirala filotaksija</translation>
+    </message>
+    <message>
+        <source>bend arch</source>
+        <translation>upogib lok</translation>
+    </message>
+    <message>
+        <source>fork clone</source>
+        <translation>rogovila klon</translation>
+    </message>
+    <message>
+        <source>foliage count density</source>
+        <translation>listje število gostota</translation>
+    </message>
+    <message>
+        <source>envelope crop shape</source>
+        <translation>ovojnica obrez oblika</translation>
+    </message>
 </context>
 <context>
     <name>stromar::CCurveEditor</name>
@@ -3180,6 +3256,10 @@
     <message>
         <source>A mesh that comes with Stromar</source>
         <translation>Mreža, ki pride s Stromarjem</translation>
+    </message>
+    <message>
+        <source>No parameter is called “%1”.</source>
+        <translation>Noben parameter se ne imenuje »%1«.</translation>
     </message>
 </context>
 <context>

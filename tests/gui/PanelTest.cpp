@@ -212,6 +212,25 @@ TEST(Panel, TheFilterReachesAllTabs) {
     EXPECT_TRUE(panel.tabs().isTabVisible(0));
 }
 
+TEST(Panel, TheFilterKnowsOtherWordsAndSaysWhenItFindsNothing) {
+    CParamPanel panel;
+    panel.show();
+    ASSERT_TRUE(QTest::qWaitForWindowExposed(&panel));
+    for (const auto& [word, key] : {std::pair("gravity", "AttractionUp"), {"droop", "AttractionUp"}, {"autumn", "Season"}, {"phyllotaxis", "2Rotate"}}) {
+        panel.filter().setText(QLatin1String(word));
+        EXPECT_FALSE(panel.row(paramRef(key))->isHidden()) << word;
+        EXPECT_TRUE(panel.row(paramRef("0Length"))->isHidden()) << word;
+        EXPECT_TRUE(panel.nothing().isHidden());
+    }
+    panel.filter().setText(QStringLiteral("chlorophyll"));
+    EXPECT_TRUE(panel.nothing().isVisible());
+    EXPECT_TRUE(panel.nothing().text().contains(QLatin1String("chlorophyll")));
+    EXPECT_TRUE(panel.tabs().isHidden());
+    panel.filter().clear();
+    EXPECT_TRUE(panel.nothing().isHidden());
+    EXPECT_TRUE(panel.tabs().isVisible());
+}
+
 TEST(Panel, FoldedSectionsStayFolded) {
     const auto heading = [](CParamPanel& panel) {
         for (auto* button : panel.findChildren<QAbstractButton*>())

@@ -123,6 +123,7 @@ struct DemoSettings {
 struct ParamInfo {
     std::string_view key; ///< in files; a level's digit goes in front (`1DownAngle`)
     std::string_view label;
+    std::string_view synonyms{}; ///< other words that it is looked for by (marked for translation)
     Group group;              ///< where it is shown; rows of a level: Trunk for 0, Branches for the others
     std::string_view section; ///< heading inside the group
     Unit unit = Unit::None;

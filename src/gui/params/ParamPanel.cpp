@@ -23,6 +23,7 @@
 #include <QTabBar>
 #include <QToolButton>
 #include <algorithm>
+#include <functional>
 
 namespace stromar {
 
@@ -103,15 +104,18 @@ constexpr const char* kLockedKey = "panel/locked";
 QString foldedKey(const QString& name) { return QStringLiteral("panel/folded/") + name; }
 } // namespace
 
-CParamPanel::CParamPanel(QWidget* parent) : QWidget(parent), m_filter(new QLineEdit), m_tabs(new CSideTabs) {
+CParamPanel::CParamPanel(QWidget* parent) : QWidget(parent), m_filter(new QLineEdit), m_nothing(new QLabel), m_tabs(new CSideTabs) {
     m_filter->setPlaceholderText(tr("Find a parameter"));
     m_filter->setAccessibleName(m_filter->placeholderText());
     m_filter->setClearButtonEnabled(true);
     m_tabs->setAccessibleName(tr("Parameters"));
     auto* column = new QVBoxLayout(this);
     column->setContentsMargins(0, 4, 0, 0);
+    m_nothing->setWordWrap(true);
+    m_nothing->setAlignment(Qt::AlignHCenter | Qt::AlignTop);
     column->addWidget(m_filter);
     column->addWidget(m_tabs, 1);
+    column->addWidget(m_nothing, 1);
 
     connect(m_filter, &QLineEdit::textChanged, this, &CParamPanel::updateVisibility);
     connect(qApp, &QApplication::focusChanged, &m_touch, qOverload<>(&QTimer::start));
@@ -348,6 +352,10 @@ void CParamPanel::updateVisibility() {
         if (any) hasHit[std::size_t(section.tab)] = true;
     }
     for (int tab = 0; tab < m_tabs->count(); ++tab) m_tabs->setTabVisible(tab, hasHit[std::size_t(tab)]);
+    const bool nothing = !words.empty() && std::ranges::none_of(hasHit, std::identity());
+    m_tabs->setVisible(!nothing);
+    m_nothing->setVisible(nothing);
+    m_nothing->setText(tr("No parameter is called “%1”.").arg(m_filter->text().trimmed()));
 }
 
 int CParamPanel::tabOf(Group group, int level) const {

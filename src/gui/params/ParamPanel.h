@@ -6,6 +6,7 @@
 #include <vector>
 
 class QAbstractButton;
+class QLabel;
 class QLineEdit;
 class QMenu;
 class QTabWidget;
@@ -28,6 +29,8 @@ public:
     CParamRow* row(const ParamRef& ref) const;
     QTabWidget& tabs() { return *m_tabs; }
     QLineEdit& filter() { return *m_filter; }
+    /// Says that nothing was found.
+    QLabel& nothing() { return *m_nothing; }
     /// Whether a slider is held.
     bool held() const;
     /// Whether randomising leaves the value alone.
@@ -89,6 +92,7 @@ private:
 
     const ParamBlock* m_block = nullptr;
     QLineEdit* m_filter;
+    QLabel* m_nothing; ///< in place of the tabs
     QTabWidget* m_tabs;
     QVBoxLayout* m_page = nullptr;               ///< of the tab that is being filled
     std::vector<std::pair<Group, int>> m_groups; ///< by tab, with the level

@@ -114,7 +114,8 @@ bool CParamRow::matches(const QStringList& words, const QString& tab) const {
     QString text = tab + QLatin1Char(' ') + trText(ref().info->section);
     for (const CParamEditor* editor : m_editors)
         text +=
-            QLatin1Char(' ') + trText(editor->ref().info->label) + QLatin1Char(' ') + toQString(editor->ref().key());
+            QLatin1Char(' ') + trText(editor->ref().info->label) + QLatin1Char(' ') + toQString(editor->ref().key()) +
+            QLatin1Char(' ') + trText(editor->ref().info->synonyms);
     return std::ranges::all_of(words, [&](const QString& w) { return text.contains(w, Qt::CaseInsensitive); });
 }
 

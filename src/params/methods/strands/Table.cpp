@@ -49,7 +49,7 @@ constexpr ParamInfo kRows[] = {
     {.key = "PlaneTurnG", .label = N_("Turn of the plane"), .group = kStrands, .section = N_("Angles"), .unit = Unit::Degree, .field = field<&StrandsParams::planeTurnG>,
      .range = {0, 180}, .useful = {0, 180}, .step = 1, .decimals = 2, .defaultText = "0:90", .invalidates = kFromTrunk,
      .help = N_("How far the plane of a split is turned about the branch against the one before: 90 and 137.5 wind about it, 0 and 180 lie flat."), .over = kAnyX, .shownOver = {0, 6}, .overLabel = kByOrder},
-    {.key = "GravimorphismG", .label = N_("Hanging"), .group = kStrands, .section = N_("Angles"), .unit = Unit::Degree, .field = field<&StrandsParams::gravimorphismG>,
+    {.key = "GravimorphismG", .label = N_("Hanging"), .synonyms = N_("gravity droop weeping"), .group = kStrands, .section = N_("Angles"), .unit = Unit::Degree, .field = field<&StrandsParams::gravimorphismG>,
      .range = {0, 180}, .useful = {0, 60}, .step = 0.5, .decimals = 2, .defaultText = "0:4", .invalidates = kFromTrunk,
      .help = N_("Gravimorphism: how far every branch turns towards the ground after a split, until it hangs."), .over = kAnyX, .shownOver = {0, 6}, .overLabel = kByOrder},
     {.key = "LengthLeastG", .label = N_("Min length ratio"), .group = kStrands, .section = N_("Lengths"), .field = field<&StrandsParams::lengthLeastG>,
