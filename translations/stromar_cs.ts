@@ -2809,6 +2809,10 @@
         <source>%1 is there already. Replace it?</source>
         <translation>%1 už existuje. Nahradit?</translation>
     </message>
+    <message>
+        <source>%1, and what displacement adds</source>
+        <translation>%1 a to, co přidá posunutí povrchu</translation>
+    </message>
 </context>
 <context>
     <name>stromar::CFallController</name>

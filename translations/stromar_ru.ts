@@ -2809,6 +2809,10 @@
         <source>%1 is there already. Replace it?</source>
         <translation>%1 уже существует. Заменить?</translation>
     </message>
+    <message>
+        <source>%1, and what displacement adds</source>
+        <translation>%1 и то, что добавит смещение поверхности</translation>
+    </message>
 </context>
 <context>
     <name>stromar::CFallController</name>

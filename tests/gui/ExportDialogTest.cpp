@@ -6,6 +6,7 @@
 #include <QLabel>
 #include <QLineEdit>
 #include <QPushButton>
+#include <QSettings>
 #include <QSpinBox>
 #include <QTemporaryDir>
 #include <gtest/gtest.h>
@@ -40,6 +41,30 @@ TEST(ExportDialog, HasAnEditorForEveryChoice) {
     }
     EXPECT_EQ(dialog.combo("format")->count(), int(formatTable().size()));
     EXPECT_TRUE(dialog.canExport()) << dialog.conflict().toStdString();
+}
+
+TEST(ExportDialog, StartsWithTheDefaults) {
+    QSettings().remove(QStringLiteral("export"));
+    Dialog dialog;
+    const ExportOptions defaults;
+    for (const ExportChoice& choice : exportChoices()) {
+        const QString key = toQString(choice.key);
+        if (choice.number)
+            EXPECT_EQ(dialog.findChild<QDoubleSpinBox*>(key)->value(), defaults.*choice.number) << choice.key;
+        else if (choice.words.empty())
+            EXPECT_EQ(dialog.findChild<QSpinBox*>(key)->value(), defaults.*choice.field) << choice.key;
+        else
+            EXPECT_EQ(dialog.findChild<QComboBox*>(key)->currentIndex(), defaults.*choice.field) << choice.key;
+    }
+}
+
+TEST(ExportDialog, AnotherFormatsEndingChoosesIt) {
+    Dialog dialog;
+    dialog.chooseFormat(".glb");
+    dialog.place()->setText(QStringLiteral("/tmp/my.oak.dae"));
+    EXPECT_EQ(dialog.combo("format")->currentData().toString(), QStringLiteral(".dae"));
+    EXPECT_EQ(dialog.path(), QStringLiteral("/tmp/my.oak.dae"));
+    EXPECT_TRUE(dialog.canExport());
 }
 
 TEST(ExportDialog, TheFormatChangesTheEnding) {

@@ -14,6 +14,7 @@
 #include <QMessageBox>
 #include <QPushButton>
 #include <QSettings>
+#include <QSignalBlocker>
 #include <QSpinBox>
 #include <QVBoxLayout>
 #include <algorithm>
@@ -90,7 +91,7 @@ void CExportDialog::addChoice(const ExportChoice& choice, QFormLayout& form) {
     } else if (choice.words.empty()) {
         auto* box = new QSpinBox;
         box->setRange(static_cast<int>(choice.range.min), static_cast<int>(choice.range.max));
-        box->setValue(last.toInt());
+        box->setValue(last.isValid() ? last.toInt() : m_options.*choice.field);
         m_options.*choice.field = box->value();
         connect(box, &QSpinBox::valueChanged, this, [this, &choice](int value) {
             m_options.*choice.field = value;
@@ -100,7 +101,7 @@ void CExportDialog::addChoice(const ExportChoice& choice, QFormLayout& form) {
     } else {
         auto* box = new QComboBox;
         for (const std::string_view name : choice.names) box->addItem(trText(name));
-        box->setCurrentIndex(std::clamp(last.toInt(), 0, box->count() - 1));
+        box->setCurrentIndex(std::clamp(last.isValid() ? last.toInt() : m_options.*choice.field, 0, box->count() - 1));
         m_options.*choice.field = box->currentIndex();
         connect(box, &QComboBox::currentIndexChanged, this, [this, &choice](int value) {
             m_options.*choice.field = value;
@@ -119,7 +120,7 @@ void CExportDialog::addPlace(QFormLayout& form, const QString& name) {
     m_path->setText(QDir(folder).filePath(name) + m_format->currentData().toString());
     auto* button = new QPushButton(tr("Browse…"));
     connect(button, &QPushButton::clicked, this, &CExportDialog::browse);
-    connect(m_path, &QLineEdit::textChanged, this, &CExportDialog::update);
+    connect(m_path, &QLineEdit::textChanged, this, &CExportDialog::onPath);
     auto* row = new QHBoxLayout;
     row->addWidget(m_path);
     row->addWidget(button);
@@ -137,13 +138,22 @@ void CExportDialog::browse() {
         m_path->setText(chosen + m_format->currentData().toString());
 }
 
+/// Who types another format's ending wants that format.
+void CExportDialog::onPath() {
+    if (const Format* typed = formatOf(toPath(path()))) {
+        const QSignalBlocker quiet(m_format);
+        m_format->setCurrentIndex(m_format->findData(toQString(typed->ending)));
+    }
+    update();
+}
+
 void CExportDialog::update() {
     if (!m_export) return;
     const std::string_view conflict = conflictOf(m_options, format());
     const bool wrongEnding = formatOf(toPath(path())) != &format();
     m_losses->setText(trText(format().losses));
-    m_size->setText(
-        QLocale().formattedDataSize(static_cast<qint64>(estimatedBytes(m_fullVertices, m_options, format()))));
+    const QString size = QLocale().formattedDataSize(static_cast<qint64>(estimatedBytes(m_fullVertices, m_options, format())));
+    m_size->setText(m_options.displacement > 0 ? tr("%1, and what displacement adds").arg(size) : size);
     m_conflict->setText(!conflict.empty() ? trText(conflict).replace(QLatin1String("%1"), toQString(format().ending))
                         : wrongEnding     ? tr("The file's name has to end in %1").arg(toQString(format().ending))
                                           : QString());

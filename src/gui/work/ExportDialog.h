@@ -28,6 +28,7 @@ private:
     void addChoice(const ExportChoice& choice, QFormLayout& form);
     void addPlace(QFormLayout& form, const QString& name);
     void browse();
+    void onPath();
     void update();
     const Format& format() const;
 

@@ -16,11 +16,12 @@ namespace stromar {
 
 namespace {
 using std::uint32_t;
-constexpr double kAllRelief = 0.5 * VertexLook::kThinnessOfHalf, kNoRelief = 1.5 * VertexLook::kThinnessOfHalf; // of wood 0.7, 0.35 times as thick as the trunk
-constexpr double kFirstCells = 4, kAllCells = 8; // that a picture of the bark is wide
-constexpr double kWidest = 1.5;                  // of the mean: pictures are stretched where a trunk flares
-constexpr float kLooksDown = -0.7f;               // z of a normal
-constexpr double kStep = 1.3;                    // from the longest edge to a cell
+constexpr double kAllRelief = 0.5 * VertexLook::kThinnessOfHalf; // thinness: of wood 0.7 times as thick as the trunk
+constexpr double kNoRelief = 1.5 * VertexLook::kThinnessOfHalf;  // 0.35 times
+constexpr double kFirstCells = 4, kAllCells = 8;                 // that a picture of the bark is wide
+constexpr double kWidest = 1.5;                                  // of the mean: pictures are stretched where a trunk flares
+constexpr float kLooksDown = -0.7f;                              // z of a normal
+constexpr double kStep = 1.3;                                    // from the longest edge to a cell
 
 auto ordered(const glm::vec3& p) { return std::tie(p.x, p.y, p.z); }
 
@@ -85,11 +86,13 @@ public:
         return longest;
     }
     /// Halves every edge longer than `longest` once; triangles without one longer than `cell` are done. False: there was none.
-    bool halve(double longest, double cell) {
+    /// Stops beyond the limit.
+    bool halve(double longest, double cell, const DisplacementLimit& limit) {
         const std::size_t before = triangleCount();
         const std::vector<uint32_t> open = std::exchange(m_open, {});
         m_middles = {};
-        for (std::size_t t = 0; t < open.size(); t += 3) divide({open[t], open[t + 1], open[t + 2]}, longest, cell);
+        for (std::size_t t = 0; t < open.size() && triangleCount() <= limit.triangles; t += 3)
+            divide({open[t], open[t + 1], open[t + 2]}, longest, cell);
         return triangleCount() > before;
     }
 
@@ -245,7 +248,7 @@ void divide(std::vector<CDividedMesh>& wood, double cell, const DisplacementLimi
     while (longest > cell) {
         longest = std::max(cell, longest / kStep);
         for (CDividedMesh& mesh : wood)
-            while (mesh.halve(longest, cell)) {
+            while (mesh.halve(longest, cell, limit)) {
                 refuseMore(wood, cell, limit);
                 progress.poll();
             }
