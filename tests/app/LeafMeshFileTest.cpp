@@ -186,6 +186,7 @@ TEST_F(LeafMeshFile, AFileKeepsItsWidthABuiltInOneDoesNot) {
 }
 
 TEST_F(LeafMeshFile, ABuiltInOneNeedsNoFile) {
+    weberPenn(m_params).leaves = 3;
     for (const BuiltInLeaf& own : builtInLeaves()) {
         m_params.text.leafMesh = "mesh:" + std::string(own.name);
         const auto tree = model();

@@ -34,9 +34,10 @@ struct DisplacedStems {
 };
 
 /// Wood whose bark stands out of its walls. Edges are halved until none is longer than `cell`, metres, and every vertex is moved along
-/// its normal by its bark's relief: all of it on wood 0.7 times as thick as the trunk, nothing below 0.35, or where a picture of
-/// the bark is less than four cells wide. Equal positions stay equal: what was closed is closed afterwards. Normals stay those of the smooth wood, because the pictures
-/// of normals show the same relief. Same result for any number of threads. Throws CError beyond the limit, and CCancelled.
+/// its normal by its bark's relief: all of it on wood 0.7 times as thick as the trunk, nothing below 0.35, or where a picture of the
+/// bark is less than four cells wide. Equal positions stay equal: what was closed is closed afterwards. Normals stay those of the
+/// smooth wood, because the pictures of normals show the same relief. Cost: about a second for a million triangles. Same result for
+/// any number of threads. Throws CError beyond the limit, and CCancelled.
 DisplacedStems displaceStems(const Meshes& stems, const std::vector<std::vector<VertexSource>>& sources, const BarkReliefs& reliefs,
                              double cell, const DisplacementLimit& limit, const CProgress& progress);
 

@@ -55,18 +55,24 @@ private:
         addStrip(places);
     }
 
+    /// Of a left and a right place in turn; where both are one, the strip ends in a point.
     void addStrip(const std::vector<glm::dvec3>& places) {
-        const auto first = static_cast<std::uint32_t>(m_blade.points.size());
-        for (std::size_t row = 0; row + 1 < places.size(); row += 2)
-            for (const std::size_t side : {0u, 1u}) {
-                const std::size_t low = row > 0 ? row - 2 : 0, high = std::min(row + 2, places.size() - 2);
-                const glm::dvec3 across = places[std::max(row, high) + 1] - places[std::max(row, high)], along = places[high + side] - places[low + side];
-                const glm::dvec3& place = places[row + side];
-                m_blade.points.push_back({place, glm::normalize(glm::cross(across, along)), {place.x + 0.5, place.y}});
-                if (row + 3 >= places.size() || side == 1) continue;
-                const auto corner = first + static_cast<std::uint32_t>(row);
-                for (const std::uint32_t next : {0u, 1u, 3u, 0u, 3u, 2u}) m_blade.indices.push_back(corner + next);
-            }
+        std::vector<std::uint32_t> corners;
+        for (std::size_t i = 0; i < places.size(); ++i) {
+            const bool isPoint = i % 2 == 1 && places[i] == places[i - 1];
+            if (!isPoint) m_blade.points.push_back(pointOf(places, i));
+            corners.push_back(static_cast<std::uint32_t>(m_blade.points.size() - 1));
+        }
+        for (std::size_t row = 0; row + 3 < corners.size(); row += 2)
+            for (const auto& [a, b, c] : {std::array{row, row + 1, row + 3}, {row, row + 3, row + 2}})
+                if (corners[a] != corners[b]) m_blade.indices.insert(m_blade.indices.end(), {corners[a], corners[b], corners[c]});
+    }
+
+    static LeafBlade::Point pointOf(const std::vector<glm::dvec3>& places, std::size_t i) {
+        const std::size_t row = i - i % 2, last = places.size() - 2, low = row > 0 ? i - 2 : i, high = row < last ? i + 2 : i;
+        const std::size_t wide = std::max(row, std::min(row + 2, last));
+        const glm::dvec3 across = places[wide + 1] - places[wide], along = places[high] - places[low];
+        return {places[i], glm::normalize(glm::cross(across, along)), {places[i].x + 0.5, places[i].y}};
     }
 
     static glm::dvec3 point(double x, double y) { return {x / kAspect, y, 0}; }
