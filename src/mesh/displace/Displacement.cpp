@@ -85,6 +85,15 @@ public:
             for (std::size_t side = 0; side < 3; ++side) longest = std::max(longest, length(m_open[t + side], m_open[t + (side + 1) % 3]));
         return longest;
     }
+    /// Square metres of the triangles all of whose sides are halved.
+    double dividedArea() const {
+        double area = 0;
+        for (std::size_t t = 0; t < m_open.size(); t += 3) {
+            const Vertex &a = m_vertices[m_open[t]], &b = m_vertices[m_open[t + 1]], &c = m_vertices[m_open[t + 2]];
+            if (a.divided && b.divided && c.divided) area += 0.5 * double(glm::length(glm::cross(b.position - a.position, c.position - a.position)));
+        }
+        return area;
+    }
     /// Halves every edge longer than `longest` once; triangles without one longer than `cell` are done. False: there was none.
     /// Stops beyond the limit.
     bool halve(double longest, double cell, const DisplacementLimit& limit) {
@@ -230,10 +239,15 @@ void measure(std::vector<CDividedMesh>& wood, const BarkReliefs& reliefs, double
     });
 }
 
+/// More triangles than the limit, or a surface that cells cannot cover with fewer.
 void refuseMore(const std::vector<CDividedMesh>& wood, double cell, const DisplacementLimit& limit) {
-    std::size_t count = 0;
-    for (const CDividedMesh& mesh : wood) count += mesh.triangleCount();
-    if (count > limit.triangles)
+    const double largest = std::sqrt(3.0) / 4 * cell * cell; // of the triangles whose sides are no longer than a cell
+    double count = 0, least = 0;
+    for (const CDividedMesh& mesh : wood) {
+        count += double(mesh.triangleCount());
+        least += mesh.dividedArea() / largest;
+    }
+    if (std::max(count, least) > double(limit.triangles))
         throw CError("displacement in cells of " + numberText(cell) + " m would make more than " +
                      numberText(std::floor(double(limit.triangles) / 1e5) / 10) + " million triangles; choose larger cells");
 }
@@ -245,6 +259,7 @@ void divide(std::vector<CDividedMesh>& wood, double cell, const DisplacementLimi
         mesh.start();
         longest = std::max(longest, mesh.longest());
     }
+    refuseMore(wood, cell, limit);
     while (longest > cell) {
         longest = std::max(cell, longest / kStep);
         for (CDividedMesh& mesh : wood)

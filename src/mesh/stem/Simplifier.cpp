@@ -14,6 +14,7 @@ constexpr double kAside = 0.85;      // cosine between a ring and the way to the
 constexpr double kTipReach = 4;      // radii of rings that a tip pushes out
 constexpr double kApart = 0.2;       // radii between the first own ring above a collar and the next
 constexpr double kApartOfFork = 0.05; // likewise above a fork
+constexpr std::uint32_t kOneByOne = 16; // folded rings that are taken out before many are at a time
 } // namespace
 
 void CSimplifier::Mark::restore(MeshPlan& plan) const {
@@ -36,30 +37,39 @@ CSimplifier::CSimplifier(const CTree& tree, int generation, const MeshParams& pa
 
 void CSimplifier::planStem(std::uint32_t s, MeshPlan& plan) {
     const Mark before(plan);
-    m_refused.clear();
-    while (!planPaths(s, plan)) before.restore(plan);
+    planPaths(s, plan);
     const auto own = std::span(plan.tubes).subspan(before.tubes);
     if (own.size() < 3) return;
     const std::vector<Tube> all(own.begin(), own.end());
     std::ranges::stable_sort(own, {}, [&](const Tube& tube) { return surfaceOf(tube, all); });
 }
 
-/// False when forks turned out to fold: the stem is to be planned without them.
-bool CSimplifier::planPaths(std::uint32_t s, MeshPlan& plan) {
+/// Forks that turn out to fold are left out: the path they part from is planned again, and all after it.
+void CSimplifier::planPaths(std::uint32_t s, MeshPlan& plan) {
     const CStem& stem = m_generation.stems[s];
+    m_refused.clear();
     m_starts.assign(stem.pathCount, {});
-    for (std::uint32_t p = 0; p < stem.pathCount; ++p)
-        if (!planPath(s, stem.firstPath + p, plan)) return false;
-    return true;
+    std::vector<Mark> before;
+    for (std::uint32_t p = 0; p < stem.pathCount;) {
+        before.erase(before.begin() + p, before.end());
+        before.emplace_back(plan);
+        const std::uint32_t again = planPath(s, p, plan);
+        if (again <= p) before[again].restore(plan);
+        p = again;
+    }
 }
 
-bool CSimplifier::planPath(std::uint32_t s, std::uint32_t p, MeshPlan& plan) {
-    const bool mayHaveCollar = m_collars && m_generation.paths[p].source < 0;
-    if ((mayHaveCollar && planTube(s, p, true, plan)) || planTube(s, p, false, plan)) return true;
-    if (const ForkStart& start = startOf(m_generation.stems[s], p); start.common.points > 0)
-        m_planned.push_back(start.common.segment);
+/// Which path of the stem is to be planned next.
+std::uint32_t CSimplifier::planPath(std::uint32_t s, std::uint32_t p, MeshPlan& plan) {
+    const std::uint32_t index = m_generation.stems[s].firstPath + p;
+    const CPath& path = m_generation.paths[index];
+    const bool mayHaveCollar = m_collars && path.source < 0;
+    if ((mayHaveCollar && planTube(s, index, true, plan)) || planTube(s, index, false, plan)) return p + 1;
+    const ForkStart& start = m_starts[p];
     m_refused.insert(m_refused.end(), m_planned.begin(), m_planned.end());
-    return m_planned.empty();
+    if (start.common.points == 0) return m_planned.empty() ? p + 1 : p;
+    m_refused.push_back(start.common.segment);
+    return static_cast<std::uint32_t>(path.source);
 }
 
 /// False, and the plan as it was, when the tube cannot be drawn so.
@@ -313,21 +323,34 @@ bool CSimplifier::forksFold(const Tube& tube, const MeshPlan& plan) {
 /// point if its end would; false when that does not help.
 bool CSimplifier::unfold(const CStem& stem, Tube& tube, MeshPlan& plan) {
     if (tube.lobed || tube.forkCount > 0 || !isTight(stem, tube, plan)) return true;
-    for (;;) {
+    for (std::uint32_t tries = 0;; ++tries) {
         const bool folds = !m_trial.write(plan, tube);
         if (!folds && m_trial.enclosesWood()) return true;
-        const std::uint32_t folded = folds ? m_trial.foldedRing(plan) : tube.ringCount - 1;
-        if (!tube.pointed && folded + 1 >= tube.ringCount)
+        const std::vector<std::uint32_t> folded = folds ? m_trial.foldedRings(plan) : std::vector{tube.ringCount - 1};
+        if (!tube.pointed && folded.front() + 1 >= tube.ringCount)
             tube.pointed = true;
-        else if (tube.ringCount > 2) {
-            const std::uint32_t out = std::clamp(folded, 1u, tube.ringCount - 2);
-            plan.rings.erase(plan.rings.begin() + tube.firstRing + out);
-            --tube.ringCount;
-        } else if (!tube.pointed)
+        else if (tube.ringCount > 2)
+            takeOut(folded, tries, tube, plan);
+        else if (!tube.pointed)
             tube.pointed = true;
         else
             return false;
         halvePoints(stem, tube, plan);
+    }
+}
+
+/// The lowest of the folded rings, but never a tube's first or last; after some tries all, and more and more above each, so
+/// that the tries stay few.
+void CSimplifier::takeOut(std::span<const std::uint32_t> folded, std::uint32_t tries, Tube& tube, MeshPlan& plan) {
+    const std::uint32_t run = tries < kOneByOne ? 1 : 1 + (tries - kOneByOne) / 4;
+    if (tries < kOneByOne) folded = folded.first(1);
+    std::uint32_t end = tube.ringCount - 1;
+    for (std::size_t i = folded.size(); i-- > 0 && tube.ringCount > 2;) {
+        const std::uint32_t out = std::clamp(folded[i], 1u, tube.ringCount - 2), count = std::min(run, std::max(end, out + 1) - out);
+        const auto first = plan.rings.begin() + tube.firstRing + out;
+        plan.rings.erase(first, first + count);
+        tube.ringCount -= count;
+        end = out;
     }
 }
 

@@ -41,8 +41,8 @@ private:
         double radius;
     };
 
-    bool planPaths(std::uint32_t s, MeshPlan& plan);
-    bool planPath(std::uint32_t s, std::uint32_t p, MeshPlan& plan);
+    void planPaths(std::uint32_t s, MeshPlan& plan);
+    std::uint32_t planPath(std::uint32_t s, std::uint32_t p, MeshPlan& plan);
     bool planTube(std::uint32_t s, std::uint32_t p, bool withCollar, MeshPlan& plan);
     std::uint32_t surfaceOf(const Tube& tube, std::span<const Tube> own) const;
 
@@ -63,6 +63,7 @@ private:
     bool collarFolds(const Tube& tube, const MeshPlan& plan);
     bool forksFold(const Tube& tube, const MeshPlan& plan);
     bool unfold(const CStem& stem, Tube& tube, MeshPlan& plan);
+    static void takeOut(std::span<const std::uint32_t> folded, std::uint32_t tries, Tube& tube, MeshPlan& plan);
     bool isTight(const CStem& stem, const Tube& tube, const MeshPlan& plan) const;
 
     Disc discAt(const CStem& stem, const Ring& ring) const;

@@ -1,18 +1,17 @@
 #include "stem/TubeTrial.h"
 #include "stem/TubeWriter.h"
+#include <algorithm>
 #include <glm/geometric.hpp>
 
 namespace stromar {
 
 namespace {
-/// The lids' vertices belong to the last ring and to the first.
-std::uint32_t ringOf(const Tube& tube, const MeshPlan& plan, std::uint32_t vertex) {
-    std::uint32_t end = tube.collarRings * (tube.points + 1);
-    for (std::uint32_t r = 0; r < tube.ringCount; ++r) {
-        end += plan.ringsOf(tube)[r].points + 1;
-        if (vertex < end) return r;
-    }
-    return tube.ringCount - 1;
+/// Of every vertex; the lids' belong to the last ring and to the first.
+std::vector<std::uint32_t> ringsOfVertices(const Tube& tube, const MeshPlan& plan) {
+    std::vector<std::uint32_t> rings(tube.collarRings * (tube.points + 1), 0);
+    for (std::uint32_t r = 0; r < tube.ringCount; ++r) rings.resize(rings.size() + plan.ringsOf(tube)[r].points + 1, r);
+    rings.resize(std::max<std::size_t>(rings.size(), tube.vertexCount()), tube.ringCount - 1);
+    return rings;
 }
 } // namespace
 
@@ -30,15 +29,21 @@ bool CTubeTrial::write(const MeshPlan& plan, const Tube& tube) {
     return writeTube(plan, m_tube, points, m_mesh);
 }
 
-std::uint32_t CTubeTrial::foldedRing(const MeshPlan& plan) const {
+std::vector<std::uint32_t> CTubeTrial::foldedRings(const MeshPlan& plan) const {
+    const std::vector<std::uint32_t> rings = ringsOfVertices(m_tube, plan);
+    std::vector<std::uint32_t> folded;
     const auto& indices = m_mesh.indices;
     for (std::size_t t = 0; t < m_tube.indexCount(); t += 3) {
         const auto at = [&](std::size_t c) { return m_mesh.positions[indices[t + c]]; };
         const glm::vec3 face = glm::cross(at(1) - at(0), at(2) - at(0));
-        for (std::size_t c = 0; c < 3; ++c)
-            if (glm::dot(face, m_mesh.normals[indices[t + c]]) <= 0) return ringOf(m_tube, plan, indices[t + c]);
+        for (std::size_t c = 0; c < 3; ++c) {
+            const std::uint32_t ring = rings[indices[t + c]];
+            if (glm::dot(face, m_mesh.normals[indices[t + c]]) > 0 || (!folded.empty() && ring <= folded.back() + 1)) continue;
+            folded.push_back(ring);
+        }
     }
-    return 1;
+    if (folded.empty()) folded.push_back(1);
+    return folded;
 }
 
 bool CTubeTrial::enclosesWood() const {

@@ -11,8 +11,9 @@ public:
 
     /// False when it folds.
     bool write(const MeshPlan& plan, const Tube& tube);
-    /// The first ring that has a vertex whose normal looks into a triangle around it.
-    std::uint32_t foldedRing(const MeshPlan& plan) const;
+    /// Rings that have a vertex whose normal looks into a triangle around it, the lowest first; never two that follow
+    /// each other, since without one of them the other may be in order.
+    std::vector<std::uint32_t> foldedRings(const MeshPlan& plan) const;
     /// Whether the tube is not inside out.
     bool enclosesWood() const;
 
