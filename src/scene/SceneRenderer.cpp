@@ -51,7 +51,7 @@ void CSceneRenderer::draw(unsigned frameBuffer, int width, int height, const CCa
     eye->setProjectionMatrix(camera.projection(aspect) *
                              osg::Matrixd::translate(2 * pass.pixel.x() / width, 2 * pass.pixel.y() / height, 0));
     eye->setViewMatrix(camera.view());
-    m_scene.setPass(pass);
+    m_scene.setPass(pass, 2 / (eye->getProjectionMatrix()(1, 1) * height));
     freeDeleted();
     extensions().glBindFramebuffer(GL_FRAMEBUFFER_EXT, frameBuffer); // the viewer binds it after others only
     m_viewer->frame();

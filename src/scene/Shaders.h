@@ -122,6 +122,18 @@ vec3 stillNormal(vec3 place) {
     vec3 size = vec3(instanceWidth, instancePlace.w, instanceWidth);
     return rounded(turned(instanceTurn, flutter(normalize(gl_Normal / size))), place);
 }
+
+uniform float trunkRadius; // metres, 0: not of wood
+uniform float halvings; // of its radius over the range of thinness
+uniform float thinnestWood; // a radius, metres at a distance of one
+attribute vec2 look; // part of the sky that is seen, thinness of the wood
+// Wood too thin to be seen as a line becomes one; the part of that which it covers.
+float widen(vec3 front) {
+    float own = trunkRadius * exp2(-halvings * look.y), least = thinnestWood * gl_Position.w;
+    if (trunkRadius <= 0.0 || own >= least) return 1.0;
+    gl_Position += gl_ModelViewProjectionMatrix * vec4((least - own) * front, 0.0);
+    return own / least;
+}
 )";
 
 inline constexpr const char* kTreeVertexShader = R"(
@@ -129,9 +141,8 @@ uniform vec3 crownMiddle, crownSize, sun, standsAt; // the crown in the tree's o
 uniform mat4 shadowMatrix;
 uniform float shadowOffset; // metres
 uniform vec2 neighbourFrom, neighbourRate; // of the barks of thicker and of thinner wood
-attribute vec2 look; // part of the sky that is seen, thinness of the wood
 varying vec3 place, normal, inShadow;
-varying float skyVisibility, shade, ground;
+varying float skyVisibility, shade, ground, woodCover;
 varying vec2 neighbours; // shares
 void main() {
     swayAngle = 0.0;
@@ -146,6 +157,7 @@ void main() {
     ground = swaying < 0.5 ? -1e9 : min(own.z, 0.0) - 1e-3;
     normal = swaying < 0.5 ? front : turned(swayTurn, front);
     gl_Position = gl_ModelViewProjectionMatrix * vec4(there, 1.0);
+    woodCover = widen(normal);
     gl_TexCoord[0] = gl_MultiTexCoord0;
     inShadow = (shadowMatrix * vec4(place + shadowOffset * (sun + normal * sign(dot(normal, sun))), 1.0)).xyz;
     // Inside the crown less of the sky is seen.
@@ -166,7 +178,7 @@ uniform sampler2D olderPicture, olderRelief, olderGloss, youngerPicture, younger
 uniform vec2 neighbourRate;
 uniform int view; // 0 lit, 1 material, 2 occlusion, 3 normals
 varying vec3 place, normal, inShadow;
-varying float skyVisibility, shade, ground;
+varying float skyVisibility, shade, ground, woodCover;
 varying vec2 neighbours; // shares
 vec3 withRelief(vec3 n, vec3 bump) {
     vec3 along = dFdx(place), up = dFdy(place);
@@ -178,7 +190,7 @@ vec3 withRelief(vec3 n, vec3 bump) {
 }
 void main() {
     vec4 colour = texture2D(picture, gl_TexCoord[0].st);
-    float cover = 1.0;
+    float cover = woodCover;
     if (leaf > 0.5) {
         // A leaf of a few pixels covers parts of them; what lies behind one another in a pixel covers other parts.
         vec2 footprint = max(abs(dFdx(gl_TexCoord[0].st)), abs(dFdy(gl_TexCoord[0].st)));
@@ -258,7 +270,7 @@ void main() {
     if (view == 3) result = n * 0.5 + 0.5;
     if (abs(tinted - generation) < 0.5)
         result = mix(result, vec3(1.0, 0.55, 0.12) * (0.45 + 0.6 * dot(result, vec3(0.35, 0.5, 0.15))), 0.6);
-    gl_FragColor = vec4(result, smoothEdges > 0.5 ? cover : 1.0);
+    gl_FragColor = vec4(result, cover);
 }
 )";
 
@@ -268,15 +280,19 @@ void main() { gl_Position = gl_ModelViewProjectionMatrix * vec4(placeOfVertex(),
 
 // Depth alone, cut out by the pictures.
 inline constexpr const char* kShadowVertexShader = R"(
+varying float woodCover;
 void main() {
     gl_Position = gl_ModelViewProjectionMatrix * vec4(placeOfVertex(), 1.0);
+    woodCover = widen(swaying < 0.5 ? gl_Normal : turned(swayTurn, gl_Normal));
     gl_TexCoord[0] = gl_MultiTexCoord0;
 }
 )";
 inline constexpr const char* kShadowFragmentShader = R"(#version 120
 uniform sampler2D picture;
 uniform float leaf, alphaCut;
+varying float woodCover;
 void main() {
+    if (woodCover < 0.3) discard; // too thin for a line of shadow
     if (leaf > 0.5 && texture2D(picture, gl_TexCoord[0].st).a < alphaCut) discard;
     gl_FragColor = vec4(1.0);
 }

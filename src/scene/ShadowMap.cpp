@@ -9,12 +9,14 @@ namespace stromar {
 
 namespace {
 constexpr double kOffset = 1.5;  // texels that a surface is lifted towards the sun, against shadows of itself
+constexpr double kThinnest = 0.6; // texels, a radius
 constexpr double kLowSun = 0.12; // sine: lower suns would throw shadows without end
 } // namespace
 
 CShadowMap::CShadowMap(osg::Group* casters)
     : m_camera(new osg::Camera), m_depth(new osg::Texture2D), m_texel(new osg::Uniform("shadowTexel", 0.f)),
-      m_matrix(new osg::Uniform("shadowMatrix", osg::Matrixf())), m_offset(new osg::Uniform("shadowOffset", 0.f)) {
+      m_matrix(new osg::Uniform("shadowMatrix", osg::Matrixf())), m_offset(new osg::Uniform("shadowOffset", 0.f)),
+      m_thinnest(new osg::Uniform("thinnestWood", 0.f)) {
     m_depth->setInternalFormat(GL_DEPTH_COMPONENT24);
     m_depth->setSourceFormat(GL_DEPTH_COMPONENT);
     m_depth->setSourceType(GL_UNSIGNED_INT);
@@ -38,6 +40,7 @@ CShadowMap::CShadowMap(osg::Group* casters)
     osg::StateSet* state = m_camera->getOrCreateStateSet();
     constexpr auto kStrong = osg::StateAttribute::ON | osg::StateAttribute::OVERRIDE;
     state->setAttributeAndModes(makeTreeProgram("shadow", kShadowVertexShader, kShadowFragmentShader), kStrong);
+    state->addUniform(m_thinnest);
     state->setMode(GL_CULL_FACE, osg::StateAttribute::OFF | osg::StateAttribute::OVERRIDE);
     resize();
 }
@@ -59,7 +62,9 @@ void CShadowMap::resize() {
 }
 
 void CShadowMap::lift() {
-    m_offset->set(static_cast<float>(kOffset * 2 * m_aimed.radius() / std::max(1, m_size)));
+    const double texel = 2 * m_aimed.radius() / std::max(1, m_size);
+    m_offset->set(static_cast<float>(kOffset * texel));
+    m_thinnest->set(static_cast<float>(m_lines ? kThinnest * texel : 0));
 }
 
 bool CShadowMap::covers(const osg::BoundingBox& box) const {
@@ -92,6 +97,11 @@ void CShadowMap::aim(const osg::BoundingBox& box, const osg::Vec3& sun) {
         osg::Matrixf(view * projection * osg::Matrixd::translate(1, 1, 1) * osg::Matrixd::scale(0.5, 0.5, 0.5)));
     lift();
     setStale();
+}
+
+void CShadowMap::setLines(bool on) {
+    m_lines = on;
+    lift();
 }
 
 void CShadowMap::setStale() { m_camera->setNodeMask(m_size > 0 ? ~0u : 0u); }

@@ -23,6 +23,9 @@ public:
     bool covers(const osg::BoundingBox& box) const;
     /// Pixels of a side; 0 for no shadows.
     void setSize(int size);
+    /// Wood thinner than a texel throws a line of shadow or none, instead of dots; not for means of several maps. Seen when
+    /// it is drawn anew.
+    void setLines(bool on);
     void setStale();
     bool stale() const { return m_camera->getNodeMask() != 0; }
     /// After a frame: the map is there now.
@@ -30,14 +33,15 @@ public:
 
 private:
     void resize();
-    void lift();
+    void lift(); ///< what depends on the size of a texel
 
     osg::ref_ptr<osg::Camera> m_camera;
     osg::ref_ptr<osg::Texture2D> m_depth;
-    osg::ref_ptr<osg::Uniform> m_texel, m_matrix, m_offset;
+    osg::ref_ptr<osg::Uniform> m_texel, m_matrix, m_offset, m_thinnest;
     osg::BoundingBox m_box;
     osg::BoundingSphered m_aimed; ///< about the box
     int m_size = 2048;
+    bool m_lines = true;
 };
 
 } // namespace stromar

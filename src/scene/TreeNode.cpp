@@ -3,6 +3,7 @@
 #include "stromar/model/Material.h"
 #include "stromar/scene/OsgGeometry.h"
 #include <algorithm>
+#include <osg/BlendFunc>
 
 namespace stromar {
 
@@ -11,12 +12,19 @@ namespace {
 constexpr unsigned GL_SAMPLE_ALPHA_TO_COVERAGE = 0x809E, GL_SAMPLE_ALPHA_TO_ONE = 0x809F;
 #endif
 constexpr float kLeastCrown = 0.01f; // metres
+
+/// Thin wood lets what is behind it through: leaves and background are drawn before it, thick wood before thin.
+void fadeOverOthers(osg::StateSet& state) {
+    state.setRenderBinDetails(1, "TraversalOrderBin");
+    state.setAttributeAndModes(new osg::BlendFunc(GL_SRC_ALPHA, GL_ONE_MINUS_SRC_ALPHA, GL_ONE, GL_ONE_MINUS_SRC_ALPHA));
+}
 } // namespace
 
 CTreeNode::CTreeNode() {
     for (const Surface surface : kSurfaces) {
         m_surfaces[static_cast<std::size_t>(surface)] = new osg::Group;
         setFloat(&stateOf(surface), "leaf", surfaceOf(surface).cutOut);
+        if (isBark(surface)) fadeOverOthers(stateOf(surface));
         m_node->addChild(m_surfaces[static_cast<std::size_t>(surface)]);
         setSurface(surface, *readSurface(surface, {}));
     }
@@ -42,6 +50,7 @@ void CTreeNode::show(const std::vector<ViewPart>& parts, bool instancing) {
         if (!state->getUniform("generation")) setFloat(state, "generation", part.generation);
         setFloat(state, "colourVariation", part.colourVariation);
         setFloat(state, "sunAndShade", part.sunAndShade);
+        setFloat(state, "trunkRadius", part.trunkRadius);
         setNeighbours(*state, part.neighbours);
         m_surfaces[static_cast<std::size_t>(part.surface)]->addChild(geometry);
         m_drawn.push_back(geometry);

@@ -15,9 +15,10 @@ double fraction(double x) { return x - std::floor(x); }
 
 ViewPass ViewPass::of(int i, int count) {
     const double out = std::sqrt(double(i) / std::max(1, count)), around = 2 * osg::PI * kGolden * i;
-    return {{fraction(0.5 + kAlong * i) - 0.5, fraction(0.5 + kUp * i) - 0.5},
-            {out * std::cos(around), out * std::sin(around)},
-            fraction(kGolden * i)};
+    return {.pixel = {fraction(0.5 + kAlong * i) - 0.5, fraction(0.5 + kUp * i) - 0.5},
+            .sun = {out * std::cos(around), out * std::sin(around)},
+            .pattern = fraction(kGolden * i),
+            .alone = count <= 1};
 }
 
 void CPictureMean::add(std::span<const std::uint8_t> bytes) {

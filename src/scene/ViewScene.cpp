@@ -24,6 +24,7 @@ namespace stromar {
 
 namespace {
 constexpr double kSunRadius = 0.012; // radians: the disc and the glow about it
+constexpr double kThinnestWood = 0.65; // pixels, a radius: of tubes of three sides no row of pixels is without one
 constexpr float kShadowRoom = 0.1f; // about a moving tree, of its size
 constexpr int kBestShadow = 2048, kFastShadow = 1024; // pixels of a side
 
@@ -81,6 +82,8 @@ CViewScene::CViewScene()
     setFloat(m_state, "smoothEdges", 0);
     setFloat(m_state, "instanced", 0);
     setVector(m_state, "pass", {});
+    setFloat(m_state, "thinnestWood", 0);
+    setFloat(m_state, "halvings", 255.0 / VertexLook::kThinnessOfHalf);
     osg::StateSet* state = m_tree->getOrCreateStateSet();
     state->setMode(GL_CULL_FACE, osg::StateAttribute::OFF);
     styleWireframe(m_wireframe->getOrCreateStateSet());
@@ -179,7 +182,9 @@ void CViewScene::aimShadows(const osg::BoundingBox& box) {
     m_shadows->aim(box, osg::Vec3(sun));
 }
 
-void CViewScene::setPass(const ViewPass& pass) {
+void CViewScene::setPass(const ViewPass& pass, double pixel) {
+    setFloat(m_state, "thinnestWood", pass.alone ? kThinnestWood * pixel : 0);
+    m_shadows->setLines(pass.alone);
     setVector(m_state, "pass", osg::Vec3(osg::Vec3d(pass.pixel.x(), pass.pixel.y(), pass.pattern)));
     const bool sameSun = pass.sun == m_pass.sun;
     m_pass = pass;
@@ -198,6 +203,13 @@ void CViewScene::endSway() {
     updateLight();
 }
 
+namespace {
+double trunkRadiusOf(const TreeModel& model) {
+    const CTree& tree = *model.tree;
+    return tree.generationCount() == 0 || tree.generation(0).stems.empty() ? 0 : tree.generation(0).stems[0].radius;
+}
+} // namespace
+
 std::vector<ViewPart> viewPartsOf(const TreeModel& model, const std::vector<ViewPart>& known,
                                   const CProgress& progress) {
     std::vector<ViewPart> parts;
@@ -209,7 +221,10 @@ std::vector<ViewPart> viewPartsOf(const TreeModel& model, const std::vector<View
         part.surface = surface;
         part.colourVariation = model.params.common.leafColourV;
         part.sunAndShade = isLeaf(surface) || surface == Surface::Twig ? model.params.common.leafSunShade : 0;
-        if (isBark(surface)) part.neighbours = neighbourBarksOf(model, surface);
+        if (isBark(surface)) {
+            part.neighbours = neighbourBarksOf(model, surface);
+            part.trunkRadius = trunkRadiusOf(model);
+        }
         parts.push_back(std::move(part));
     };
     model.visitMeshes(

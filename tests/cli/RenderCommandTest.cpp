@@ -45,6 +45,32 @@ TEST_F(Render, ThinWoodTakesOnTheBarkOfBranches) {
     EXPECT_GT(tree.red(0, tree.height / 2), 200u);
 }
 
+/// Wood thinner than a pixel is a faint line in a single picture, as it is in the mean of many; not dots.
+TEST_F(Render, ThinWoodIsDrawnAsLines) {
+    struct Wood {
+        double covered = 0, dots = 0, seen = 0;
+    };
+    const auto woodOf = [&](const char* samples) {
+        const Picture p = render({"--set", "1Branches=50", "--season", "winter", "--transparent", "--fit"}, samples);
+        const auto alpha = [&](unsigned x, unsigned y) { return int(p.rgba[4 * (y * p.width + x) + 3]); };
+        Wood wood;
+        for (unsigned y = 1; y + 1 < p.height; ++y)
+            for (unsigned x = 1; x + 1 < p.width; ++x) {
+                if (alpha(x, y) == 0) continue;
+                int around = 0;
+                for (unsigned n = 0; n < 9; ++n) around += n != 4 && alpha(x + n % 3 - 1, y + n / 3 - 1) > 0;
+                wood.covered += alpha(x, y) / 255.0;
+                wood.seen += 1;
+                wood.dots += around < 2;
+            }
+        return wood;
+    };
+    const Wood one = woodOf("1"), many = woodOf("64");
+    EXPECT_GT(one.seen, 2000);
+    EXPECT_LT(one.dots, 0.02 * one.seen);
+    EXPECT_NEAR(one.covered, many.covered, 0.15 * many.covered);
+}
+
 /// Mesa draws without the extension as older drivers do.
 TEST_F(Render, OpenGlBeforeInstancesDrawsTheSame) {
     const Picture instances = render({}, "32"); // the noise of small leaves differs

@@ -34,6 +34,7 @@ struct ViewPart {
     double colourVariation = 0;                 ///< of its leaves, 0..1
     double sunAndShade = 0;                     ///< likewise: how dark those inside the crown are
     NeighbourBarks neighbours{};                ///< of the bark of stems
+    double trunkRadius = 0;                     ///< metres; of stems: VertexLook::thinness is relative to it
 };
 
 /// What the model shows, ready for the viewport. Parts of `known` that show the same are taken over. Any thread. Throws
@@ -102,8 +103,8 @@ public:
     /// drawing by the processor: lesser looks. Without `instancing`, which OpenGL 3.3 has, leaves get vertices of their
     /// own.
     void startContext(int samples, bool instancing);
-    /// For who draws: before each frame.
-    void setPass(const ViewPass& pass);
+    /// For who draws: before each frame. `pixel`: its size at a distance of 1 m, metres.
+    void setPass(const ViewPass& pass, double pixel);
     /// After it.
     void finishFrame();
     /// Where the person of the ground stands; z is the top of the head.

@@ -181,7 +181,7 @@ QImage CViewport::restPass(const ViewPass& pass) {
     makeCurrent();
     const QSize pixels = (QSizeF(size()) * devicePixelRatioF()).toSize();
     if (!m_restBuffer || m_restBuffer->size() != pixels) m_restBuffer = makeBuffer(pixels);
-    const ViewPass shifted{pass.pixel, {}, pass.pattern}; // the sun's disc would cost shadows of its own
+    const ViewPass shifted{.pixel = pass.pixel, .pattern = pass.pattern, .alone = false}; // the sun's disc would cost shadows of its own
     QImage image = draw(*m_restBuffer, m_camera, shifted);
     doneCurrent();
     return image;
