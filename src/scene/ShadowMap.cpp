@@ -100,8 +100,10 @@ void CShadowMap::aim(const osg::BoundingBox& box, const osg::Vec3& sun) {
 }
 
 void CShadowMap::setLines(bool on) {
+    if (on == m_lines) return;
     m_lines = on;
     lift();
+    setStale();
 }
 
 void CShadowMap::setStale() { m_camera->setNodeMask(m_size > 0 ? ~0u : 0u); }

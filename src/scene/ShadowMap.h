@@ -23,8 +23,7 @@ public:
     bool covers(const osg::BoundingBox& box) const;
     /// Pixels of a side; 0 for no shadows.
     void setSize(int size);
-    /// Wood thinner than a texel throws a line of shadow or none, instead of dots; not for means of several maps. Seen when
-    /// it is drawn anew.
+    /// Wood thinner than a texel throws a line of shadow or none, instead of dots; not for means of several maps.
     void setLines(bool on);
     void setStale();
     bool stale() const { return m_camera->getNodeMask() != 0; }

@@ -18,6 +18,7 @@ ViewPass ViewPass::of(int i, int count) {
     return {.pixel = {fraction(0.5 + kAlong * i) - 0.5, fraction(0.5 + kUp * i) - 0.5},
             .sun = {out * std::cos(around), out * std::sin(around)},
             .pattern = fraction(kGolden * i),
+            .sunDisc = count > 1,
             .alone = count <= 1};
 }
 

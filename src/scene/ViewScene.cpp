@@ -184,7 +184,7 @@ void CViewScene::aimShadows(const osg::BoundingBox& box) {
 
 void CViewScene::setPass(const ViewPass& pass, double pixel) {
     setFloat(m_state, "thinnestWood", pass.alone ? kThinnestWood * pixel : 0);
-    m_shadows->setLines(pass.alone);
+    m_shadows->setLines(!pass.sunDisc);
     setVector(m_state, "pass", osg::Vec3(osg::Vec3d(pass.pixel.x(), pass.pixel.y(), pass.pattern)));
     const bool sameSun = pass.sun == m_pass.sun;
     m_pass = pass;
