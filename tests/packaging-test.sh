@@ -28,7 +28,7 @@ env -u DISPLAY PATH="$root/bin:$PATH" sh -c "${thumbnail//%s/64}" || fail "no th
 file "$root/thumbnail.png" | grep -q '64 x 64' || fail "the thumbnail has another size"
 
 # The manual pages know every option.
-for option in $("$root/bin/stromar" --help | grep -o -- '--[a-z-]*' | sort -u); do
+for option in $(env -u DISPLAY -u WAYLAND_DISPLAY -u QT_QPA_PLATFORM "$root/bin/stromar" --help | grep -o -- '--[a-z-]*' | sort -u); do
   case $option in --help-all | --version | --help) continue ;; esac
   grep -q -- "${option//-/\\\\-}" "$share/man/man1/stromar.1" || fail "stromar.1 does not know $option"
 done

@@ -416,6 +416,17 @@
     </message>
 </context>
 <context>
+    <name>Counts</name>
+    <message>
+        <source>1 stem</source>
+        <translation>1 větev</translation>
+    </message>
+    <message>
+        <source>%1 stems</source>
+        <translation>%1 větví</translation>
+    </message>
+</context>
+<context>
     <name>stromar</name>
     <message>
         <source>Full model</source>
@@ -2721,6 +2732,30 @@
         <source>envelope crop shape</source>
         <translation>obálka ořez tvar</translation>
     </message>
+    <message>
+        <source>As an attribute</source>
+        <translation>Jako atribut</translation>
+    </message>
+    <message>
+        <source>In the vertex colours</source>
+        <translation>V barvách vrcholů</translation>
+    </message>
+    <message>
+        <source>Ambient occlusion</source>
+        <translation>Zastínění okolím</translation>
+    </message>
+    <message>
+        <source>How much of the sky vertices see, in glTF files: as an attribute _OCCLUSION for shaders, or multiplied into the vertex colours (COLOR_0), which darkens the crown in programs that compute this light themselves.</source>
+        <translation>Kolik oblohy vrcholy vidí, v souborech glTF: jako atribut _OCCLUSION pro shadery, nebo vynásobeno do barev vrcholů (COLOR_0), což ztmaví korunu v programech, které toto světlo počítají samy.</translation>
+    </message>
+    <message>
+        <source>%1 cannot hold vertex colours; choose glTF</source>
+        <translation>%1 nemůže obsahovat barvy vrcholů; zvolte glTF</translation>
+    </message>
+    <message>
+        <source>the colours of this wind hold the occlusion already</source>
+        <translation>barvy tohoto větru už zastínění obsahují</translation>
+    </message>
 </context>
 <context>
     <name>stromar::CCurveEditor</name>
@@ -3153,10 +3188,6 @@
         <translation>Ovladač grafiky se znovu spustil</translation>
     </message>
     <message>
-        <source>%1   %2 stems   %3 leaves   %4 vertices   %5 triangles   %6 ms</source>
-        <translation>%1   %2 větví   %3 listů   %4 vrcholů   %5 trojúhelníků   %6 ms</translation>
-    </message>
-    <message>
         <source>Simple model</source>
         <translation>Jednoduchý model</translation>
     </message>
@@ -3199,6 +3230,10 @@
     <message>
         <source>Wind</source>
         <translation>Vítr</translation>
+    </message>
+    <message>
+        <source>%1   %2   %3 leaves   %4 vertices   %5 triangles   %6 ms</source>
+        <translation>%1   %2   %3 listů   %4 vrcholů   %5 trojúhelníků   %6 ms</translation>
     </message>
 </context>
 <context>
@@ -3790,10 +3825,6 @@ Na: %5, č. %6</translation>
         <translation>Výška %1, šířka %2</translation>
     </message>
     <message>
-        <source>%1: %2 stems, %3 triangles</source>
-        <translation>%1: počet %2, %3 trojúhelníků</translation>
-    </message>
-    <message>
         <source>Leaves: %1, %2 triangles</source>
         <translation>Listy: %1, %2 trojúhelníků</translation>
     </message>
@@ -3856,6 +3887,10 @@ Na: %5, č. %6</translation>
     <message>
         <source>Cannot show the picture</source>
         <translation>Obrázek nelze zobrazit</translation>
+    </message>
+    <message>
+        <source>%1: %2, %3 triangles</source>
+        <translation>%1: %2, %3 trojúhelníků</translation>
     </message>
 </context>
 <context>

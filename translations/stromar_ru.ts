@@ -416,6 +416,17 @@
     </message>
 </context>
 <context>
+    <name>Counts</name>
+    <message>
+        <source>1 stem</source>
+        <translation>1 ветвь</translation>
+    </message>
+    <message>
+        <source>%1 stems</source>
+        <translation>%1 ветвей</translation>
+    </message>
+</context>
+<context>
     <name>stromar</name>
     <message>
         <source>Full model</source>
@@ -2721,6 +2732,30 @@
         <source>envelope crop shape</source>
         <translation>оболочка обрезка форма</translation>
     </message>
+    <message>
+        <source>As an attribute</source>
+        <translation>Как атрибут</translation>
+    </message>
+    <message>
+        <source>In the vertex colours</source>
+        <translation>В цветах вершин</translation>
+    </message>
+    <message>
+        <source>Ambient occlusion</source>
+        <translation>Затенение окружением</translation>
+    </message>
+    <message>
+        <source>How much of the sky vertices see, in glTF files: as an attribute _OCCLUSION for shaders, or multiplied into the vertex colours (COLOR_0), which darkens the crown in programs that compute this light themselves.</source>
+        <translation>Сколько неба видят вершины, в файлах glTF: как атрибут _OCCLUSION для шейдеров или умноженное на цвета вершин (COLOR_0), что затемняет крону в программах, которые сами рассчитывают этот свет.</translation>
+    </message>
+    <message>
+        <source>%1 cannot hold vertex colours; choose glTF</source>
+        <translation>%1 не хранит цвета вершин; выберите glTF</translation>
+    </message>
+    <message>
+        <source>the colours of this wind hold the occlusion already</source>
+        <translation>цвета этого ветра уже содержат затенение</translation>
+    </message>
 </context>
 <context>
     <name>stromar::CCurveEditor</name>
@@ -3153,10 +3188,6 @@
         <translation>Графический драйвер перезапустился</translation>
     </message>
     <message>
-        <source>%1   %2 stems   %3 leaves   %4 vertices   %5 triangles   %6 ms</source>
-        <translation>%1   %2 ветвей   %3 листьев   %4 вершин   %5 треугольников   %6 мс</translation>
-    </message>
-    <message>
         <source>Simple model</source>
         <translation>Простая модель</translation>
     </message>
@@ -3199,6 +3230,10 @@
     <message>
         <source>Wind</source>
         <translation>Ветер</translation>
+    </message>
+    <message>
+        <source>%1   %2   %3 leaves   %4 vertices   %5 triangles   %6 ms</source>
+        <translation>%1   %2   %3 листьев   %4 вершин   %5 треугольников   %6 мс</translation>
     </message>
 </context>
 <context>
@@ -3790,10 +3825,6 @@ On %5, stem %6</source>
         <translation>Высота %1, ширина %2</translation>
     </message>
     <message>
-        <source>%1: %2 stems, %3 triangles</source>
-        <translation>%1: %2 шт., треугольников: %3</translation>
-    </message>
-    <message>
         <source>Leaves: %1, %2 triangles</source>
         <translation>Листья: %1, треугольников: %2</translation>
     </message>
@@ -3856,6 +3887,10 @@ On %5, stem %6</source>
     <message>
         <source>Cannot show the picture</source>
         <translation>Не удаётся показать изображение</translation>
+    </message>
+    <message>
+        <source>%1: %2, %3 triangles</source>
+        <translation>%1: %2, треугольников: %3</translation>
     </message>
 </context>
 <context>

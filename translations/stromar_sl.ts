@@ -416,6 +416,17 @@
     </message>
 </context>
 <context>
+    <name>Counts</name>
+    <message>
+        <source>1 stem</source>
+        <translation>1 veja</translation>
+    </message>
+    <message>
+        <source>%1 stems</source>
+        <translation>%1 vej</translation>
+    </message>
+</context>
+<context>
     <name>stromar</name>
     <message>
         <source>Full model</source>
@@ -2721,6 +2732,30 @@
         <source>envelope crop shape</source>
         <translation>ovojnica obrez oblika</translation>
     </message>
+    <message>
+        <source>As an attribute</source>
+        <translation>Kot atribut</translation>
+    </message>
+    <message>
+        <source>In the vertex colours</source>
+        <translation>V barvah oglišč</translation>
+    </message>
+    <message>
+        <source>Ambient occlusion</source>
+        <translation>Zastrtost okolice</translation>
+    </message>
+    <message>
+        <source>How much of the sky vertices see, in glTF files: as an attribute _OCCLUSION for shaders, or multiplied into the vertex colours (COLOR_0), which darkens the crown in programs that compute this light themselves.</source>
+        <translation>Koliko neba vidijo oglišča, v datotekah glTF: kot atribut _OCCLUSION za senčilnike ali pomnoženo v barve oglišč (COLOR_0), kar zatemni krošnjo v programih, ki to svetlobo računajo sami.</translation>
+    </message>
+    <message>
+        <source>%1 cannot hold vertex colours; choose glTF</source>
+        <translation>%1 ne more vsebovati barv oglišč; izberite glTF</translation>
+    </message>
+    <message>
+        <source>the colours of this wind hold the occlusion already</source>
+        <translation>barve tega vetra že vsebujejo zastrtost</translation>
+    </message>
 </context>
 <context>
     <name>stromar::CCurveEditor</name>
@@ -3153,10 +3188,6 @@
         <translation>Grafični gonilnik se je znova zagnal</translation>
     </message>
     <message>
-        <source>%1   %2 stems   %3 leaves   %4 vertices   %5 triangles   %6 ms</source>
-        <translation>%1   %2 vej   %3 listov   %4 oglišč   %5 trikotnikov   %6 ms</translation>
-    </message>
-    <message>
         <source>Simple model</source>
         <translation>Preprosti model</translation>
     </message>
@@ -3199,6 +3230,10 @@
     <message>
         <source>Wind</source>
         <translation>Veter</translation>
+    </message>
+    <message>
+        <source>%1   %2   %3 leaves   %4 vertices   %5 triangles   %6 ms</source>
+        <translation>%1   %2   %3 listov   %4 oglišč   %5 trikotnikov   %6 ms</translation>
     </message>
 </context>
 <context>
@@ -3793,10 +3828,6 @@ Na: %5, št. %6</translation>
         <translation>Višina %1, širina %2</translation>
     </message>
     <message>
-        <source>%1: %2 stems, %3 triangles</source>
-        <translation>%1: število %2, %3 trikotnikov</translation>
-    </message>
-    <message>
         <source>Leaves: %1, %2 triangles</source>
         <translation>Listi: %1, %2 trikotnikov</translation>
     </message>
@@ -3862,6 +3893,10 @@ Na: %5, št. %6</translation>
     <message>
         <source>Cannot show the picture</source>
         <translation>Slike ni mogoče prikazati</translation>
+    </message>
+    <message>
+        <source>%1: %2, %3 triangles</source>
+        <translation>%1: %2, %3 trikotnikov</translation>
     </message>
 </context>
 <context>

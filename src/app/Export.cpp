@@ -1,4 +1,5 @@
 #include "stromar/app/Export.h"
+#include "VertexColours.h"
 #include "wind/WindExport.h"
 #include "stromar/app/DisplacedModel.h"
 #include "stromar/app/Formats.h"
@@ -141,6 +142,7 @@ void writePose(const Pose& pose, const ExportOptions& options, const fs::path& t
         ExportModel model{plainName(to.path) + suffix, arranged(pose.meshes[first], arrangement), {}, materials};
         for (std::size_t i = first + 1; i < first + count; ++i) model.coarser.push_back(arranged(pose.meshes[i], arrangement));
         if (!pose.sways.empty()) addWind(model, std::span(pose.sways).subspan(first, count), options, motion, arrangement);
+        if (format.wind) addColours(model, isSolid(options) ? std::span<const std::shared_ptr<const TreeModel>>() : std::span(pose.lods).subspan(first, count), options);
         format.write(model, withSuffix(to.path, suffix), files);
     };
     if (options.lods == static_cast<int>(ExportedLods::FileEach))

@@ -24,6 +24,8 @@ constexpr string_view kWindNames[] = {N_("None"), N_("Attributes for a shader"),
                                       N_("Bones with clips")};
 constexpr string_view kWatertights[] = {"none", "voxel"};
 constexpr string_view kWatertightNames[] = {N_("No"), N_("Remeshed in voxels")};
+constexpr string_view kOcclusions[] = {"none", "attribute", "color"};
+constexpr string_view kOcclusionNames[] = {N_("No"), N_("As an attribute"), N_("In the vertex colours")};
 constexpr int kMaxBones = 256;
 
 constexpr ExportChoice kChoices[] = {
@@ -61,6 +63,13 @@ constexpr ExportChoice kChoices[] = {
      .words = kTextures,
      .names = kTextureNames,
      .field = &ExportOptions::textures},
+    {.key = "occlusion",
+     .label = N_("Ambient occlusion"),
+     .help = N_("How much of the sky vertices see, in glTF files: as an attribute _OCCLUSION for shaders, or multiplied into the vertex "
+                "colours (COLOR_0), which darkens the crown in programs that compute this light themselves."),
+     .words = kOcclusions,
+     .names = kOcclusionNames,
+     .field = &ExportOptions::occlusion},
     {.key = "wind",
      .label = N_("Wind"),
      .help = N_("What lets the tree sway in another program: vertex attributes and a table for a shader, vertex colours as an engine "
@@ -118,6 +127,11 @@ string_view conflictOf(const ExportOptions& options, const Format& format) {
         return N_("one solid has no levels of detail and does not move in the wind");
     if (options.displacement > 0 && (isSolid(options) || simple || (lods == ExportedLods::None && options.lod > 0)))
         return N_("only the full model's level of detail 0 has displaced bark");
+    if (options.occlusion == static_cast<int>(ExportedOcclusion::InColours)) {
+        if (!format.wind) return N_("%1 cannot hold vertex colours; choose glTF");
+        if (options.wind == static_cast<int>(ExportedWind::CryEngine) || options.wind == static_cast<int>(ExportedWind::Unity))
+            return N_("the colours of this wind hold the occlusion already");
+    }
     const auto up = static_cast<ExportedUp>(options.up);
     const bool usual = up == ExportedUp::Format || (up == ExportedUp::Y) == (format.upAxis == "y");
     if (!usual && !format.anyUp)

@@ -1,4 +1,5 @@
 #include "stromar/app/Randomise.h"
+#include "stromar/app/TreeCreator.h"
 #include "stromar/util/Random.h"
 #include <algorithm>
 #include <cmath>
@@ -33,6 +34,27 @@ ParamValue moved(const ParamRef& ref, const CParams& params, double amount, cons
         points[i].y = moved(*ref.info, points[i].y, random.vary(amount, key, 0, i));
     return CCurve(std::move(points));
 }
+
+struct Extent {
+    double stems = 0, leaves = 0, height = 0;
+};
+
+Extent extentOf(const CParams& params, const SizeLimits& limits) {
+    const auto model = CTreeCreator(true, limits).create(params, detailOf(Model::Simple), CProgress(2));
+    const auto bounds = model->bounds();
+    return {double(model->tree->stemCount()), double(model->tree->organs(Organ::Leaf)->total), bounds ? double(bounds->max.z) : 0};
+}
+
+bool isLike(double value, double before, double times) { return value >= before / times && value <= before * times; }
+
+bool isLike(const CParams& params, const Extent& before, const SizeLimits& limits) {
+    try {
+        const Extent now = extentOf(params, limits);
+        return isLike(now.stems, before.stems, 5) && isLike(now.leaves, before.leaves, 5) && isLike(now.height, before.height, 3);
+    } catch (const CError&) {
+        return false; // too large
+    }
+}
 } // namespace
 
 ParamValues randomised(const CParams& params, std::span<const ParamRef> refs, double amount, std::uint64_t seed) {
@@ -41,6 +63,20 @@ ParamValues randomised(const CParams& params, std::span<const ParamRef> refs, do
     for (const ParamRef& ref : allParams(params.block()))
         if (std::ranges::find(refs, ref) != refs.end() && mayMove(ref, params))
             values.emplace_back(ref, moved(ref, params, amount, random));
+    return values;
+}
+
+ParamValues randomisedTree(const CParams& params, std::span<const ParamRef> refs, double amount, std::uint64_t seed, const SizeLimits& limits) {
+    constexpr int kThrows = 8;
+    constexpr double kLess = 0.85; // of the amount with every throw
+    const Extent before = extentOf(params, limits);
+    ParamValues values;
+    for (int i = 0; i < kThrows; ++i, amount *= kLess) {
+        values = randomised(params, refs, amount, i == 0 ? seed : hashCombine(seed, static_cast<std::uint64_t>(i)));
+        CParams moved = params;
+        for (const auto& [ref, value] : values) ref.setValue(moved, value);
+        if (isLike(moved, before, limits)) break;
+    }
     return values;
 }
 

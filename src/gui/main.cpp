@@ -16,6 +16,7 @@
 #include <QTimer>
 #include <algorithm>
 #include <cstdio>
+#include <cstring>
 
 namespace {
 using namespace stromar;
@@ -127,6 +128,9 @@ bool writeHelpPictures(const QString& folder) {
 } // namespace
 
 int main(int argc, char** argv) {
+    for (const char* answer : {"-h", "--help", "-v", "--version"}) // which needs no display
+        if (std::any_of(argv + 1, argv + argc, [&](const char* word) { return std::strcmp(word, answer) == 0; }))
+            qputenv("QT_QPA_PLATFORM", "offscreen");
     QCoreApplication::setOrganizationName(QStringLiteral("Stromar"));
     QCoreApplication::setApplicationName(QStringLiteral("Stromar"));
     QCoreApplication::setApplicationVersion(QStringLiteral(STROMAR_VERSION));

@@ -132,10 +132,9 @@ private:
     void addSingleModel() {
         tinygltf::Node root;
         root.name = m_source.name;
-        const Crown crown = crownOf(m_source.meshes);
         for (std::size_t i = 0; i < m_source.meshes.size(); ++i) {
             const auto& mesh = m_source.meshes[i];
-            const int index = addMesh(mesh->name, {mesh}, crown, m_source.channels, i);
+            const int index = addMesh(mesh->name, {mesh}, m_source.channels, i);
             root.children.push_back(addNode(mesh->name, index));
         }
         if (!m_source.joints.empty()) { // what bones move hangs on nothing else
@@ -222,14 +221,13 @@ private:
 
     /// One mesh per level of detail, as engines want it; the node of the finest refers to the others (MSFT_lod).
     void addLods() {
-        const Crown crown = crownOf(m_source.meshes);
         tinygltf::Value::Array ids, coverage;
         const std::size_t count = m_source.coarser.size() + 1;
         int first = 0;
         for (std::size_t lod = 0; lod < count; ++lod) {
             const std::string name = m_source.name + "_LOD" + std::to_string(lod);
             const bool carries = !m_source.channels.empty();
-            const int mesh = addMesh(name, lod == 0 ? m_source.meshes : m_source.coarser[lod - 1], crown,
+            const int mesh = addMesh(name, lod == 0 ? m_source.meshes : m_source.coarser[lod - 1],
                                      lod == 0 || !carries ? m_source.channels : m_source.coarserChannels[lod - 1]);
             const int node = addNode(name, mesh);
             if (lod == 0) first = node;
@@ -253,16 +251,16 @@ private:
     }
 
     /// `channels` are of the parts, from the `first` one on, or empty.
-    int addMesh(const std::string& name, const Meshes& parts, const Crown& crown, const std::vector<VertexChannels>& channels, std::size_t first = 0) {
+    int addMesh(const std::string& name, const Meshes& parts, const std::vector<VertexChannels>& channels, std::size_t first = 0) {
         tinygltf::Mesh mesh;
         mesh.name = name;
         for (std::size_t i = 0; i < parts.size(); ++i)
-            mesh.primitives.push_back(makePrimitive(parts[i], crown, channels.empty() ? nullptr : &channels[first + i]));
+            mesh.primitives.push_back(makePrimitive(parts[i], channels.empty() ? nullptr : &channels[first + i]));
         m_gltf.meshes.push_back(mesh);
         return static_cast<int>(m_gltf.meshes.size()) - 1;
     }
 
-    tinygltf::Primitive makePrimitive(const std::shared_ptr<const CMesh>& mesh, const Crown& crown, const VertexChannels* channels) {
+    tinygltf::Primitive makePrimitive(const std::shared_ptr<const CMesh>& mesh, const VertexChannels* channels) {
         const std::size_t count = mesh->vertexCount();
         tinygltf::Primitive primitive;
         primitive.mode = TINYGLTF_MODE_TRIANGLES;
@@ -282,13 +280,6 @@ private:
             return glm::vec2(mesh->texCoords[v].x, 1 - mesh->texCoords[v].y);
         });
         for (std::size_t c = 0; channels && c < channels->size(); ++c) attributes[(*channels)[c].name] = addChannel((*channels)[c], count);
-        if (!attributes.contains("COLOR_0")) {
-            attributes["COLOR_0"] = addVertices<glm::u8vec4>(
-                count, TINYGLTF_TYPE_VEC4,
-                [mesh, crown](std::size_t v) { return glm::u8vec4(glm::u8vec3(ambientAt(crown, *mesh, v)), 255); },
-                TINYGLTF_COMPONENT_TYPE_UNSIGNED_BYTE);
-            m_gltf.accessors.back().normalized = true;
-        }
         primitive.indices = addIndices(mesh);
         return primitive;
     }

@@ -7,8 +7,6 @@
 namespace stromar {
 
 namespace {
-constexpr float kInTheMiddle = 0.45f; // of the light outside
-
 /// Any unit vector at a right angle to a unit vector.
 glm::vec3 squareTo(const glm::vec3& n) {
     const glm::vec3 other = std::abs(n.x) < 0.7f ? glm::vec3(1, 0, 0) : glm::vec3(0, 1, 0);

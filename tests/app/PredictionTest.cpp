@@ -89,7 +89,7 @@ std::string refusal(const CParams& params, double limit) {
 }
 } // namespace
 
-TEST(Prediction, BoundsThePresets) {
+TEST(SlowPrediction, BoundsThePresets) {
     for (const Sample& sample : presets())
         for (const int seed : {13, 1, 77, 4711})
             for (const Detail& detail : detailTable()) {
@@ -101,14 +101,14 @@ TEST(Prediction, BoundsThePresets) {
             }
 }
 
-TEST(Prediction, IsNearForThePresets) {
+TEST(SlowPrediction, IsNearForThePresets) {
     for (const Sample& sample : presets())
         for (const Detail& detail : detailTable())
             expectWithin(sample.params, detail, true, sample.name + ", " + std::string(detail.name),
                          detail.share < 1 ? 6 : 5); // how much of straight stems is left out nobody knows before
 }
 
-TEST(Prediction, BoundsRandomTrees) {
+TEST(SlowPrediction, BoundsRandomTrees) {
     int looked = 0;
     for (std::uint64_t number = 1000; number < 1220; ++number) {
         const CParams params = randomParams(number, kCaps);
@@ -136,7 +136,7 @@ TEST(Prediction, BoundsDeepTrees) {
     EXPECT_GE(looked, 10);
 }
 
-TEST(Prediction, BoundsTrunksOfManySpheresSplitsAndTurns) {
+TEST(SlowPrediction, BoundsTrunksOfManySpheresSplitsAndTurns) {
     for (const int resolution : {1, 2, 7, 60, 200})
         for (const double taper : {1.0, 1.5, 2.0, 2.5, 3.0})
             for (const double helix : {0.0, -60.0})

@@ -52,6 +52,27 @@ TEST(Randomise, OneValueLessMovesNoOther) {
     EXPECT_NE(randomised(aspen(), numberParams(), 0.5, 8), all);
 }
 
+TEST(Randomise, EverythingByMuchIsStillATree) {
+    const auto grown = [](const CParams& params) { return CTreeCreator().create(params, detailOf(Model::Simple), CProgress(2)); };
+    int changed = 0;
+    for (const char* name : {"quaking_aspen", "apple", "coconut_palm"}) {
+        const CParams params = CTreeFile::read(std::string(STROMAR_SOURCE "/presets/") + name + ".tree").params();
+        const auto before = grown(params);
+        for (std::uint64_t seed = 1; seed <= 8; ++seed) {
+            const ParamValues values = randomisedTree(params, numberParams(), 0.4, seed, SizeLimits());
+            EXPECT_EQ(values, randomisedTree(params, numberParams(), 0.4, seed, SizeLimits()));
+            changed += values != randomised(params, numberParams(), 0.4, seed);
+            CParams moved = params;
+            for (const auto& [ref, value] : values) ref.setValue(moved, value);
+            const auto tree = grown(moved);
+            EXPECT_GE(5 * tree->tree->stemCount(), before->tree->stemCount()) << name << ", seed " << seed;
+            EXPECT_GE(5 * tree->tree->organs(Organ::Leaf)->total, before->tree->organs(Organ::Leaf)->total) << name << ", seed " << seed;
+            EXPECT_GE(3 * tree->bounds()->max.z, before->bounds()->max.z) << name << ", seed " << seed;
+        }
+    }
+    EXPECT_GT(changed, 3) << "some throws are no trees";
+}
+
 TEST(NearestThatFits, IsTheLastThatIsNotTooLarge) {
     const Detail& full = detailOf(Model::Full);
     for (const char* key : {"1Branches", "2Branches", "Leaves", "1CurveRes", "LeafQuality", "2SegSplits"}) {

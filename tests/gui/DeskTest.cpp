@@ -15,6 +15,7 @@
 #include <QCheckBox>
 #include <QComboBox>
 #include <QDialog>
+#include <QWheelEvent>
 #include <QDockWidget>
 #include <QDropEvent>
 #include <QMimeData>
@@ -208,6 +209,12 @@ TEST_F(DeskTest, ASheetOfSeedsToChooseFromAndToLike) {
     ASSERT_TRUE(waitFor([&] { return window.variants().isVisible(); }));
     auto* cell = window.variants().findChild<QToolButton*>(QStringLiteral("seed4"));
     ASSERT_TRUE(waitFor([&] { return !cell->icon().isNull(); }, 60000));
+    auto* level = window.variants().findChild<QComboBox*>(QStringLiteral("randomiseLevel"));
+    EXPECT_EQ(level->focusPolicy(), Qt::StrongFocus);
+    QWheelEvent wheel({5, 5}, level->mapToGlobal(QPointF(5, 5)), {}, {0, -120}, Qt::NoButton, Qt::NoModifier, Qt::NoScrollPhase, false);
+    QCoreApplication::sendEvent(level, &wheel);
+    EXPECT_FALSE(wheel.isAccepted()) << "what is behind scrolls";
+    EXPECT_EQ(level->currentIndex(), 0);
     cell->click();
     const int seed = window.variants().seeds()[4];
     EXPECT_EQ(value("Seed"), seed);

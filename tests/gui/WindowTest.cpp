@@ -1,4 +1,5 @@
 #include "window/Commands.h"
+#include "work/ExportDialog.h"
 #include "window/MainWindow.h"
 #include "window/MessageBar.h"
 #include "params/ParamEditor.h"
@@ -19,6 +20,7 @@
 #include <QLabel>
 #include <QListWidget>
 #include <QMenu>
+#include <QLineEdit>
 #include <QMessageBox>
 #include <QProcess>
 #include <QPushButton>
@@ -253,6 +255,31 @@ TEST_F(WindowTest, AFailedExportIsShown) {
     EXPECT_TRUE(asked);
     EXPECT_TRUE(question.contains(QLatin1String("No such file"))) << question.toStdString();
     EXPECT_TRUE(QDir(folder.path()).isEmpty());
+}
+
+TEST_F(WindowTest, TheExportDialogComesBackAfterAnError) {
+    QTemporaryDir folder;
+    const QString path = folder.filePath(QStringLiteral("no/such/folder/mine.obj"));
+    QStringList seen;
+    auto* answer = new QTimer(&window);
+    QObject::connect(answer, &QTimer::timeout, &window, [&, path] {
+        QWidget* dialog = QApplication::activeModalWidget();
+        if (auto* error = qobject_cast<QMessageBox*>(dialog)) return error->accept();
+        auto* choices = qobject_cast<CExportDialog*>(dialog);
+        if (!choices) return;
+        auto* file = choices->findChild<QLineEdit*>(QStringLiteral("path"));
+        seen << file->text();
+        if (seen.size() > 1) return choices->reject();
+        file->setText(path);
+        choices->accept();
+    });
+    answer->start(50);
+    window.exporter().chooseAndExport();
+    ASSERT_TRUE(waitFor([&] { return seen.size() > 1; }));
+    EXPECT_EQ(seen[1], path) << "as it was chosen";
+    ASSERT_TRUE(waitFor([&] { return !QApplication::activeModalWidget(); }));
+    QTest::qWait(200);
+    EXPECT_EQ(seen.size(), 2) << "cancelled";
 }
 
 TEST_F(WindowTest, CommandsHaveTextsIconsAndShortcutsOfTheirOwn) {

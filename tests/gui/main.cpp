@@ -21,13 +21,16 @@ int waitToBeKilled() {
     std::fflush(stdout);
     return QApplication::exec();
 }
-/// Recipes are drawn and shaders compiled once for all processes of a run: most of the time a window needs for its first
-/// picture.
+/// Recipes and the presets' thumbnails are drawn and shaders compiled once for all processes of a run: most of the time a
+/// window needs for its first picture, and of what it does beside it.
 void shareCaches(const QString& home) {
     const QString shared = QString::fromLocal8Bit(qgetenv("XDG_RUNTIME_DIR")) + QStringLiteral("/stromar-tests");
-    if (qEnvironmentVariableIsEmpty("XDG_RUNTIME_DIR") || !QDir().mkpath(shared + QStringLiteral("/textures"))) return;
-    QDir().mkpath(home + QStringLiteral("/stromar"));
-    QFile::link(shared + QStringLiteral("/textures"), home + QStringLiteral("/stromar/textures"));
+    if (qEnvironmentVariableIsEmpty("XDG_RUNTIME_DIR")) return;
+    for (const auto& [own, kind] : {std::pair{"/stromar", "/textures"}, {"/Stromar/Test", "/thumbnails"}}) {
+        QDir().mkpath(shared + QLatin1String(kind));
+        QDir().mkpath(home + QLatin1String(own));
+        QFile::link(shared + QLatin1String(kind), home + QLatin1String(own) + QLatin1String(kind));
+    }
     qputenv("MESA_SHADER_CACHE_DIR", (shared + QStringLiteral("/shaders")).toLocal8Bit());
 }
 } // namespace

@@ -77,7 +77,7 @@ TEST_P(WindFiles, KeepTheColoursOfATreeUnlessTheEngineReadsThem) {
         std::uint32_t size = 0;
         std::memcpy(&size, bytes.data() + 12, 4);
         const Json& accessor =
-            file["accessors"][file["meshes"][0]["primitives"][0]["attributes"]["COLOR_0"].get<std::size_t>()];
+            file["accessors"][file["meshes"].back()["primitives"][0]["attributes"]["COLOR_0"].get<std::size_t>()]; // of leaves
         const Json& view = file["bufferViews"][accessor["bufferView"].get<std::size_t>()];
         return bytes.substr(28 + size + view.value("byteOffset", std::size_t{0}),
                             view["byteLength"].get<std::size_t>());

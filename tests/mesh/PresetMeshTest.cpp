@@ -32,7 +32,7 @@ protected:
         return changed;
     }
 };
-INSTANTIATE_TEST_SUITE_P(All, PresetMesh, testing::Range<std::size_t>(0, presets().size()), nameOf);
+INSTANTIATE_TEST_SUITE_P(Slow, PresetMesh, testing::Range<std::size_t>(0, presets().size()), nameOf);
 
 TEST_P(PresetMesh, IsSound) {
     for (const int seed : kSeeds)

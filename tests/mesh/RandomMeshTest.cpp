@@ -55,8 +55,8 @@ void expectSound(std::uint64_t samples, CParams (*make)(std::uint64_t, const Cap
     EXPECT_LE(double(tilted), maxTilted * double(triangles)) << tilted << " of " << triangles;
 }
 
-TEST(RandomMesh, GentleTreesAreSound) { expectSound(300, gentleParams, 0.002); }
-TEST(RandomMesh, WildTreesAreSound) { expectSound(120, randomParams, 0.005); }
+TEST(SlowRandomMesh, GentleTreesAreSound) { expectSound(300, gentleParams, 0.002); }
+TEST(SlowRandomMesh, WildTreesAreSound) { expectSound(120, randomParams, 0.005); }
 
 TEST(RandomMesh, NoStemHasANegativeRadius) {
     for (std::uint64_t number = 0; number < kSamples; ++number) {

@@ -11,7 +11,7 @@ namespace stromar {
 
 /// What a user can choose for one export. A plain value; what each means stands in the table.
 struct ExportOptions {
-    int model = 0, lod = 0, lods = 0, up = 0, textures = 0, wind = 0, bones = 64, watertight = 0;
+    int model = 0, lod = 0, lods = 0, up = 0, textures = 0, wind = 0, bones = 64, watertight = 0, occlusion = 1;
     double scale = 1, voxelSize = 0.02, displacement = 0, displacementStrength = 3;
 
     bool operator==(const ExportOptions&) const = default;
@@ -22,6 +22,7 @@ enum class ExportedModel { Full, Simple };
 enum class ExportedLods { None, InOneFile, FileEach };
 enum class ExportedUp { Format, Y, Z };
 enum class ExportedTextures { Format, Embed, Copy, Refer };
+enum class ExportedOcclusion { None, Attribute, InColours };
 enum class ExportedWatertight { None, Voxel };
 enum class ExportedWind { None, Attributes, CryEngine, Unity, PivotPainter, Bones };
 

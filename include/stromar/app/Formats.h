@@ -22,7 +22,7 @@ struct Format {
     bool lods = false;  ///< holds levels of detail in one file
     bool anyUp = false; ///< readers do not mind which axis is up
     bool maps = false;  ///< holds pictures of the relief
-    bool wind = false;  ///< holds what ExportOptions::wind adds
+    bool wind = false;  ///< holds what ExportOptions::wind and ::occlusion add to vertices
 };
 
 std::span<const Format> formatTable();

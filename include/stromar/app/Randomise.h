@@ -1,4 +1,5 @@
 #pragma once
+#include "stromar/app/Prediction.h"
 #include "stromar/params/ParamTable.h"
 #include <cstdint>
 #include <span>
@@ -10,5 +11,11 @@ namespace stromar {
 /// choices, texts, and what its row keeps from chance. The same `seed` moves the same key the same way, whatever else
 /// moves and whatever other rows there are.
 ParamValues randomised(const CParams& params, std::span<const ParamRef> refs, double amount, std::uint64_t seed);
+
+/// The same, and still a tree: with a fifth of its stems and leaves at least, five times as many at most, a third to three
+/// times as high. What is none is thrown again, somewhat less far, a few times; the last throw counts in any case. Cost: the
+/// simple model of every throw.
+ParamValues randomisedTree(const CParams& params, std::span<const ParamRef> refs, double amount, std::uint64_t seed,
+                           const SizeLimits& limits);
 
 } // namespace stromar

@@ -20,8 +20,8 @@ void writeLwo(const ExportModel& model, const std::filesystem::path& path, CFile
 /// POV-Ray scene: the tree as an object `Tree`, a camera and lights that see all of it. Metres, y up, left-handed.
 void writePov(const ExportModel& model, const std::filesystem::path& path, CFileSet& files);
 
-/// glTF 2.0 in one file, or with its buffer beside it. Metres, y up. Normals, tangents, ambient occlusion as COLOR_0,
-/// levels of detail by MSFT_lod. Pictures are embedded where `Material::texture` is empty.
+/// glTF 2.0 in one file, or with its buffer beside it. Metres, y up. Normals, tangents, the channels of
+/// the model, levels of detail by MSFT_lod. Pictures are embedded where `Material::texture` is empty.
 void writeGlb(const ExportModel& model, const std::filesystem::path& path, CFileSet& files);
 void writeGltf(const ExportModel& model, const std::filesystem::path& path, CFileSet& files);
 

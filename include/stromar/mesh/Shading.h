@@ -9,6 +9,8 @@ struct Crown {
     glm::vec3 centre, radii;
 };
 
+constexpr float kInTheMiddle = 0.45f; ///< of the light outside
+
 /// Of all leaves, or of all meshes where there are none.
 Crown crownOf(const Meshes& meshes);
 

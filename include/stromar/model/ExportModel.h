@@ -14,7 +14,7 @@ constexpr std::array<double, 4> kScreenCoverage{0.5, 0.25, 0.1, 0.01};
 struct VertexChannel {
     enum class Type { Float, Byte, Short }; ///< Byte: 255 is 1; Short: whole numbers
 
-    std::string name; ///< as glTF has it: "_STEM", "JOINTS_0"; "COLOR_0" stands in place of the occlusion
+    std::string name; ///< as glTF has it: "COLOR_0", "_OCCLUSION", "JOINTS_0"
     Type type;
     int components;
     std::string bytes; ///< of all vertices

@@ -1,4 +1,5 @@
 #include "library/Variants.h"
+#include "params/WheelGuard.h"
 #include "document/Gesture.h"
 #include "window/QtText.h"
 #include "library/Thumbnails.h"
@@ -52,6 +53,7 @@ CVariants::CVariants(CThumbnails& thumbnails, QWidget* parent) : QWidget(parent)
     });
     connect(&m_thumbnails, &CThumbnails::ready, this, &CVariants::showThumbnail);
     throwSheet();
+    (new CWheelGuard(this))->guardAll(*this);
 }
 
 QToolButton* CVariants::makeCell(const QString& name) {

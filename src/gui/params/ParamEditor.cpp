@@ -189,6 +189,7 @@ QAbstractSpinBox* CParamEditor::makeBox(Form form) {
 void CParamEditor::guardWheel(QWidget* editor) {
     editor->setFocusPolicy(Qt::StrongFocus);
     editor->installEventFilter(this);
+    m_wheel.guard(editor);
 }
 
 bool CParamEditor::eventFilter(QObject* watched, QEvent* event) {
@@ -197,10 +198,6 @@ bool CParamEditor::eventFilter(QObject* watched, QEvent* event) {
         const bool taken = key && (key->modifiers() & Qt::ControlModifier) && (key->key() == Qt::Key_Return || key->key() == Qt::Key_Enter);
         if (taken || event->type() == QEvent::FocusOut) takeBlock();
         return taken;
-    }
-    if (event->type() == QEvent::Wheel && !static_cast<QWidget*>(watched)->hasFocus()) {
-        event->ignore(); // the panel behind scrolls
-        return true;
     }
     if (event->type() == QEvent::ShortcutOverride && isUndo(*static_cast<QKeyEvent*>(event)) && !isTyping(watched)) {
         event->ignore(); // it is the document's

@@ -1,5 +1,6 @@
 #pragma once
 #include "stromar/params/ParamTable.h"
+#include "params/WheelGuard.h"
 #include <QElapsedTimer>
 #include <QWidget>
 
@@ -83,6 +84,7 @@ private:
     CLanguageEditor* m_language = nullptr;
     QDoubleSpinBox* m_real = nullptr;
     QSpinBox* m_whole = nullptr;
+    CWheelGuard m_wheel;
     double m_perUnit = 1; ///< shown numbers per metre
     bool m_varies = false;
     int m_gesture = 0;

@@ -1,4 +1,5 @@
 #include "view/LightPanel.h"
+#include "params/WheelGuard.h"
 #include "params/ParamSlider.h"
 #include "window/QtText.h"
 #include <QLabel>
@@ -69,6 +70,7 @@ CLightPanel::CLightPanel(QWidget* parent) : QWidget(parent) {
     });
     column->addWidget(reset);
     column->addStretch(1);
+    (new CWheelGuard(this))->guardAll(*this);
 }
 
 void CLightPanel::applyTo(ViewLook& look) const {

@@ -346,8 +346,8 @@ QStringList CViewController::statistics() const {
                     .arg(lengthText(box.zMax()),
                          lengthText(std::max(box.xMax() - box.xMin(), box.yMax() - box.yMin())));
     for (std::size_t g = 0; g < tree.tree->generationCount(); ++g)
-        rows << tr("%1: %2 stems, %3 triangles")
-                    .arg(levelTitle(int(g)), whole(tree.tree->generation(g).stems.size()),
+        rows << tr("%1: %2, %3 triangles")
+                    .arg(levelTitle(int(g)), stemsText(tree.tree->generation(g).stems.size()),
                          whole(tree.stems[g]->triangleCount()));
     rows
         << tr("Leaves: %1, %2 triangles").arg(whole(tree.tree->organs(Organ::Leaf)->total), whole(trianglesOfLeaves(tree)));

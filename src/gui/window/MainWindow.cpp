@@ -325,8 +325,12 @@ void CMainWindow::connectDocument() {
     });
     connect(m_variants, &CVariants::randomiseWanted, this, [this](std::vector<ParamRef> refs, double amount) {
         std::erase_if(refs, [this](const ParamRef& ref) { return m_panel->locked(ref); });
-        m_document->setValues(tr("Randomise"),
-                              randomised(m_document->params(), refs, amount, QRandomGenerator::global()->generate64()));
+        const quint64 seed = QRandomGenerator::global()->generate64();
+        try {
+            m_document->setValues(tr("Randomise"), randomisedTree(m_document->params(), refs, amount, seed, m_growth->limits()));
+        } catch (const CError&) { // this tree does not grow as it is
+            m_document->setValues(tr("Randomise"), randomised(m_document->params(), refs, amount, seed));
+        }
     });
     connect(document, &CDocument::replaced, this, &CMainWindow::onReplaced);
     connect(document, &CDocument::changed, this, &CMainWindow::onChanged);
@@ -459,9 +463,9 @@ std::shared_ptr<const TreeModel> CMainWindow::shownModel() const {
 
 void CMainWindow::updateCounts(const TreeModel& model) {
     const QLocale numbers;
-    m_counts->setText(tr("%1   %2 stems   %3 leaves   %4 vertices   %5 triangles   %6 ms")
+    m_counts->setText(tr("%1   %2   %3 leaves   %4 vertices   %5 triangles   %6 ms")
                           .arg(model.detail->model == Model::Simple ? tr("Simple model") : tr("Full model"),
-                               numbers.toString(qulonglong(model.tree->stemCount())),
+                               stemsText(model.tree->stemCount()),
                                numbers.toString(qulonglong(model.tree->organs(Organ::Leaf)->total)),
                                numbers.toString(qulonglong(model.vertexCount())),
                                numbers.toString(qulonglong(model.triangleCount())),

@@ -1,6 +1,7 @@
 #pragma once
 #include "stromar/params/ParamTable.h"
 #include <QCoreApplication>
+#include <QLocale>
 #include <QString>
 #include <filesystem>
 #include <string_view>
@@ -20,6 +21,11 @@ inline QString groupTitle(Group group, int level) {
     return group == Group::Branches ? QStringLiteral("%1 %2").arg(name).arg(level) : name;
 }
 inline QString levelTitle(int level) { return groupTitle(level == 0 ? Group::Trunk : Group::Branches, level); }
+
+inline QString stemsText(std::size_t count) {
+    return count == 1 ? QCoreApplication::translate("Counts", "1 stem")
+                      : QCoreApplication::translate("Counts", "%1 stems").arg(QLocale().toString(qulonglong(count)));
+}
 
 inline std::filesystem::path toPath(const QString& path) { return std::filesystem::path(path.toStdU16String()); }
 inline QString fromPath(const std::filesystem::path& path) { return QString::fromStdU16String(path.u16string()); }

@@ -18,13 +18,20 @@ CExportController::~CExportController() = default;
 
 void CExportController::chooseAndExport() {
     takeTyped(*m_window);
+    choose(QFileInfo(m_document.displayName()).completeBaseName());
+}
+
+void CExportController::choose(const QString& name) {
+    if (m_job) return;
     const Detail& full = detailOf(Model::Full);
     const auto shown = m_shown();
     const bool isFull = shown && shown->detail == &full, mayPredict = methodOf(m_document.params()).boundIsQuick;
     const double vertices = isFull || !mayPredict ? (shown ? double(shown->vertexCount()) : 0)
                                                   : predictSize(m_document.params(), full).vertices;
-    CExportDialog dialog(QFileInfo(m_document.displayName()).completeBaseName(), vertices, m_window);
-    if (dialog.exec() == QDialog::Accepted) exportTo(dialog.path(), dialog.options());
+    CExportDialog dialog(name, vertices, m_window);
+    if (dialog.exec() != QDialog::Accepted) return;
+    exportTo(dialog.path(), dialog.options());
+    m_chosen = true;
 }
 
 void CExportController::exportTo(const QString& path, const ExportOptions& options) {
@@ -68,6 +75,7 @@ void CExportController::finish(const QString& path, const QString& why, bool can
     else
         emit notice(cancelled ? tr("Export cancelled; no file was changed") : tr("Exported %1").arg(path));
     emit ended(why, cancelled);
+    if (std::exchange(m_chosen, false) && !why.isEmpty()) choose(QFileInfo(path).completeBaseName());
 }
 
 } // namespace stromar

@@ -29,7 +29,7 @@ public:
     CExportController(CDocument& document, Shown shown, Limits limits, Moving moving, QWidget* window);
     ~CExportController() override;
 
-    /// Asks for format, file and choices.
+    /// Asks for format, file and choices; again with the same after an error.
     void chooseAndExport();
     /// Returns at once; `ended` tells how it went.
     void exportTo(const QString& path, const ExportOptions& options = {});
@@ -42,6 +42,7 @@ signals:
     void ended(const QString& why, bool cancelled);
 
 private:
+    void choose(const QString& name);
     QProgressDialog* showProgress(const QString& path);
     void finish(const QString& path, const QString& why, bool cancelled);
 
@@ -51,6 +52,7 @@ private:
     Moving m_moving;
     QWidget* m_window;
     std::unique_ptr<CExportJob> m_job;
+    bool m_chosen = false; ///< in the dialog, which comes back after an error
 };
 
 } // namespace stromar
