@@ -2,6 +2,7 @@
 #include "work/ExportDialog.h"
 #include "window/MainWindow.h"
 #include "window/MessageBar.h"
+#include "window/Mnemonics.h"
 #include "params/ParamEditor.h"
 #include "params/ParamPanel.h"
 #include "window/QtText.h"
@@ -21,6 +22,8 @@
 #include <QListWidget>
 #include <QMenu>
 #include <QLineEdit>
+#include <QMenu>
+#include <QMenuBar>
 #include <QMessageBox>
 #include <QProcess>
 #include <QPushButton>
@@ -293,6 +296,41 @@ TEST_F(WindowTest, CommandsHaveTextsIconsAndShortcutsOfTheirOwn) {
         EXPECT_FALSE(shortcuts.contains(made->shortcut().toString())) << command.name;
         shortcuts << made->shortcut().toString();
     }
+}
+
+TEST_F(WindowTest, EntriesOfAMenuHaveLettersOfTheirOwn) {
+    const auto expectOwn = [](const QList<QAction*>& actions) {
+        QString letters;
+        for (const QAction* action : actions) {
+            const qsizetype at = action->text().indexOf(QLatin1Char('&'));
+            if (at < 0) continue;
+            EXPECT_FALSE(letters.contains(action->text()[at + 1].toUpper())) << action->text().toStdString();
+            letters += action->text()[at + 1].toUpper();
+        }
+        return letters.size();
+    };
+    const auto titles = window.menuBar()->actions();
+    EXPECT_EQ(expectOwn(titles), titles.size());
+    for (const QAction* title : titles) EXPECT_GT(expectOwn(title->menu()->actions()), 2) << title->text().toStdString();
+}
+
+TEST(Mnemonics, KeepWhatIsMarkedAndTakeFreeLetters) {
+    QObject owner;
+    const auto assigned = [&](const QStringList& texts) {
+        QList<QAction*> actions;
+        for (const QString& text : texts) actions << new QAction(text, &owner);
+        assignMnemonics(actions);
+        QStringList result;
+        for (const QAction* action : actions) result << action->text();
+        return result;
+    };
+    const auto words = [](std::initializer_list<const char*> all) {
+        QStringList list;
+        for (const char* one : all) list << QString::fromUtf8(one);
+        return list;
+    };
+    EXPECT_EQ(assigned(words({"&Lit", "Before &Light Grey", "Presets", "&P", "lp"})), words({"&Lit", "&Before Light Grey", "P&resets", "&P", "lp"}));
+    EXPECT_EQ(assigned(words({"", "&Вид", "&Ветер", "Save"})), words({"", "&Вид", "В&етер", "&Save"}));
 }
 
 TEST_F(WindowTest, TheListOfKeysFitsOnALowScreen) {

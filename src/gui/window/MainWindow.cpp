@@ -13,6 +13,7 @@
 #include "motion/WindController.h"
 #include "motion/WindPanel.h"
 #include "window/MessageBar.h"
+#include "window/Mnemonics.h"
 #include "params/ParamPanel.h"
 #include "window/PreferencesDialog.h"
 #include "library/PresetBrowser.h"
@@ -211,6 +212,8 @@ void CMainWindow::makeActions() {
         if (QLatin1String(command.name) == QLatin1String("new")) addMethods(*menu);
         if (QLatin1String(command.name) == QLatin1String("open")) m_recentMenu = menu->addMenu(tr("Open &Recent"));
     }
+    assignMnemonics(menuBar()->actions());
+    for (const QAction* title : menuBar()->actions()) assignMnemonics(title->menu()->actions());
     m_files->fillRecentMenu(*m_recentMenu);
     auto* more = bar->findChild<QToolButton*>(QStringLiteral("qt_toolbar_ext_button"));
     more->setText(QStringLiteral("»")); // the style's picture is black in every theme
