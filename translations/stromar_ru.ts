@@ -3300,6 +3300,10 @@
         <source>No parameter is called “%1”.</source>
         <translation>Нет параметра с названием «%1».</translation>
     </message>
+    <message>
+        <source>Where they point</source>
+        <translation>Куда они направлены</translation>
+    </message>
 </context>
 <context>
     <name>stromar::CParamRow</name>

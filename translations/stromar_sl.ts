@@ -3300,6 +3300,10 @@
         <source>No parameter is called “%1”.</source>
         <translation>Noben parameter se ne imenuje »%1«.</translation>
     </message>
+    <message>
+        <source>Where they point</source>
+        <translation>Kam kažejo</translation>
+    </message>
 </context>
 <context>
     <name>stromar::CParamRow</name>

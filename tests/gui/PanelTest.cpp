@@ -158,6 +158,30 @@ TEST(Panel, NumbersBeyondTheRangeBecomeTheNearestAndItIsSaid) {
     EXPECT_NEAR(real->value(), 7.123456789, 0.5 * std::pow(10, -real->decimals())) << "more digits than it shows";
 }
 
+TEST(Panel, WhereLeavesPointStandsWithTheLeaves) {
+    CParamPanel panel;
+    const auto tabOf = [&](const char* key) {
+        for (int tab = 0; tab < panel.tabs().count(); ++tab)
+            if (panel.tabs().widget(tab)->isAncestorOf(panel.editor(paramRef(key)))) return panel.tabs().tabText(tab).toStdString();
+        return std::string("none");
+    };
+    CParams params;
+    for (const auto& [levels, of2, of3] : {std::tuple{3, "Branches 2", "Leaves"}, {2, "Leaves", "Branches 3"}, {4, "Branches 2", "Branches 3"}, {3, "Branches 2", "Leaves"}}) {
+        weberPenn(params).levels = levels;
+        panel.showParams(params, params);
+        for (const char* name : {"DownAngle", "Rotate"}) {
+            EXPECT_EQ(tabOf((std::string("2") + name).c_str()), of2) << levels << name;
+            EXPECT_EQ(tabOf((std::string("3") + name).c_str()), of3) << levels << name;
+        }
+        EXPECT_EQ(tabOf("3Curve"), "Branches 3");
+    }
+    panel.show();
+    panel.showParam(paramRef("3DownAngle"));
+    EXPECT_EQ(panel.tabs().tabText(panel.tabs().currentIndex()), QStringLiteral("Leaves"));
+    EXPECT_TRUE(panel.editor(paramRef("3DownAngle"))->isVisible());
+    EXPECT_LT(panel.editor(paramRef("3DownAngle"))->mapTo(&panel, QPoint()).y(), panel.editor(paramRef("3Rotate"))->mapTo(&panel, QPoint()).y());
+}
+
 TEST(Panel, TheWheelChangesOnlyAnEditorWithTheFocus) {
     CParamPanel panel;
     panel.tabs().setCurrentIndex(2);
@@ -201,7 +225,7 @@ TEST(Panel, TheFilterReachesAllTabs) {
     QStringList tabs;
     for (int i = 0; i < panel.tabs().count(); ++i)
         if (panel.tabs().isTabVisible(i)) tabs << panel.tabs().tabText(i);
-    EXPECT_EQ(tabs.join(QLatin1Char('|')).toStdString(), "Trunk|Branches 1|Branches 2|Branches 3");
+    EXPECT_EQ(tabs.join(QLatin1Char('|')).toStdString(), "Trunk|Branches 1|Branches 2|Branches 3|Leaves"); // 3DownAngle places leaves
     EXPECT_FALSE(panel.row(paramRef("1DownAngle"))->isHidden());
     EXPECT_FALSE(panel.row(paramRef("0SplitAngle"))->isHidden());
     EXPECT_TRUE(panel.row(paramRef("1Length"))->isHidden());

@@ -139,7 +139,7 @@ int weberPennGenerationOf(const ParamRef& ref, const CParams& params) {
     if (ref.group() == Group::Trunk) return 0;
     if (ref.group() != Group::Branches) return TreeMethod::kNone;
     if (ref.level < weberPenn(params).levels) return ref.level;
-    return ref.info->placesLeaves ? TreeMethod::kLeaves : TreeMethod::kNone;
+    return ref.info->placesLeaves && ref.level == weberPenn(params).levels ? TreeMethod::kLeaves : TreeMethod::kNone;
 }
 
 } // namespace stromar

@@ -5,9 +5,11 @@
 #include "params/ParamEditor.h"
 #include "params/ParamRow.h"
 #include "window/QtText.h"
+#include "stromar/app/Methods.h"
 #include "stromar/mesh/LeafMeshes.h"
 #include "stromar/params/BuiltInMesh.h"
 #include "stromar/texture/Draw.h"
+#include "stromar/util/Translatable.h"
 #include <QAbstractButton>
 #include <QApplication>
 #include <QFrame>
@@ -135,6 +137,9 @@ void CParamPanel::showBlock(const ParamBlock& block) {
     m_lines.clear();
     m_sections.clear();
     m_groups.clear();
+    m_labelWidths.clear();
+    m_leafRows.clear();
+    m_leafSection.reset();
     while (m_tabs->count() > 0) {
         QWidget* tab = m_tabs->widget(0);
         m_tabs->removeTab(0);
@@ -170,7 +175,42 @@ void CParamPanel::addTab(const ParamPage& shown) {
             addRow(ref);
     }
     groupCurves();
+    addLeafSection(shown);
     finishTab();
+}
+
+/// For the values of a level without stems that say where leaves stand.
+void CParamPanel::addLeafSection(const ParamPage& page) {
+    const auto levels = allParams(*m_block);
+    if (page.group != Group::Leaves || std::ranges::none_of(levels, [](const ParamRef& ref) { return ref.info->placesLeaves; })) return;
+    addSection(N_("Where they point"));
+    m_leafSection = m_sections.size() - 1;
+}
+
+void CParamPanel::placeLeafRows(const CParams& params) {
+    if (!m_leafSection) return;
+    for (const auto& [row, home] : m_leafRows) {
+        const bool ofLeaves = methodOf(params).generationOf(row->ref(), params) == TreeMethod::kLeaves;
+        Section &is = sectionOf(row), &wanted = m_sections[ofLeaves ? *m_leafSection : home];
+        if (&is != &wanted) move(row, is, wanted);
+    }
+}
+
+/// To its place in the order of all rows.
+void CParamPanel::move(CParamRow* row, Section& from, Section& to) {
+    const auto orderOf = [&](const QWidget* one) { return std::find(m_rows.begin(), m_rows.end(), one) - m_rows.begin(); };
+    const auto next = std::ranges::find_if(to.rows, [&](const QWidget* other) { return orderOf(other) > orderOf(row); });
+    QWidget* before = next == to.rows.begin() ? static_cast<QWidget*>(to.heading) : *(next - 1);
+    auto* page = static_cast<QVBoxLayout*>(to.heading->parentWidget()->layout());
+    page->insertWidget(page->indexOf(before) + 1, row);
+    to.rows.insert(next, row);
+    std::erase(from.rows, row);
+    row->setLabelWidth(m_labelWidths[static_cast<std::size_t>(to.tab)]);
+    updateVisibility();
+}
+
+CParamPanel::Section& CParamPanel::sectionOf(const QWidget* row) {
+    return *std::ranges::find_if(m_sections, [&](const Section& section) { return std::ranges::find(section.rows, row) != section.rows.end(); });
 }
 
 /// Several curves of one section are one picture.
@@ -202,6 +242,7 @@ void CParamPanel::finishTab() {
     const auto ofPage = m_page->parentWidget()->findChildren<CParamRow*>();
     for (const CParamRow* row : ofPage) widest = std::max(widest, row->labelWidth());
     for (CParamRow* row : ofPage) row->setLabelWidth(widest);
+    m_labelWidths.push_back(widest);
     auto* scroll = qobject_cast<QScrollArea*>(m_tabs->widget(m_tabs->count() - 1));
     scroll->setMinimumWidth(m_page->parentWidget()->minimumSizeHint().width() + 20);
 }
@@ -227,6 +268,7 @@ void CParamPanel::addRow(const ParamRef& ref) {
     m_page->addWidget(row);
     m_sections.back().rows.push_back(row);
     m_rows.push_back(row);
+    if (ref.info->placesLeaves) m_leafRows.emplace(row, m_sections.size() - 1);
     connect(row, &CParamRow::edited, this, &CParamPanel::edited);
     connect(row, &CParamRow::assigned, this, &CParamPanel::assigned);
     connect(row, &CParamRow::released, this, &CParamPanel::released);
@@ -298,6 +340,7 @@ QMenu* CParamPanel::makeBuiltInMenu(const ParamRef& ref, QWidget* parent) {
 void CParamPanel::showParams(const CParams& params, const CParams& saved) {
     showBlock(params.block());
     for (CParamRow* row : m_rows) row->show(params, saved);
+    placeLeafRows(params);
     for (const auto& [text, line] : m_lines)
         if (const QString value = toQString(text.text(params)); line->text() != value) {
             line->setText(value);
@@ -376,7 +419,8 @@ void CParamPanel::showCurves() {
 }
 
 void CParamPanel::showParam(const ParamRef& ref) {
-    m_tabs->setCurrentIndex(tabOf(ref.group(), ref.level));
+    CParamRow* shown = row(ref);
+    m_tabs->setCurrentIndex(shown ? sectionOf(shown).tab : tabOf(ref.group(), ref.level));
     if (QWidget* first = editor(ref)->findChild<QWidget*>()) first->setFocus();
 }
 

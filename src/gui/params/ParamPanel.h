@@ -2,6 +2,7 @@
 #include "stromar/params/ParamTable.h"
 #include <QTimer>
 #include <QWidget>
+#include <map>
 #include <optional>
 #include <vector>
 
@@ -83,6 +84,10 @@ private:
     void addRow(const ParamRef& ref);
     void addText(const ParamRef& ref);
     void groupCurves();
+    void addLeafSection(const ParamPage& page);
+    void placeLeafRows(const CParams& params);
+    void move(CParamRow* row, Section& from, Section& to);
+    Section& sectionOf(const QWidget* row);
     void finishTab();
     QWidget* makePathEditor(const ParamRef& ref, QLineEdit* line);
     QMenu* makeBuiltInMenu(const ParamRef& ref, QWidget* parent);
@@ -97,6 +102,9 @@ private:
     QVBoxLayout* m_page = nullptr;               ///< of the tab that is being filled
     std::vector<std::pair<Group, int>> m_groups; ///< by tab, with the level
     std::vector<Section> m_sections;
+    std::vector<int> m_labelWidths; ///< by tab
+    std::map<CParamRow*, std::size_t> m_leafRows; ///< that may place leaves: the section they belong to else
+    std::optional<std::size_t> m_leafSection;     ///< where they are then
     std::vector<CParamRow*> m_rows;
     std::vector<std::pair<ParamRef, QLineEdit*>> m_lines;
     CParamRow* m_hovered = nullptr;
