@@ -111,6 +111,9 @@ fs::path withSuffix(const fs::path& path, const std::string& suffix) {
 void refuseUnless(const ExportOptions& options, const Format* format, const fs::path& path) {
     if (!format) throw CError(unknownFormat(path));
     if (const std::string conflict = conflictText(options, *format); !conflict.empty()) throw CError(conflict);
+    const fs::path folder = path.parent_path();
+    if (std::error_code problem; !folder.empty() && !fs::is_directory(folder, problem))
+        throw CError("cannot write " + path.string() + ": there is no folder " + folder.string());
 }
 } // namespace
 

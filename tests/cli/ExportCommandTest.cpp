@@ -108,7 +108,7 @@ TEST(ExportCommand, AMissingFolderEndsWithOne) {
     const CTemporaryFolder folder;
     const ProcessResult run = cli(exportTo(folder / "none" / "x.obj"));
     EXPECT_EQ(run.status, 1);
-    EXPECT_NE(run.err.find("No such file or directory"), std::string::npos) << run.err;
+    EXPECT_NE(run.err.find("x.obj: there is no folder"), std::string::npos) << "not of a picture: " << run.err;
     EXPECT_TRUE(folder.names().empty());
 }
 

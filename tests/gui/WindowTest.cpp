@@ -256,7 +256,7 @@ TEST_F(WindowTest, AFailedExportIsShown) {
     window.exporter().exportTo(folder.filePath(QStringLiteral("no/such/folder/a.obj")));
     ASSERT_TRUE(waitFor([&] { return ended.count() == 1; }));
     EXPECT_TRUE(asked);
-    EXPECT_TRUE(question.contains(QLatin1String("No such file"))) << question.toStdString();
+    EXPECT_TRUE(question.contains(QLatin1String("there is no folder"))) << question.toStdString();
     EXPECT_TRUE(QDir(folder.path()).isEmpty());
 }
 
