@@ -414,6 +414,46 @@
         <source>A photograph, or an HDRI panorama that lights the tree</source>
         <translation>Fotografie nebo panorama HDRI, které strom osvětluje</translation>
     </message>
+    <message>
+        <source>Level of Detail &amp;0</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>The full model, for near views</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Level of Detail &amp;1</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>The full model as it is seen from some way off</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Level of Detail &amp;2</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>The full model from afar, with cards of whole twigs</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Level of Detail &amp;3</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>The coarsest full model, for trees on the horizon</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>At Its Distance</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Move to where a program would begin to show this level of detail</source>
+        <translation type="unfinished"></translation>
+    </message>
 </context>
 <context>
     <name>Counts</name>
@@ -424,6 +464,18 @@
     <message>
         <source>%1 stems</source>
         <translation>%1 větví</translation>
+    </message>
+    <message>
+        <source>Simple model</source>
+        <translation type="unfinished">Jednoduchý model</translation>
+    </message>
+    <message>
+        <source>Full model</source>
+        <translation type="unfinished">Úplný model</translation>
+    </message>
+    <message>
+        <source>Level of detail %1</source>
+        <translation type="unfinished"></translation>
     </message>
 </context>
 <context>
@@ -3188,14 +3240,6 @@
         <translation>Ovladač grafiky se znovu spustil</translation>
     </message>
     <message>
-        <source>Simple model</source>
-        <translation>Jednoduchý model</translation>
-    </message>
-    <message>
-        <source>Full model</source>
-        <translation>Úplný model</translation>
-    </message>
-    <message>
         <source>Stopped; F6 grows the full model</source>
         <translation>Zastaveno; F6 vypěstuje úplný model</translation>
     </message>
@@ -3895,6 +3939,10 @@ Na: %5, č. %6</translation>
     <message>
         <source>%1: %2, %3 triangles</source>
         <translation>%1: %2, %3 trojúhelníků</translation>
+    </message>
+    <message>
+        <source>%1: %2 triangles, from %3 on</source>
+        <translation type="unfinished"></translation>
     </message>
 </context>
 <context>

@@ -153,7 +153,9 @@ Pixels CHeadlessPainter::paint(const CCamera& camera, int width, int height) {
     const std::span<std::uint8_t> bytes(pixels.data()->data(), 4 * pixels.size());
     CPictureMean mean;
     for (int i = 0; i < m_passes; ++i) {
-        paintPass(camera, ViewPass::of(i, m_passes), width, height, pixels);
+        ViewPass pass = ViewPass::of(i, m_passes);
+        if (m_samples > 1) pass.alone = false, pass.sunDisc = true; // samples are enough for thin wood
+        paintPass(camera, pass, width, height, pixels);
         if (m_passes > 1) mean.add(bytes);
     }
     if (m_passes > 1) mean.write(bytes);

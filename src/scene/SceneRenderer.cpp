@@ -51,7 +51,8 @@ void CSceneRenderer::draw(unsigned frameBuffer, int width, int height, const CCa
     eye->setProjectionMatrix(camera.projection(aspect) *
                              osg::Matrixd::translate(2 * pass.pixel.x() / width, 2 * pass.pixel.y() / height, 0));
     eye->setViewMatrix(camera.view());
-    m_scene.setPass(pass, 2 / (eye->getProjectionMatrix()(1, 1) * height));
+    const double pixel = 2 / (eye->getProjectionMatrix()(1, 1) * height);
+    m_scene.setPass(pass, pixel, camera.orthographic() ? 1 : camera.distance());
     freeDeleted();
     extensions().glBindFramebuffer(GL_FRAMEBUFFER_EXT, frameBuffer); // the viewer binds it after others only
     m_viewer->frame();

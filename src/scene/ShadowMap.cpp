@@ -4,6 +4,7 @@
 #include <algorithm>
 #include <cmath>
 #include <osg/CullFace>
+#include <osg/Depth>
 
 namespace stromar {
 
@@ -41,6 +42,7 @@ CShadowMap::CShadowMap(osg::Group* casters)
     constexpr auto kStrong = osg::StateAttribute::ON | osg::StateAttribute::OVERRIDE;
     state->setAttributeAndModes(makeTreeProgram("shadow", kShadowVertexShader, kShadowFragmentShader), kStrong);
     state->addUniform(m_thinnest);
+    state->setAttributeAndModes(new osg::Depth, kStrong); // thin stems may hide nothing in the picture
     state->setMode(GL_CULL_FACE, osg::StateAttribute::OFF | osg::StateAttribute::OVERRIDE);
     resize();
 }

@@ -4,6 +4,7 @@
 #include "stromar/scene/OsgGeometry.h"
 #include <algorithm>
 #include <osg/BlendFunc>
+#include <osg/Depth>
 
 namespace stromar {
 
@@ -81,6 +82,17 @@ void CTreeNode::smoothEdges(bool on) {
         if (!surfaceOf(surface).cutOut) continue;
         for (const int mode : {GL_SAMPLE_ALPHA_TO_COVERAGE, GL_SAMPLE_ALPHA_TO_ONE})
             stateOf(surface).setMode(static_cast<unsigned>(mode), on ? osg::StateAttribute::ON : osg::StateAttribute::OFF);
+    }
+}
+
+void CTreeNode::seeThrough(double radius) {
+    static const osg::ref_ptr<osg::Depth> hides = new osg::Depth, lets = new osg::Depth(osg::Depth::LESS, 0, 1, false);
+    for (std::size_t i = 0; i < m_parts.size(); ++i) {
+        if (m_parts[i].trunkRadius <= 0) continue;
+        const bool thin = m_parts[i].meanRadius < radius;
+        osg::StateSet* state = m_drawn[i]->getOrCreateStateSet();
+        state->setAttributeAndModes(thin ? lets : hides);
+        state->setMode(GL_CULL_FACE, thin ? osg::StateAttribute::ON : osg::StateAttribute::OFF); // their far walls would count as well
     }
 }
 

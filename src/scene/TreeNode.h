@@ -26,6 +26,8 @@ public:
     /// Edges of leaves as soft as the frame buffer's samples allow.
     void smoothEdges(bool on);
     void limitInstances(std::size_t vertices);
+    /// Stems thinner than this on the average do not hide others: many faint ones together are dense.
+    void seeThrough(double radius);
     /// What the graphics card has a copy of.
     void releaseInstances();
 

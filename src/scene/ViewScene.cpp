@@ -182,8 +182,10 @@ void CViewScene::aimShadows(const osg::BoundingBox& box) {
     m_shadows->aim(box, osg::Vec3(sun));
 }
 
-void CViewScene::setPass(const ViewPass& pass, double pixel) {
-    setFloat(m_state, "thinnestWood", pass.alone ? kThinnestWood * pixel : 0);
+void CViewScene::setPass(const ViewPass& pass, double pixel, double distance) {
+    const double thinnest = pass.alone ? kThinnestWood * pixel : 0;
+    setFloat(m_state, "thinnestWood", thinnest);
+    for (CTreeNode* tree : trees()) tree->seeThrough(thinnest * distance);
     m_shadows->setLines(!pass.sunDisc);
     setVector(m_state, "pass", osg::Vec3(osg::Vec3d(pass.pixel.x(), pass.pixel.y(), pass.pattern)));
     const bool sameSun = pass.sun == m_pass.sun;
@@ -208,6 +210,12 @@ double trunkRadiusOf(const TreeModel& model) {
     const CTree& tree = *model.tree;
     return tree.generationCount() == 0 || tree.generation(0).stems.empty() ? 0 : tree.generation(0).stems[0].radius;
 }
+
+double meanRadiusOf(const CGeneration& generation) {
+    double sum = 0;
+    for (const CStem& stem : generation.stems) sum += stem.radius / 2; // they end in a tip
+    return sum / std::max(1.0, double(generation.stems.size()));
+}
 } // namespace
 
 std::vector<ViewPart> viewPartsOf(const TreeModel& model, const std::vector<ViewPart>& known,
@@ -224,6 +232,7 @@ std::vector<ViewPart> viewPartsOf(const TreeModel& model, const std::vector<View
         if (isBark(surface)) {
             part.neighbours = neighbourBarksOf(model, surface);
             part.trunkRadius = trunkRadiusOf(model);
+            part.meanRadius = meanRadiusOf(model.tree->generation(static_cast<std::size_t>(generation)));
         }
         parts.push_back(std::move(part));
     };

@@ -193,6 +193,31 @@ TEST_F(DeskTest, AnAxisOfTheCrossTurnsTheView) {
     EXPECT_LT(window.viewport().camera().forward().z(), -0.99) << "from above";
 }
 
+TEST_F(DeskTest, LevelsOfDetailAreSeenAtTheirDistance) {
+    const auto detail = [&] { return window.shown()->model->detail; };
+    const auto shows = [&](int lod) {
+        return waitFor([&] { return !window.busy() && detail()->model == Model::Full && detail()->lod == lod; }, 60000);
+    };
+    ASSERT_TRUE(shows(0));
+    const std::size_t finest = window.shown()->model->triangleCount();
+    const double near = window.viewport().camera().distance();
+    window.findChild<QAction*>(QStringLiteral("statistics"))->setChecked(true);
+    window.findChild<QAction*>(QStringLiteral("lod2"))->trigger();
+    ASSERT_TRUE(shows(2));
+    EXPECT_LT(window.shown()->model->triangleCount(), finest / 2);
+    EXPECT_TRUE(window.findChild<QLabel*>(QStringLiteral("counts"))->text().contains(QLatin1String("Level of detail 2")));
+    window.findChild<QAction*>(QStringLiteral("lodDistance"))->trigger();
+    const double far = window.viewport().camera().distance();
+    EXPECT_GT(far, 2.5 * near) << "the tree fills a quarter of the height";
+    EXPECT_LT(far, 6 * near);
+    EXPECT_TRUE(window.viewport().overlay().model().statistics.join(QLatin1Char('|')).contains(lengthText(far))) << "as it says";
+    window.document().setValue(paramRef("Scale"), 20, 0);
+    ASSERT_TRUE(waitFor([&] { return window.shown()->model->params == window.document().params(); }));
+    ASSERT_TRUE(shows(2)) << "after the simple one";
+    window.findChild<QAction*>(QStringLiteral("lod0"))->trigger();
+    ASSERT_TRUE(shows(0));
+}
+
 TEST_F(DeskTest, ThePictureComesBackInANewContext) {
     const QImage before = picture();
     emit window.viewport().contextLost();

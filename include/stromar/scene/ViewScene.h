@@ -35,6 +35,7 @@ struct ViewPart {
     double sunAndShade = 0;                     ///< likewise: how dark those inside the crown are
     NeighbourBarks neighbours{};                ///< of the bark of stems
     double trunkRadius = 0;                     ///< metres; of stems: VertexLook::thinness is relative to it
+    double meanRadius = 0;                      ///< of these stems
 };
 
 /// What the model shows, ready for the viewport. Parts of `known` that show the same are taken over. Any thread. Throws
@@ -103,8 +104,8 @@ public:
     /// drawing by the processor: lesser looks. Without `instancing`, which OpenGL 3.3 has, leaves get vertices of their
     /// own.
     void startContext(int samples, bool instancing);
-    /// For who draws: before each frame. `pixel`: its size at a distance of 1 m, metres.
-    void setPass(const ViewPass& pass, double pixel);
+    /// For who draws: before each frame. `pixel`: its size at a distance of 1 m, metres; the tree is about so far away.
+    void setPass(const ViewPass& pass, double pixel, double distance);
     /// After it.
     void finishFrame();
     /// Where the person of the ground stands; z is the top of the head.

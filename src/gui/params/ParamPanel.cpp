@@ -137,7 +137,6 @@ void CParamPanel::showBlock(const ParamBlock& block) {
     m_lines.clear();
     m_sections.clear();
     m_groups.clear();
-    m_labelWidths.clear();
     m_leafRows.clear();
     m_leafSection.reset();
     while (m_tabs->count() > 0) {
@@ -205,7 +204,7 @@ void CParamPanel::move(CParamRow* row, Section& from, Section& to) {
     page->insertWidget(page->indexOf(before) + 1, row);
     to.rows.insert(next, row);
     std::erase(from.rows, row);
-    row->setLabelWidth(m_labelWidths[static_cast<std::size_t>(to.tab)]);
+    alignLabels(*page->parentWidget());
     updateVisibility();
 }
 
@@ -236,13 +235,16 @@ std::vector<CParamEditor*> CParamPanel::curves() const {
 }
 
 /// One column for all labels of a tab.
-void CParamPanel::finishTab() {
-    m_page->addStretch(1);
+void CParamPanel::alignLabels(const QWidget& page) {
     int widest = 0;
-    const auto ofPage = m_page->parentWidget()->findChildren<CParamRow*>();
+    const auto ofPage = page.findChildren<CParamRow*>();
     for (const CParamRow* row : ofPage) widest = std::max(widest, row->labelWidth());
     for (CParamRow* row : ofPage) row->setLabelWidth(widest);
-    m_labelWidths.push_back(widest);
+}
+
+void CParamPanel::finishTab() {
+    m_page->addStretch(1);
+    alignLabels(*m_page->parentWidget());
     auto* scroll = qobject_cast<QScrollArea*>(m_tabs->widget(m_tabs->count() - 1));
     scroll->setMinimumWidth(m_page->parentWidget()->minimumSizeHint().width() + 20);
 }

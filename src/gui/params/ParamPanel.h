@@ -88,6 +88,7 @@ private:
     void placeLeafRows(const CParams& params);
     void move(CParamRow* row, Section& from, Section& to);
     Section& sectionOf(const QWidget* row);
+    static void alignLabels(const QWidget& page);
     void finishTab();
     QWidget* makePathEditor(const ParamRef& ref, QLineEdit* line);
     QMenu* makeBuiltInMenu(const ParamRef& ref, QWidget* parent);
@@ -102,7 +103,6 @@ private:
     QVBoxLayout* m_page = nullptr;               ///< of the tab that is being filled
     std::vector<std::pair<Group, int>> m_groups; ///< by tab, with the level
     std::vector<Section> m_sections;
-    std::vector<int> m_labelWidths; ///< by tab
     std::map<CParamRow*, std::size_t> m_leafRows; ///< that may place leaves: the section they belong to else
     std::optional<std::size_t> m_leafSection;     ///< where they are then
     std::vector<CParamRow*> m_rows;

@@ -7,6 +7,7 @@
 #include "window/QtText.h"
 #include "window/Settings.h"
 #include "stromar/app/Methods.h"
+#include "stromar/model/ExportModel.h"
 #include "stromar/params/ParamText.h"
 #include "stromar/tree/Nearest.h"
 #include "stromar/util/Random.h"
@@ -334,6 +335,22 @@ void CViewController::describeLeaf(const CLeaf& leaf) {
             .arg(leaf.stem + 1);
 }
 
+/// Metres from which on a program shows the model's level of detail; 0 for the finest.
+double CViewController::lodDistance() const {
+    const Detail& detail = *m_view->model->detail;
+    const osg::BoundingBox box = m_viewport.scene().bounds();
+    if (detail.model == Model::Simple || detail.lod == 0 || !box.valid()) return 0;
+    const CCamera& camera = m_viewport.camera();
+    const double halfPerMetre = camera.halfHeight() / camera.distance();
+    return double(box.zMax() - box.zMin()) / (2 * halfPerMetre * kScreenCoverage[static_cast<std::size_t>(detail.lod) - 1]);
+}
+
+void CViewController::goToLod() {
+    if (!m_view) return;
+    m_viewport.frame();
+    if (const double distance = lodDistance(); distance > 0) m_viewport.moveTo(distance);
+}
+
 QStringList CViewController::statistics() const {
     if (!m_statistics || !m_view) return {};
     const TreeModel& tree = *m_view->model;
@@ -351,6 +368,8 @@ QStringList CViewController::statistics() const {
                          whole(tree.stems[g]->triangleCount()));
     rows
         << tr("Leaves: %1, %2 triangles").arg(whole(tree.tree->organs(Organ::Leaf)->total), whole(trianglesOfLeaves(tree)));
+    if (const double distance = lodDistance(); distance > 0)
+        rows << tr("%1: %2 triangles, from %3 on").arg(detailTitle(*tree.detail), whole(tree.triangleCount()), lengthText(distance));
     rows << tr("Structure %1 ms, mesh %2 ms")
                 .arg(numbers.toString(tree.milliseconds.structure, 'f', 1),
                      numbers.toString(tree.milliseconds.smooth + tree.milliseconds.mesh, 'f', 1));

@@ -24,6 +24,8 @@ public:
     /// Switches of the look.
     void setLook(const std::function<void(ViewLook&)>& change);
     void setStatistics(bool on);
+    /// As far away as the level of detail that is shown begins.
+    void goToLod();
     /// Whether the level that is edited stays tinted; else it flashes when it is first touched.
     void setTintKept(bool on);
     void clearSelection();
@@ -69,6 +71,7 @@ private:
     void describeStem(std::size_t generation, const CStem& stem, std::size_t number);
     void describeLeaf(const CLeaf& leaf);
     void updateSelection();
+    double lodDistance() const;
     QStringList statistics() const;
     int generationOf(const ParamRef& ref) const;
     const Guide* guideOf(const ParamRef& ref) const;

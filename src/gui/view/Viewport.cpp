@@ -157,6 +157,11 @@ void CViewport::frame() {
     changed();
 }
 
+void CViewport::moveTo(double distance) {
+    m_camera.zoom(distance / m_camera.distance());
+    changed();
+}
+
 void CViewport::lookFrom(double yaw, double pitch) {
     m_camera.lookFrom(yaw, pitch);
     frame();

@@ -42,6 +42,8 @@ public:
     void recentre();
     /// The whole tree, from where it is seen.
     void frame();
+    /// Metres from the middle of the view; the direction stays.
+    void moveTo(double distance);
     /// Degrees: 0 the front, 90 the right; 90 from above.
     void lookFrom(double yaw, double pitch);
     /// The tree with its backdrop, without the overlay, as smooth as so many passes make it. Null when there is no

@@ -467,7 +467,7 @@ std::shared_ptr<const TreeModel> CMainWindow::shownModel() const {
 void CMainWindow::updateCounts(const TreeModel& model) {
     const QLocale numbers;
     m_counts->setText(tr("%1   %2   %3 leaves   %4 vertices   %5 triangles   %6 ms")
-                          .arg(model.detail->model == Model::Simple ? tr("Simple model") : tr("Full model"),
+                          .arg(detailTitle(*model.detail),
                                stemsText(model.tree->stemCount()),
                                numbers.toString(qulonglong(model.tree->organs(Organ::Leaf)->total)),
                                numbers.toString(qulonglong(model.vertexCount())),

@@ -1,4 +1,5 @@
 #pragma once
+#include "stromar/mesh/Detail.h"
 #include "stromar/params/ParamTable.h"
 #include <QCoreApplication>
 #include <QLocale>
@@ -22,6 +23,11 @@ inline QString groupTitle(Group group, int level) {
 }
 inline QString levelTitle(int level) { return groupTitle(level == 0 ? Group::Trunk : Group::Branches, level); }
 
+inline QString detailTitle(const Detail& detail) {
+    if (detail.model == Model::Simple) return QCoreApplication::translate("Counts", "Simple model");
+    if (detail.lod == 0) return QCoreApplication::translate("Counts", "Full model");
+    return QCoreApplication::translate("Counts", "Level of detail %1").arg(detail.lod);
+}
 inline QString stemsText(std::size_t count) {
     return count == 1 ? QCoreApplication::translate("Counts", "1 stem")
                       : QCoreApplication::translate("Counts", "%1 stems").arg(QLocale().toString(qulonglong(count)));

@@ -5,6 +5,7 @@
 #include "window/Settings.h"
 #include "stromar/app/Prediction.h"
 #include <QLocale>
+#include <utility>
 
 namespace stromar {
 
@@ -69,6 +70,11 @@ void CGrowthController::showOnly(Model model) {
     follow();
 }
 
+void CGrowthController::setLod(int lod) {
+    if (lod == std::exchange(m_lod, lod)) return;
+    growFull();
+}
+
 void CGrowthController::setMaxMemory(int gigabytes) { m_limits.bytes = gigabytes > 0 ? 1e9 * gigabytes : m_givenMemory; }
 
 SizeLimits CGrowthController::limits() const {
@@ -77,7 +83,8 @@ SizeLimits CGrowthController::limits() const {
 
 void CGrowthController::request(Model model, bool anew) {
     m_last = model;
-    m_thread.request({m_document.params(), m_document.folder(), &detailOf(model), limits(), anew, m_age, m_swaying});
+    const Detail& detail = detailOf(model, model == Model::Full ? m_lod : 0);
+    m_thread.request({m_document.params(), m_document.folder(), &detail, limits(), anew, m_age, m_swaying});
     emit started();
 }
 

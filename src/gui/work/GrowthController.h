@@ -36,6 +36,9 @@ public:
     bool stop();
     /// Which model follows a change; the default is the simple one first, then the full one.
     void showOnly(Model model);
+    /// Which level of detail the full model has, 0 the finest.
+    void setLod(int lod);
+    int lod() const { return m_lod; }
 
     void setThreads(int threads) { m_thread.setThreads(threads); }
     void setFullModelDelay(int milliseconds) { m_pause.setInterval(milliseconds); }
@@ -66,6 +69,7 @@ private:
     std::optional<Model> m_only;
     double m_age = 1;
     bool m_playing = false, m_swaying = false;
+    int m_lod = 0;
     Model m_last = Model::Simple; ///< that was asked for
     SizeLimits m_limits;
     double m_givenMemory; ///< bytes; the limit where the user sets none

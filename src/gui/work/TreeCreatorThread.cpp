@@ -124,6 +124,7 @@ void CTreeCreatorThread::run() {
             readSurfaces(*request);
             makePictures(request->params, progress);
             readSurfaces(*request);
+            makeTwigs(*view->model, request->folder, progress);
         } catch (const CCancelled&) {
             // The next request says what to do instead.
         } catch (const CTooLarge& e) {
@@ -150,6 +151,16 @@ void CTreeCreatorThread::readSurfaces(const Request& request) {
         read = wanted;
         emit surfaceRead(surface, readSurface(surface, wanted.string()));
     }
+}
+
+/// The picture of the twigs on cards, which only coarse levels of detail have.
+void CTreeCreatorThread::makeTwigs(const TreeModel& model, const std::filesystem::path& folder, const CProgress& progress) {
+    if (!model.cards) return;
+    stromar::makePictures(model, folder, progress);
+    std::filesystem::path& read = m_read[static_cast<std::size_t>(Surface::Twig)];
+    const std::filesystem::path file = textureOf(model, Surface::Twig, folder);
+    if (file == std::exchange(read, file)) return;
+    emit surfaceRead(Surface::Twig, readSurface(Surface::Twig, file.string()));
 }
 
 std::shared_ptr<const ViewModel> CTreeCreatorThread::create(const Request& request, const CProgress& progress) {

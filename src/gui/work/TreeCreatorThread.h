@@ -68,6 +68,7 @@ private:
     std::optional<Request> nextRequest();
     std::shared_ptr<const ViewModel> create(const Request& request, const CProgress& progress);
     void readSurfaces(const Request& request);
+    void makeTwigs(const TreeModel& model, const std::filesystem::path& folder, const CProgress& progress);
     bool mayFinish() const;
     void freeMemory();
     TooLargeTree refusedTree(const Request& request, const Prediction& size) const;
