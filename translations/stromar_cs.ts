@@ -416,43 +416,43 @@
     </message>
     <message>
         <source>Level of Detail &amp;0</source>
-        <translation type="unfinished"></translation>
+        <translation>Úroveň detailu &amp;0</translation>
     </message>
     <message>
         <source>The full model, for near views</source>
-        <translation type="unfinished"></translation>
+        <translation>Úplný model, pro pohledy zblízka</translation>
     </message>
     <message>
         <source>Level of Detail &amp;1</source>
-        <translation type="unfinished"></translation>
+        <translation>Úroveň detailu &amp;1</translation>
     </message>
     <message>
         <source>The full model as it is seen from some way off</source>
-        <translation type="unfinished"></translation>
+        <translation>Úplný model, jak je vidět z určité vzdálenosti</translation>
     </message>
     <message>
         <source>Level of Detail &amp;2</source>
-        <translation type="unfinished"></translation>
+        <translation>Úroveň detailu &amp;2</translation>
     </message>
     <message>
         <source>The full model from afar, with cards of whole twigs</source>
-        <translation type="unfinished"></translation>
+        <translation>Úplný model z dálky, s kartami celých větviček</translation>
     </message>
     <message>
         <source>Level of Detail &amp;3</source>
-        <translation type="unfinished"></translation>
+        <translation>Úroveň detailu &amp;3</translation>
     </message>
     <message>
         <source>The coarsest full model, for trees on the horizon</source>
-        <translation type="unfinished"></translation>
+        <translation>Nejhrubší úplný model, pro stromy na obzoru</translation>
     </message>
     <message>
         <source>At Its Distance</source>
-        <translation type="unfinished"></translation>
+        <translation>V její vzdálenosti</translation>
     </message>
     <message>
         <source>Move to where a program would begin to show this level of detail</source>
-        <translation type="unfinished"></translation>
+        <translation>Přejít tam, kde by program začal ukazovat tuto úroveň detailu</translation>
     </message>
 </context>
 <context>
@@ -467,15 +467,15 @@
     </message>
     <message>
         <source>Simple model</source>
-        <translation type="unfinished">Jednoduchý model</translation>
+        <translation>Jednoduchý model</translation>
     </message>
     <message>
         <source>Full model</source>
-        <translation type="unfinished">Úplný model</translation>
+        <translation>Úplný model</translation>
     </message>
     <message>
         <source>Level of detail %1</source>
-        <translation type="unfinished"></translation>
+        <translation>Úroveň detailu %1</translation>
     </message>
 </context>
 <context>
@@ -3942,7 +3942,7 @@ Na: %5, č. %6</translation>
     </message>
     <message>
         <source>%1: %2 triangles, from %3 on</source>
-        <translation type="unfinished"></translation>
+        <translation>%1: %2 trojúhelníků, od %3 dál</translation>
     </message>
 </context>
 <context>

@@ -416,43 +416,43 @@
     </message>
     <message>
         <source>Level of Detail &amp;0</source>
-        <translation type="unfinished"></translation>
+        <translation>Уровень детализации &amp;0</translation>
     </message>
     <message>
         <source>The full model, for near views</source>
-        <translation type="unfinished"></translation>
+        <translation>Полная модель, для вида вблизи</translation>
     </message>
     <message>
         <source>Level of Detail &amp;1</source>
-        <translation type="unfinished"></translation>
+        <translation>Уровень детализации &amp;1</translation>
     </message>
     <message>
         <source>The full model as it is seen from some way off</source>
-        <translation type="unfinished"></translation>
+        <translation>Полная модель, как она видна с некоторого расстояния</translation>
     </message>
     <message>
         <source>Level of Detail &amp;2</source>
-        <translation type="unfinished"></translation>
+        <translation>Уровень детализации &amp;2</translation>
     </message>
     <message>
         <source>The full model from afar, with cards of whole twigs</source>
-        <translation type="unfinished"></translation>
+        <translation>Полная модель издалека, с карточками целых веточек</translation>
     </message>
     <message>
         <source>Level of Detail &amp;3</source>
-        <translation type="unfinished"></translation>
+        <translation>Уровень детализации &amp;3</translation>
     </message>
     <message>
         <source>The coarsest full model, for trees on the horizon</source>
-        <translation type="unfinished"></translation>
+        <translation>Самая грубая полная модель, для деревьев на горизонте</translation>
     </message>
     <message>
         <source>At Its Distance</source>
-        <translation type="unfinished"></translation>
+        <translation>На его расстоянии</translation>
     </message>
     <message>
         <source>Move to where a program would begin to show this level of detail</source>
-        <translation type="unfinished"></translation>
+        <translation>Отойти туда, откуда программа начала бы показывать этот уровень детализации</translation>
     </message>
 </context>
 <context>
@@ -467,15 +467,15 @@
     </message>
     <message>
         <source>Simple model</source>
-        <translation type="unfinished">Простая модель</translation>
+        <translation>Простая модель</translation>
     </message>
     <message>
         <source>Full model</source>
-        <translation type="unfinished">Полная модель</translation>
+        <translation>Полная модель</translation>
     </message>
     <message>
         <source>Level of detail %1</source>
-        <translation type="unfinished"></translation>
+        <translation>Уровень детализации %1</translation>
     </message>
 </context>
 <context>
@@ -3942,7 +3942,7 @@ On %5, stem %6</source>
     </message>
     <message>
         <source>%1: %2 triangles, from %3 on</source>
-        <translation type="unfinished"></translation>
+        <translation>%1: треугольников: %2, от %3</translation>
     </message>
 </context>
 <context>

@@ -416,43 +416,43 @@
     </message>
     <message>
         <source>Level of Detail &amp;0</source>
-        <translation type="unfinished"></translation>
+        <translation>Raven podrobnosti &amp;0</translation>
     </message>
     <message>
         <source>The full model, for near views</source>
-        <translation type="unfinished"></translation>
+        <translation>Polni model, za poglede od blizu</translation>
     </message>
     <message>
         <source>Level of Detail &amp;1</source>
-        <translation type="unfinished"></translation>
+        <translation>Raven podrobnosti &amp;1</translation>
     </message>
     <message>
         <source>The full model as it is seen from some way off</source>
-        <translation type="unfinished"></translation>
+        <translation>Polni model, kot je viden z nekaj razdalje</translation>
     </message>
     <message>
         <source>Level of Detail &amp;2</source>
-        <translation type="unfinished"></translation>
+        <translation>Raven podrobnosti &amp;2</translation>
     </message>
     <message>
         <source>The full model from afar, with cards of whole twigs</source>
-        <translation type="unfinished"></translation>
+        <translation>Polni model od daleč, s karticami celih vejic</translation>
     </message>
     <message>
         <source>Level of Detail &amp;3</source>
-        <translation type="unfinished"></translation>
+        <translation>Raven podrobnosti &amp;3</translation>
     </message>
     <message>
         <source>The coarsest full model, for trees on the horizon</source>
-        <translation type="unfinished"></translation>
+        <translation>Najbolj grob polni model, za drevesa na obzorju</translation>
     </message>
     <message>
         <source>At Its Distance</source>
-        <translation type="unfinished"></translation>
+        <translation>Na njeni razdalji</translation>
     </message>
     <message>
         <source>Move to where a program would begin to show this level of detail</source>
-        <translation type="unfinished"></translation>
+        <translation>Premakni se tja, kjer bi program začel kazati to raven podrobnosti</translation>
     </message>
 </context>
 <context>
@@ -467,15 +467,15 @@
     </message>
     <message>
         <source>Simple model</source>
-        <translation type="unfinished">Preprosti model</translation>
+        <translation>Preprosti model</translation>
     </message>
     <message>
         <source>Full model</source>
-        <translation type="unfinished">Polni model</translation>
+        <translation>Polni model</translation>
     </message>
     <message>
         <source>Level of detail %1</source>
-        <translation type="unfinished"></translation>
+        <translation>Raven podrobnosti %1</translation>
     </message>
 </context>
 <context>
@@ -3948,7 +3948,7 @@ Na: %5, št. %6</translation>
     </message>
     <message>
         <source>%1: %2 triangles, from %3 on</source>
-        <translation type="unfinished"></translation>
+        <translation>%1: %2 trikotnikov, od %3 naprej</translation>
     </message>
 </context>
 <context>
