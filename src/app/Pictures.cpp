@@ -14,12 +14,12 @@ namespace stromar {
 namespace fs = std::filesystem;
 
 namespace {
-constexpr int kTileSize = 1024, kCutOutSize = 512, kPreviewSize = 96;
+constexpr int kTileSize = 1024, kPreviewTileSize = 192, kCutOutSize = 512, kPreviewSize = 96;
 constexpr double kSeasonSteps = 0.2;      // of a month: the picture follows the slider in so many
 constexpr std::uint64_t kLookVersion = 2; // rises when the same recipe is drawn differently
 
 int sizeOf(Surface surface, PictureQuality quality) {
-    if (!surfaceOf(surface).cutOut) return kTileSize;
+    if (!surfaceOf(surface).cutOut) return quality == PictureQuality::Preview ? kPreviewTileSize : kTileSize;
     return quality == PictureQuality::Preview ? kPreviewSize : kCutOutSize;
 }
 
@@ -29,12 +29,6 @@ std::string seasonWords(const CParams& params) {
     const double month = std::round(g.season / kSeasonSteps) * kSeasonSteps;
     const bool summer = month >= kGreenFrom && month <= kGreenUntil;
     return g.evergreen || summer ? std::string() : " season=" + numberText(month);
-}
-
-fs::path cacheFolder() {
-    if (const char* own = std::getenv("XDG_CACHE_HOME"); own && *own) return fs::path(own) / "stromar";
-    if (const char* home = std::getenv("HOME"); home && *home) return fs::path(home) / ".cache" / "stromar";
-    return fs::temp_directory_path() / "stromar-cache";
 }
 
 std::string nameOf(std::uint64_t hash) {
@@ -47,7 +41,7 @@ std::string nameOf(std::uint64_t hash) {
 fs::path recipeFile(std::string_view recipe, int size) {
     std::uint64_t hash = hashCombine(kLookVersion, static_cast<std::uint64_t>(size));
     for (const char c : recipe) hash = hashCombine(hash, static_cast<unsigned char>(c));
-    return cacheFolder() / "textures" / nameOf(hash);
+    return pictureCache() / "textures" / nameOf(hash);
 }
 
 void keepPicture(const TextureMaps& maps, const fs::path& file) {
@@ -65,7 +59,50 @@ TwigSource twigSource(const TreeModel& model, const fs::path& folder) {
         source.leaves[kind] = textureOf(model.params, shownSurface(model.params, kLeafSurfaces[kind]), folder);
     return source;
 }
+struct KeptPicture {
+    fs::path file;
+    std::uintmax_t bytes;
+    fs::file_time_type time;
+};
+
+std::vector<KeptPicture> keptPictures() {
+    std::vector<KeptPicture> kept;
+    std::error_code problem; // of files that others remove meanwhile
+    for (fs::recursive_directory_iterator at(pictureCache(), problem), end; !problem && at != end; at.increment(problem)) {
+        if (!at->is_regular_file(problem)) continue;
+        KeptPicture picture{at->path(), at->file_size(problem), {}};
+        if (!problem) picture.time = at->last_write_time(problem);
+        if (!problem) kept.push_back(std::move(picture));
+        problem.clear();
+    }
+    return kept;
+}
+
+std::uintmax_t sizeOf(const std::vector<KeptPicture>& kept) {
+    std::uintmax_t sum = 0;
+    for (const KeptPicture& picture : kept) sum += picture.bytes;
+    return sum;
+}
 } // namespace
+
+fs::path pictureCache() {
+    if (const char* own = std::getenv("XDG_CACHE_HOME"); own && *own) return fs::path(own) / "stromar";
+    if (const char* home = std::getenv("HOME"); home && *home) return fs::path(home) / ".cache" / "stromar";
+    return fs::temp_directory_path() / "stromar-cache";
+}
+
+std::uintmax_t pictureCacheSize() { return sizeOf(keptPictures()); }
+
+void trimPictureCache(std::uintmax_t bytes) {
+    auto kept = keptPictures();
+    std::uintmax_t left = sizeOf(kept);
+    std::ranges::sort(kept, {}, &KeptPicture::time);
+    for (const KeptPicture& oldest : kept) {
+        if (left <= bytes) return;
+        std::error_code problem;
+        if (fs::remove(oldest.file, problem)) left -= oldest.bytes;
+    }
+}
 
 fs::path dataFolder() {
     if (const char* own = std::getenv("STROMAR_DATA")) return own;
@@ -111,8 +148,7 @@ void makePictures(const CParams& params, const CProgress& progress, PictureQuali
         if (!isRecipe(recipe)) continue;
         const CRecipe read(recipe);
         const fs::path file = textureOf(params, surface, {}, quality);
-        const bool enough = quality == PictureQuality::Preview &&
-                            (!surfaceOf(surface).cutOut || fs::exists(textureOf(params, surface, {}, PictureQuality::Full)));
+        const bool enough = quality == PictureQuality::Preview && fs::exists(textureOf(params, surface, {}, PictureQuality::Full));
         if (enough || fs::exists(file)) continue;
         keepPicture(read.draw(sizeOf(surface, quality), progress), file);
     }
@@ -120,7 +156,7 @@ void makePictures(const CParams& params, const CProgress& progress, PictureQuali
 
 fs::path textureOf(const TreeModel& model, Surface surface, const fs::path& folder) {
     if (surface != Surface::Twig) return textureOf(model.params, surface, folder);
-    return model.twig ? cacheFolder() / "twigs" / nameOf(twigHash(*model.twig, twigSource(model, folder))) : fs::path();
+    return model.twig ? pictureCache() / "twigs" / nameOf(twigHash(*model.twig, twigSource(model, folder))) : fs::path();
 }
 
 void makePictures(const TreeModel& model, const fs::path& folder, const CProgress& progress) {

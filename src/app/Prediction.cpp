@@ -76,6 +76,24 @@ bool mayShowCards(const CParams& params, const Detail& detail, const CProgress& 
     return showsCards(params, methodOf(params).bound(params, progress), meshParamsOf(params), detail);
 }
 
+std::optional<std::pair<ParamRef, double>> leastChangeThatFits(const CParams& params, const Detail& detail, const SizeLimits& limits,
+                                                               const CProgress& progress) {
+    std::optional<std::pair<ParamRef, double>> best;
+    double most = 0; // share of its value that is left
+    for (const ParamRef& ref : allParams(params.block())) {
+        progress.poll();
+        if (!ref.info->integer() || ref.get(params) <= 1) continue;
+        CParams least = params;
+        ref.set(least, std::max(ref.info->range.min, 1.0));
+        if (!limits.allow(predictSize(least, detail, progress))) continue;
+        const double fits = nearestThatFits(params, ref, ref.get(least), detail, limits), left = fits / ref.get(params);
+        if (left <= most) continue;
+        most = left;
+        best = {ref, fits};
+    }
+    return best;
+}
+
 double nearestThatFits(const CParams& params, const ParamRef& ref, double fits, const Detail& detail,
                        const SizeLimits& limits) {
     const double step = ref.info->integer() ? 1 : std::pow(10, -ref.info->decimals);

@@ -3,6 +3,7 @@
 #ifdef STROMAR_WITH_OSG
 #include "stromar/model/ModelSway.h"
 #include "stromar/scene/Headless.h"
+#include "stromar/scene/Outline.h"
 #include <cmath>
 #endif
 
@@ -22,7 +23,6 @@ std::span<const SeasonName> seasonNames() { return kSeasons; }
 #ifdef STROMAR_WITH_OSG
 namespace {
 constexpr double kFilmHeight = 24; // millimetres
-constexpr double kGap = 0.04;      // between trees of a row, of their height or width
 
 /// Corners of the box, or all that is drawn, as the options frame it.
 CCamera cameraOf(const RenderOptions& options, const osg::BoundingBox& all, const std::vector<osg::Vec3f>& points) {
@@ -44,23 +44,6 @@ CCamera cameraOf(const RenderOptions& options, const osg::BoundingBox& all, cons
     return camera;
 }
 
-/// Where the parts have vertices; of leaves feet and tips.
-std::vector<osg::Vec3f> pointsOf(const std::vector<ViewPart>& parts) {
-    std::vector<osg::Vec3f> points;
-    for (const ViewPart& part : parts) {
-        if (part.mesh)
-            for (const glm::vec3& p : part.mesh->positions) points.emplace_back(p.x, p.y, p.z);
-        for (std::size_t i = 0; part.organs && i < part.organs->count(); ++i) {
-            const CLeaf leaf = part.organs->leaf(i);
-            for (const float along : {0.f, static_cast<float>(leaf.length)}) {
-                const glm::vec3 p = glm::vec3(leaf.position) + along * glm::vec3(leaf.axis);
-                points.emplace_back(p.x, p.y, p.z);
-            }
-        }
-    }
-    return points;
-}
-
 using SurfaceFiles = std::array<std::string, kSurfaces.size()>;
 
 /// The pictures of all surfaces that parts show, those that `shown` does not have yet; `take` is given each.
@@ -75,16 +58,6 @@ void readSurfaces(const RenderTree& tree, const std::vector<ViewPart>& parts, Su
         take(part.surface, maps);
         known = file;
     }
-}
-
-/// How far parts reach to either side along a direction.
-std::pair<double, double> reachOf(const std::vector<ViewPart>& parts, const osg::Vec3d& along) {
-    double left = 0, right = 0;
-    for (const osg::Vec3f& point : pointsOf(parts)) {
-        left = std::max(left, -(osg::Vec3d(point) * along));
-        right = std::max(right, osg::Vec3d(point) * along);
-    }
-    return {left, right};
 }
 
 /// Paints one model after the other, from one place.
@@ -114,15 +87,16 @@ public:
     void showBeside(std::span<const RenderTree> trees, const CProgress& progress) {
         std::vector<TreeBeside> others;
         const osg::Vec3d along = cameraOf(m_options, {}, {}).right();
-        double edge = reachOf(m_parts, along).second;
+        double edge = reachOf(m_parts, along).second, before = 0;
         for (const RenderTree& tree : trees) {
             makePictures(*tree.model, tree.folder, progress);
             TreeBeside& other = others.emplace_back(TreeBeside{viewPartsOf(*tree.model, {}, progress), {}, {}});
             const auto [left, right] = reachOf(other.parts, along);
-            const double gap = kGap * std::max(tree.model->tree->height(), left + right);
-            other.place = osg::Vec3(along * (edge + gap + left));
-            edge += gap + left + right;
-            for (const osg::Vec3f& point : pointsOf(other.parts)) m_beside.push_back(point + other.place);
+            const double foot = before + distanceInRow(edge, left, std::max(tree.model->tree->height(), left + right));
+            other.place = osg::Vec3(along * foot);
+            before = foot;
+            edge = right;
+            for (const osg::Vec3f& point : outlineOf(other.parts)) m_beside.push_back(point + other.place);
             SurfaceFiles shown;
             readSurfaces(tree, other.parts, shown,
                          [&](Surface surface, const auto& maps) { other.surfaces[static_cast<std::size_t>(surface)] = maps; });
@@ -157,7 +131,7 @@ private:
     /// What has to be in the picture; nothing where a view decides.
     std::vector<osg::Vec3f> fitted() const {
         if (!m_options.fit) return {};
-        std::vector<osg::Vec3f> points = pointsOf(m_parts);
+        std::vector<osg::Vec3f> points = outlineOf(m_parts);
         points.insert(points.end(), m_beside.begin(), m_beside.end());
         return points;
     }

@@ -8,6 +8,7 @@
 #include "window/Settings.h"
 #include "window/Theme.h"
 #include "window/WindowKeeper.h"
+#include "stromar/app/Pictures.h"
 #include <QAction>
 #include <QApplication>
 #include <QCommandLineParser>
@@ -20,6 +21,8 @@
 
 namespace {
 using namespace stromar;
+
+constexpr std::uintmax_t kMegabyte = 1'000'000;
 
 /// What the command line asks for.
 struct Options {
@@ -143,6 +146,7 @@ int main(int argc, char** argv) {
     try {
         if (!options.helpPictures.isEmpty()) return writeHelpPictures(options.helpPictures) ? 0 : 1;
         applyTheme(CSettings::instance().text("theme"));
+        trimPictureCache(kMegabyte * static_cast<std::uintmax_t>(CSettings::instance().number("pictureCache")));
         CWindowKeeper keeper(options.limits);
         CMainWindow& window = keeper.window();
         if (options.size.isValid()) window.resize(options.size);
@@ -151,6 +155,7 @@ int main(int argc, char** argv) {
             return 1;
         }
         window.show();
+        if (options.file.isEmpty()) window.showStart();
         if (!options.screenshot.isEmpty()) window.growth().showOnly(options.model);
         if (!options.file.isEmpty() && !window.files().open(options.file) && !options.screenshot.isEmpty()) return 1;
         for (const QString& name : std::as_const(options.commands)) window.findChild<QAction*>(name)->trigger();

@@ -23,6 +23,24 @@ osg::ref_ptr<osg::Geometry> makeBackground() {
     return background;
 }
 
+osg::ref_ptr<osg::Geometry> makeReference() {
+    osg::ref_ptr<osg::Geometry> picture = new osg::Geometry;
+    osg::ref_ptr<osg::Vec3Array> corners = new osg::Vec3Array;
+    for (const osg::Vec3& corner : {osg::Vec3(-0.5f, 0, 0), osg::Vec3(0.5f, 0, 0), osg::Vec3(-0.5f, 1, 0), osg::Vec3(0.5f, 1, 0)})
+        corners->push_back(corner);
+    picture->setVertexArray(corners);
+    picture->setUseDisplayList(false);
+    picture->setUseVertexBufferObjects(true);
+    picture->addPrimitiveSet(new osg::DrawArrays(GL_TRIANGLE_STRIP, 0, 4));
+    picture->setCullingActive(false);
+    picture->setComputeBoundingBoxCallback(new NoBounds);
+    osg::StateSet* state = picture->getOrCreateStateSet();
+    state->setAttributeAndModes(new osg::Depth(osg::Depth::ALWAYS, 0, 1, false));
+    state->setAttributeAndModes(makeProgram("reference", kReferenceVertexShader, kReferenceFragmentShader));
+    state->setRenderBinDetails(-9, "RenderBin");
+    return picture;
+}
+
 osg::ref_ptr<osg::Program> makeBackgroundProgram(const char* looks) {
     return makeProgram("background", kBackgroundVertexShader,
                        std::string(looks) + kLightFunctions + kGroundFunctions + kBackgroundFragmentShader);

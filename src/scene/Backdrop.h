@@ -15,6 +15,9 @@ struct NoBounds : osg::Drawable::ComputeBoundingBoxCallback {
 osg::ref_ptr<osg::Geometry> makeBackground();
 osg::ref_ptr<osg::Program> makeBackgroundProgram(const char* looks);
 
+/// An upright picture turned to the eye, behind everything but the background: texture 0, metres in the uniform "size".
+osg::ref_ptr<osg::Geometry> makeReference();
+
 /// A person of 1.75 m at `place`, upright and turned to the eye.
 osg::ref_ptr<osg::Group> makePerson(osg::Uniform* place);
 

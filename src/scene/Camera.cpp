@@ -7,6 +7,7 @@
 namespace stromar {
 
 namespace {
+constexpr double kFitMargin = 0.98; // of the window that is filled
 constexpr double kMaxPitch = 89.9;
 constexpr double kOrthographicBack = 1000; // metres: nothing may lie behind an orthographic eye
 constexpr double kNearest = 0.01, kFarthest = 20000;
@@ -48,8 +49,8 @@ void CCamera::frame(const osg::BoundingBoxd& box, double aspect) {
 /// Of an eye at e, in the camera's axes with z towards it, a point p is seen when |p.x − e.x| ≤ s·(e.z − p.z) with the
 /// slope s of the window's sides: four planes, each of which the outermost point puts in its place.
 void CCamera::fit(std::span<const osg::Vec3f> points, double aspect) {
-    constexpr double kMargin = 0.98;
-    const double up = kMargin * std::tan(osg::DegreesToRadians(m_fieldOfView / 2)), aside = up * aspect;
+    if (m_orthographic) return fitLevel(points, aspect);
+    const double up = kFitMargin * std::tan(osg::DegreesToRadians(m_fieldOfView / 2)), aside = up * aspect;
     const osg::Quat back = m_turn.inverse();
     const double none = -std::numeric_limits<double>::infinity();
     double right = none, left = none, top = none, bottom = none;
@@ -66,6 +67,16 @@ void CCamera::fit(std::span<const osg::Vec3f> points, double aspect) {
                          std::max((right + left) / (2 * aside), (top + bottom) / (2 * up)));
     m_distance = std::max(kNearest, eye.z() - (back * osg::Vec3d(box.center())).z());
     m_centre = m_turn * (eye - osg::Vec3d(0, 0, m_distance));
+}
+
+/// Without perspective the window's half height alone counts.
+void CCamera::fitLevel(std::span<const osg::Vec3f> points, double aspect) {
+    const osg::Quat back = m_turn.inverse();
+    osg::BoundingBoxd box;
+    for (const osg::Vec3f& point : points) box.expandBy(back * osg::Vec3d(point));
+    const double half = std::max(box.yMax() - box.yMin(), (box.xMax() - box.xMin()) / aspect) / 2;
+    m_distance = std::max(kNearest, half / kFitMargin / std::tan(osg::DegreesToRadians(m_fieldOfView / 2)));
+    m_centre = m_turn * box.center();
 }
 
 void CCamera::turn(double yaw, double pitch) {
@@ -93,6 +104,12 @@ void CCamera::pan(const osg::Vec2d& by, double aspect) {
 }
 
 void CCamera::zoom(double factor) { m_distance = std::clamp(m_distance * factor, kNearest * 2, kFarthest / 4); }
+
+void CCamera::place(const osg::Vec3d& centre, double distance, const osg::Quat& axes) {
+    m_centre = centre;
+    m_turn = axes;
+    zoom(distance / m_distance);
+}
 
 osg::Vec3d CCamera::eye() const {
     return m_centre - forward() * (m_distance + (m_orthographic ? kOrthographicBack : 0));

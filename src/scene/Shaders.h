@@ -310,6 +310,26 @@ void main() {
 }
 )";
 
+inline constexpr const char* kReferenceVertexShader = R"(#version 120
+uniform mat4 osg_ViewMatrix;
+uniform vec2 size;
+varying vec2 at;
+void main() {
+    vec3 up = (osg_ViewMatrix * vec4(0.0, 0.0, 1.0, 0.0)).xyz;
+    vec3 aside = normalize(cross(up, vec3(0.0, 0.0, 1.0)) + vec3(1e-4, 0.0, 0.0));
+    vec4 foot = gl_ModelViewMatrix * vec4(0.0, 0.0, 0.0, 1.0);
+    gl_Position = gl_ProjectionMatrix * vec4(foot.xyz + aside * size.x * gl_Vertex.x + up * size.y * gl_Vertex.y, 1.0);
+    gl_Position.z = 0.0; // neither too near nor too far
+    at = vec2(0.5 + gl_Vertex.x, gl_Vertex.y);
+}
+)";
+
+inline constexpr const char* kReferenceFragmentShader = R"(#version 120
+uniform sampler2D picture;
+varying vec2 at;
+void main() { gl_FragColor = vec4(texture2D(picture, at).rgb, 1.0); }
+)";
+
 inline constexpr const char* kPlainFragmentShader = R"(#version 120
 uniform vec4 colour;
 void main() { gl_FragColor = colour; }

@@ -10,6 +10,7 @@
 #include "stromar/model/Material.h"
 #include "stromar/scene/Daylight.h"
 #include "stromar/scene/OsgGeometry.h"
+#include "stromar/scene/Outline.h"
 #include "stromar/scene/SurfaceMaps.h"
 #include "stromar/texture/Opacity.h"
 #include <algorithm>
@@ -26,6 +27,7 @@ namespace {
 constexpr double kSunRadius = 0.012; // radians: the disc and the glow about it
 constexpr double kThinnestWood = 0.65; // pixels, a radius: of tubes of three sides no row of pixels is without one
 constexpr float kShadowRoom = 0.1f; // about a moving tree, of its size
+constexpr std::size_t kOutlinePoints = 2000; // of a part
 constexpr int kBestShadow = 2048, kFastShadow = 1024; // pixels of a side
 
 osg::ref_ptr<osg::Program> makeLitProgram(const char* looks) {
@@ -55,7 +57,7 @@ SwayPlaces ofVertices(const SwayPlaces& instances, std::size_t vertices) {
 
 CViewScene::CViewScene()
     : m_root(new osg::Group), m_tree(new osg::Group), m_wireframe(new osg::Group), m_stand(new osg::Group),
-      m_background(makeBackground()), m_main(std::make_unique<CTreeNode>()), m_state(m_root->getOrCreateStateSet()) {
+      m_background(makeBackground()), m_reference(makeReference()), m_main(std::make_unique<CTreeNode>()), m_state(m_root->getOrCreateStateSet()) {
     m_stand->addChild(m_main->node());
     m_shadows = std::make_unique<CShadowMap>(m_stand);
     m_shadows->addTo(m_state, kShadowUnit);
@@ -66,6 +68,7 @@ CViewScene::CViewScene()
     m_wireframe->addChild(m_stand);
     m_root->addChild(m_shadows->camera());
     m_root->addChild(m_background);
+    m_root->addChild(m_reference);
     m_grass = std::make_unique<CGrass>();
     m_root->addChild(m_grass->node());
     m_root->addChild(m_tree);
@@ -262,6 +265,7 @@ void CViewScene::setLook(const ViewLook& look) {
     for (CTreeNode* tree : trees()) tree->showLeaves(look.leaves);
     m_root->removeChild(m_person);
     if (look.ground) m_root->addChild(m_person); // only then does it take room
+    showReference();
     if (!sameLight || !m_state->getUniform("sun")) updateLight();
 }
 
@@ -277,6 +281,21 @@ void CViewScene::showBackdropPicture() {
     setInteger(state, "backdropPicture", kBackdropUnit);
     setFloat(state, "backdropAspect", picture.panorama ? 0 : double(picture.image->s()) / picture.image->t());
     setFloat(state, "backdropScale", picture.scale);
+}
+
+void CViewScene::showReference() {
+    stromar::show(*m_reference, m_look.reference != nullptr);
+    if (!m_look.reference) return;
+    osg::Image& image = *m_look.reference->image;
+    osg::StateSet* state = m_reference->getOrCreateStateSet();
+    const auto* now = static_cast<const osg::Texture2D*>(state->getTextureAttribute(kAlbedoUnit, osg::StateAttribute::TEXTURE));
+    if (!now || now->getImage() != &image) {
+        osg::ref_ptr<osg::Texture2D> texture = new osg::Texture2D(&image);
+        texture->setResizeNonPowerOfTwoHint(false);
+        state->setTextureAttributeAndModes(kAlbedoUnit, texture);
+    }
+    const double high = m_look.referenceHeight;
+    state->getOrCreateUniform("size", osg::Uniform::FLOAT_VEC2)->set(osg::Vec2(osg::Vec2d(high * image.s() / image.t(), high)));
 }
 
 void CViewScene::tint(int generation) {
@@ -381,6 +400,13 @@ osg::BoundingBox CViewScene::bounds() const {
     osg::BoundingBox box;
     for (const CTreeNode* tree : trees()) box.expandBy(tree->bounds());
     return box;
+}
+
+std::vector<osg::Vec3f> CViewScene::outline() const {
+    std::vector<osg::Vec3f> points;
+    for (const CTreeNode* tree : trees())
+        for (const osg::Vec3f& point : outlineOf(tree->parts(), kOutlinePoints)) points.push_back(point + tree->place());
+    return points;
 }
 
 /// What stands on the ground, and the shade there.

@@ -62,7 +62,7 @@ TEST_F(PresetTest, OpeningOneCanBeUndone) {
     ASSERT_TRUE(waitFor([&] { return item("Black Tupelo") != nullptr; }));
     window.document().setValue(paramRef("Scale"), 17, 0);
     answerNext(QMessageBox::Cancel);
-    emit window.presets().list().itemActivated(item("Black Tupelo"));
+    emit window.presets().list().itemClicked(item("Black Tupelo"));
     EXPECT_FALSE(asked) << "undo brings the changes back";
     EXPECT_EQ(value("Scale"), 23);
     EXPECT_FALSE(window.close());
@@ -88,7 +88,7 @@ TEST_F(PresetTest, OnesOwnAndBrokenOnes) {
     ASSERT_TRUE(item("broken"));
     EXPECT_TRUE(item("broken")->toolTip().contains(QLatin1String("broken.tree:2:9")));
     answerNext(QMessageBox::Ok);
-    emit window.presets().list().itemActivated(item("broken"));
+    emit window.presets().list().itemClicked(item("broken"));
     EXPECT_TRUE(asked);
     EXPECT_EQ(window.document().path(), presetPath("quaking_aspen")) << "nothing has changed";
     QDir(own).removeRecursively();

@@ -26,10 +26,10 @@ int waitToBeKilled() {
 void shareCaches(const QString& home) {
     const QString shared = QString::fromLocal8Bit(qgetenv("XDG_RUNTIME_DIR")) + QStringLiteral("/stromar-tests");
     if (qEnvironmentVariableIsEmpty("XDG_RUNTIME_DIR")) return;
-    for (const auto& [own, kind] : {std::pair{"/stromar", "/textures"}, {"/Stromar/Test", "/thumbnails"}}) {
+    QDir().mkpath(home + QStringLiteral("/stromar"));
+    for (const char* kind : {"/textures", "/thumbnails"}) {
         QDir().mkpath(shared + QLatin1String(kind));
-        QDir().mkpath(home + QLatin1String(own));
-        QFile::link(shared + QLatin1String(kind), home + QLatin1String(own) + QLatin1String(kind));
+        QFile::link(shared + QLatin1String(kind), home + QStringLiteral("/stromar") + QLatin1String(kind));
     }
     qputenv("MESA_SHADER_CACHE_DIR", (shared + QStringLiteral("/shaders")).toLocal8Bit());
 }

@@ -11,11 +11,18 @@ namespace stromar {
 /// The folder of the presets, textures and manual that come with the program.
 std::filesystem::path dataFolder();
 
+/// The user's folder of pictures that were drawn, which can be drawn again: textures, twigs, thumbnails.
+std::filesystem::path pictureCache();
+/// What they take, bytes.
+std::uintmax_t pictureCacheSize();
+/// Removes the oldest until no more than so many bytes are left. What cannot be removed stays.
+void trimPictureCache(std::uintmax_t bytes);
+
 /// What a surface that the user can choose shows: the tree's own picture or recipe, with the month where it changes a
 /// recipe, else the standard.
 std::string pictureOf(const CParams& params, Surface surface);
 
-/// A preview of a leaf is small and quickly drawn, for a slider that is being dragged.
+/// A preview is small and quickly drawn, for a slider that is being dragged.
 enum class PictureQuality { Full, Preview };
 
 /// Whether pictures of twigs can be made of the leaf's: a recipe or a PNG.
@@ -31,7 +38,7 @@ using SurfaceTextures = std::array<std::filesystem::path, kSurfaces.size()>;
 SurfaceTextures texturesOf(const CParams& params, const std::filesystem::path& folder);
 
 /// Draws the pictures of a tree's recipes that are not there yet; they are kept in the user's cache. A second or two
-/// each; previews, which only leaves have, some hundredths. Any thread. Throws CError, which says what is wrong with a
+/// each; previews some hundredths. Any thread. Throws CError, which says what is wrong with a
 /// recipe, and CCancelled.
 void makePictures(const CParams& params, const CProgress& progress, PictureQuality quality = PictureQuality::Full);
 

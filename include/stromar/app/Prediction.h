@@ -4,6 +4,8 @@
 #include "stromar/params/ParamTable.h"
 #include "stromar/util/Error.h"
 #include "stromar/util/Progress.h"
+#include <optional>
+#include <utility>
 
 namespace stromar {
 
@@ -55,5 +57,10 @@ bool mayShowCards(const CParams& params, const Detail& detail, const CProgress& 
 /// and its own. Whole for integers. `fits` itself when not even that is small enough.
 double nearestThatFits(const CParams& params, const ParamRef& ref, double fits, const Detail& detail,
                        const SizeLimits& limits);
+
+/// The one value of a tree that has to change least, in proportion, for it to be within the limits; nothing where no value alone
+/// does. Some hundred predictions. Throws CCancelled.
+std::optional<std::pair<ParamRef, double>> leastChangeThatFits(const CParams& params, const Detail& detail, const SizeLimits& limits,
+                                                               const CProgress& progress);
 
 } // namespace stromar

@@ -37,7 +37,12 @@ public:
     void setOrthographic(bool on) { m_orthographic = on; }
     bool orthographic() const { return m_orthographic; }
 
+    /// As another one stands: the point it turns about, the distance to it, and its axes.
+    void place(const osg::Vec3d& centre, double distance, const osg::Quat& axes);
+
     osg::Vec3d eye() const;
+    /// From the camera's axes (x right, y up, −z ahead) to the world's.
+    const osg::Quat& axes() const { return m_turn; }
     const osg::Vec3d& centre() const { return m_centre; }
     double distance() const { return m_distance; }
     osg::Vec3d forward() const { return m_turn * osg::Vec3d(0, 0, -1); }
@@ -55,6 +60,8 @@ public:
     double halfHeight() const;
 
 private:
+    void fitLevel(std::span<const osg::Vec3f> points, double aspect);
+
     osg::Vec3d m_centre{0, 0, 1};
     double m_distance = 10;
     osg::Quat m_turn; ///< from the camera's axes (x right, y up, −z ahead) to the world's

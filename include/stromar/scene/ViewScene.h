@@ -53,6 +53,9 @@ struct ViewLook {
     Wireframe wireframe = Wireframe::Off;
     Shading shading = Shading::Lit;
     Light light{};
+    /// A photograph of a real tree, upright behind the trees whatever is in between, its foot at the trunk's; null: none.
+    std::shared_ptr<const BackdropPicture> reference{};
+    double referenceHeight = 10; ///< metres that it is high
     bool leaves = true;  ///< and blossoms and fruits
     bool ground = false; ///< a grid of metres, and a person of 1.75 m beside the tree
     bool operator==(const ViewLook&) const = default;
@@ -100,6 +103,8 @@ public:
     void tint(int generation);
     int tinted() const { return m_tinted; }
     osg::BoundingBox bounds() const; ///< of all trees
+    /// Some thousands of points that all trees reach to.
+    std::vector<osg::Vec3f> outline() const;
     /// For who draws: what lay on the graphics card is lost; frame buffers have so many samples. One sample stands for
     /// drawing by the processor: lesser looks. Without `instancing`, which OpenGL 3.3 has, leaves get vertices of their
     /// own.
@@ -118,6 +123,7 @@ private:
     std::vector<CTreeNode*> trees() const;
     void updateGround();
     void showBackdropPicture();
+    void showReference();
     void updateLight();
     void hangParts();
     void aimAtPose();
@@ -127,7 +133,7 @@ private:
     std::optional<ViewHit> pickSwayed(const osg::Vec3d& from, const osg::Vec3d& direction) const;
 
     osg::ref_ptr<osg::Group> m_root, m_tree, m_wireframe, m_person, m_stand; ///< m_stand: all trees
-    osg::ref_ptr<osg::Geometry> m_background;
+    osg::ref_ptr<osg::Geometry> m_background, m_reference;
     std::unique_ptr<CTreeNode> m_main;
     std::vector<std::unique_ptr<CTreeNode>> m_others;
     std::unique_ptr<CGrass> m_grass;

@@ -126,8 +126,19 @@ void CDocument::open(const QString& path) {
     replace(newPlace(CTreeFile::read(toPath(path)), QFileInfo(path).absoluteFilePath(), {}));
 }
 
+void CDocument::goBack() {
+    if (!m_previous) return;
+    const CParams wanted = m_previousParams;
+    replace(m_previous);
+    m_previous.reset();
+    if (wanted == m_params) return;
+    edit(tr("Unsaved changes"), [&](CParams& params) { params = wanted; });
+}
+
 void CDocument::replace(const PlacePtr& place) {
     m_history.clear();
+    m_previous = m_place;
+    m_previousParams = m_params;
     m_place = place;
     setParams(m_place->file->params());
     emit nameChanged();
@@ -137,9 +148,16 @@ void CDocument::replace(const PlacePtr& place) {
 void CDocument::loadPreset(const QString& path) {
     CTreeFile file = CTreeFile::read(toPath(path));
     const CParams whole = withWholePaths(file.params(), toPath(QFileInfo(path).absolutePath()));
+    const bool open = this->path().isEmpty() && displayName() == QFileInfo(path).fileName() && m_params == whole;
+    if (open) return; // the second click of a double click
     if (whole != file.params()) file = CTreeFile::parse(file.text(whole), path.toStdString());
     m_history.push(new CPresetCommand(*this, tr("Open preset %1").arg(QFileInfo(path).completeBaseName()),
                                       newPlace(std::move(file), {}, QFileInfo(path).fileName())));
+}
+
+void CDocument::startWith(const QString& path) {
+    loadPreset(path);
+    m_history.clear();
 }
 
 void CDocument::restore(const QString& path, const CParams& params) {

@@ -41,6 +41,10 @@ public:
     /// Writes the tree under another species name; the document stays what it is. Throws CError.
     void saveCopy(const QString& path, const QString& species) const;
 
+    /// The document before the one that was opened or started last, as it was; without its history. False when there is none.
+    bool canGoBack() const { return m_previous != nullptr; }
+    void goBack();
+
     /// What a step is called, by the values before and after it.
     using StepText = std::function<QString(const CParams& before, const CParams& after)>;
 
@@ -53,8 +57,10 @@ public:
     /// Several values as one step; `text` names it.
     void setValues(const QString& text, const ParamValues& values);
     /// The tree of a preset as a new, unnamed document; one step of the history, so that nothing is lost. Throws
-    /// CError.
+    /// CError. Nothing happens where it is just the document already.
     void loadPreset(const QString& path);
+    /// The same without a way back: for a program that starts.
+    void startWith(const QString& path);
     /// What a crash left: values on top of the file at `path` (empty: of a new document). They count as changes.
     void restore(const QString& path, const CParams& params);
 
@@ -85,8 +91,8 @@ private:
     CParams paramsFor(const QString& target) const;
 
     std::vector<std::weak_ptr<Place>> m_places; ///< all that the history may come back to
-    PlacePtr m_place;
-    CParams m_params;
+    PlacePtr m_place, m_previous;
+    CParams m_params, m_previousParams;
     QUndoStack m_history;
 };
 

@@ -1,4 +1,5 @@
 #include "document/FileController.h"
+#include "document/Gesture.h"
 #include "library/PresetBrowser.h"
 #include "library/TextureWorkshop.h"
 #include "window/MessageBar.h"
@@ -75,6 +76,14 @@ bool CFileController::openPreset(const QString& path) {
         return false;
     }
     return true;
+}
+
+void CFileController::startWith(const QString& path) {
+    try {
+        m_document.startWith(path);
+    } catch (const CError&) {
+        // A new tree stays.
+    }
 }
 
 bool CFileController::save(const QString& path) {
@@ -174,17 +183,34 @@ void CFileController::setFile(const ParamRef& text, const QString& path) {
     m_document.setValue(text, own, 0);
 }
 
-/// With the recipe that the surface has, or with the first of the book.
+/// With the recipe that the surface has, or with the first of the book. The tree wears it at once, as one step.
 void CFileController::openWorkshop(const ParamRef& text) {
-    const std::string& own = text.text(m_document.params());
-    std::string start = isRecipe(own) ? own : plainRecipes(text.info->recipes).front();
+    const std::string own = text.text(m_document.params());
+    const std::string start = isRecipe(own) ? own : plainRecipes(text.info->recipes).front();
+    if (m_workshop) m_workshop->close();
     try {
-        CTextureWorkshop workshop{CRecipe(start), m_window};
-        if (workshop.exec() == QDialog::Accepted)
-            m_document.setValue(text, workshop.recipe().text(), 0);
+        m_workshop = new CTextureWorkshop(CRecipe(start), aspectOf(text), m_window);
     } catch (const CError& e) {
-        emit failed(QString::fromUtf8(e.what()));
+        return tellError(tr("Cannot open the workshop"), toQString(e.what()));
     }
+    m_workshop->setAttribute(Qt::WA_DeleteOnClose);
+    const auto wear = [this, text, gesture = nextGesture()](const std::string& value) { m_document.setValue(text, value, gesture); };
+    const auto wearRecipe = [this, wear] { wear(m_workshop->recipe().text()); };
+    connect(m_workshop, &CTextureWorkshop::changed, this, wearRecipe);
+    connect(m_workshop, &QDialog::accepted, this, wearRecipe);
+    connect(m_workshop, &QDialog::rejected, this, [wear, own] { wear(own); });
+    connect(&m_document, &CDocument::replaced, m_workshop, [workshop = m_workshop.data(), this] {
+        workshop->disconnect(this);
+        workshop->close();
+    });
+    m_workshop->show();
+}
+
+/// Of a leaf, as the tree has it.
+double CFileController::aspectOf(const ParamRef& text) const {
+    const auto width = findParam("LeafScaleX", m_document.params().block());
+    const bool leaf = text.info->recipes == "leaf";
+    return leaf && width ? std::max(0.05, width->get(m_document.params())) : 1;
 }
 
 void CFileController::drop(const QString& path, const QPoint& at) {

@@ -3,6 +3,7 @@
 #include "document/Document.h"
 #include "document/FileWatch.h"
 #include <QObject>
+#include <QPointer>
 #include <memory>
 
 class QDropEvent;
@@ -13,6 +14,7 @@ class QWidget;
 namespace stromar {
 
 class CMessageBar;
+class CTextureWorkshop;
 
 /// What a window does with files: trees, presets, pictures on the tree, and what a crash has left. Asks and tells by
 /// dialogs of the window.
@@ -27,6 +29,8 @@ public:
     bool save(const QString& path);
     /// Puts the tree of a preset into the document, which can be undone. False, with a message, when it cannot be read.
     bool openPreset(const QString& path);
+    /// As a document of its own, without a word where it cannot be read.
+    void startWith(const QString& path);
     void startNew(const ParamBlock& block);
     void chooseAndOpen();
     /// To the document's file, or to one that is asked for. False when nothing was saved.
@@ -58,12 +62,14 @@ signals:
     void recentChanged();
 
 private:
+    double aspectOf(const ParamRef& text) const;
     void setFile(const ParamRef& text, const QString& path);
     void onFileChanged();
     void remember(const QString& path);
     void tellError(const QString& title, const QString& text);
 
     CDocument& m_document;
+    QPointer<CTextureWorkshop> m_workshop;
     CMessageBar& m_bar;
     QWidget* m_window;
     CFileWatch m_watch;

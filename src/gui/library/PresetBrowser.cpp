@@ -72,7 +72,10 @@ CPresetBrowser::CPresetBrowser(CThumbnails& thumbnails, QWidget* parent)
     connect(m_filter, &QLineEdit::textChanged, this, &CPresetBrowser::updateVisibility);
     connect(m_folder, &QComboBox::currentIndexChanged, this, &CPresetBrowser::updateVisibility);
     connect(save, &QToolButton::clicked, this, &CPresetBrowser::saveWanted);
-    connect(m_list, &QListWidget::itemActivated, this, &CPresetBrowser::choose);
+    m_list->setCursor(Qt::PointingHandCursor);
+    m_list->setMouseTracking(true); // the one under the mouse is marked
+    connect(m_list, &QListWidget::itemClicked, this, &CPresetBrowser::choose);
+    m_list->installEventFilter(this);
     connect(m_filter, &QLineEdit::returnPressed, this, [this] { choose(firstShown()); });
     m_filter->installEventFilter(this);
     connect(m_list, &QListWidget::customContextMenuRequested, this, &CPresetBrowser::showMenu);
@@ -103,7 +106,16 @@ void CPresetBrowser::refresh() {
     updateVisibility();
 }
 
-/// The picture that came with a preset of ours; empty when there is none.
+QString CPresetBrowser::nameOf(const QString& path) {
+    const QString name = QFileInfo(path).completeBaseName().replace(QLatin1Char('_'), QLatin1Char(' '));
+    try {
+        const std::string species = CTreeFile::read(toPath(path)).params().text.species;
+        return species.empty() ? name : toQString(species);
+    } catch (const CError&) {
+        return name;
+    }
+}
+
 QString CPresetBrowser::shippedPicture(const QFileInfo& preset) {
     const QString picture = fromPath(dataFolder() / "docs" / "images" / "presets") + QLatin1Char('/') +
                             preset.completeBaseName() + QStringLiteral(".png");
@@ -186,9 +198,12 @@ void CPresetBrowser::choose(const QListWidgetItem* item) {
 }
 
 bool CPresetBrowser::eventFilter(QObject* watched, QEvent* event) {
-    const bool down = watched == m_filter && event->type() == QEvent::KeyPress &&
-                      static_cast<QKeyEvent*>(event)->key() == Qt::Key_Down;
-    if (!down) return QWidget::eventFilter(watched, event);
+    const int key = event->type() == QEvent::KeyPress ? static_cast<QKeyEvent*>(event)->key() : 0;
+    if (watched == m_list && (key == Qt::Key_Return || key == Qt::Key_Enter)) {
+        choose(m_list->currentItem());
+        return true;
+    }
+    if (watched != m_filter || key != Qt::Key_Down) return QWidget::eventFilter(watched, event);
     if (QListWidgetItem* first = firstShown()) m_list->setCurrentItem(first);
     m_list->setFocus();
     return true;

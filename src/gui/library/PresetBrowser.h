@@ -12,7 +12,7 @@ namespace stromar {
 
 class CThumbnails;
 
-/// The trees that come with the program and the user's own, as pictures. A double click or Enter chooses one; Enter
+/// The trees that come with the program and the user's own, as pictures. A click or Enter chooses one; Enter
 /// in the search the first that is found, Down goes to it. Empty until the first refresh().
 class CPresetBrowser : public QWidget {
     Q_OBJECT
@@ -21,6 +21,10 @@ public:
 
     /// Where the user's own presets are; made when it is missing.
     static QString ownFolder();
+    /// The picture that came with a preset of ours; empty when there is none.
+    static QString shippedPicture(const QFileInfo& preset);
+    /// Of the species in a preset, else of its file.
+    static QString nameOf(const QString& path);
     QListWidget& list() { return *m_list; }
     QLineEdit& filter() { return *m_filter; }
     /// Reads the folders anew.
@@ -32,7 +36,6 @@ signals:
     void saveWanted();
 
 private:
-    static QString shippedPicture(const QFileInfo& preset);
     void addFolder(const QString& folder, bool own);
     void showThumbnail(const QString& id, const QImage& image);
     void updateVisibility();

@@ -2,6 +2,7 @@
 #include "params/ClampingBox.h"
 #include "params/ParamSlider.h"
 #include "window/QtText.h"
+#include "stromar/util/Translatable.h"
 #include <QColorDialog>
 #include <QComboBox>
 #include <QDialogButtonBox>
@@ -15,6 +16,8 @@
 #include <QPushButton>
 #include <QScrollArea>
 #include <QVBoxLayout>
+#include <algorithm>
+#include <array>
 #include <cmath>
 
 namespace stromar {
@@ -24,23 +27,73 @@ constexpr int kShown = 320, kTile = 160, kSaved = 1024; // pixels
 constexpr int kSteps = 100;                             // of a slider
 constexpr double kManyWhole = 1000;                     // whole numbers beyond have no slider
 
-/// Tiles are shown four times, so that their seams could be seen; cut-out pictures once, on grey.
-QPixmap shown(const TextureMaps& maps, bool tile) {
-    const QImage image(maps.albedo.front().data(), maps.width, maps.height, QImage::Format_RGBA8888);
-    QPixmap whole(kShown, kShown);
-    whole.fill(QColor(200, 206, 212));
-    QPainter painter(&whole);
-    for (int y = 0; y < kShown; y += maps.height)
-        for (int x = 0; x < kShown; x += maps.width) {
-            painter.drawImage(x, y, image);
-            if (!tile) return whole;
+/// What one pixel of a picture shows, straight RGBA.
+using Pixel = std::array<std::uint8_t, 4>;
+using PixelOf = Pixel (*)(const TextureMaps& maps, std::size_t at);
+
+Pixel colourAt(const TextureMaps& maps, std::size_t at) { return maps.albedo[at]; }
+
+Pixel normalAt(const TextureMaps& maps, std::size_t at) {
+    const auto& n = maps.normal[at];
+    return {n[0], n[1], n[2], maps.albedo[at][3]};
+}
+
+Pixel roughnessAt(const TextureMaps& maps, std::size_t at) {
+    const std::uint8_t r = maps.roughness[at];
+    return {r, r, r, maps.albedo[at][3]};
+}
+
+/// In a light from the upper left, with a gleam where it is smooth. The eye looks straight at it.
+Pixel litAt(const TextureMaps& maps, std::size_t at) {
+    const auto component = [&](std::size_t i) { return (double(maps.normal[at][i]) - 128) / 127; };
+    constexpr double kLight[] = {-0.48, 0.55, 0.683}, kHalf[] = {-0.262, 0.3, 0.917}; // unit vectors
+    const auto along = [&](const double (&v)[3]) { return std::max(0.0, component(0) * v[0] + component(1) * v[1] + component(2) * v[2]); };
+    const double rough = std::max(0.12, double(maps.roughness[at]) / 255);
+    const double gleam = 0.35 * (1 - rough) * std::pow(along(kHalf), 4 / (rough * rough));
+    const double light = 0.28 + 1.05 * along(kLight);
+    Pixel lit{0, 0, 0, maps.albedo[at][3]};
+    for (std::size_t i = 0; i < 3; ++i) lit[i] = static_cast<std::uint8_t>(std::clamp(double(maps.albedo[at][i]) * light + 255 * gleam, 0.0, 255.0));
+    return lit;
+}
+
+struct ShownMap {
+    std::string_view label;
+    PixelOf pixel;
+};
+constexpr ShownMap kMaps[] = {{N_("Lit"), litAt}, {N_("Colour"), colourAt}, {N_("Normals"), normalAt}, {N_("Roughness"), roughnessAt}};
+
+QImage imageOf(const TextureMaps& maps, PixelOf pixel) {
+    QImage image(maps.width, maps.height, QImage::Format_RGBA8888);
+    for (int y = 0; y < maps.height; ++y)
+        for (int x = 0; x < maps.width; ++x) {
+            const Pixel p = pixel(maps, maps.at(x, y));
+            std::copy(p.begin(), p.end(), image.scanLine(y) + 4 * x);
         }
-    return whole;
+    return image;
 }
 } // namespace
 
-CTextureWorkshop::CTextureWorkshop(CRecipe recipe, QWidget* parent)
-    : QDialog(parent), m_recipe(std::move(recipe)), m_scroll(new QScrollArea), m_picture(new QLabel),
+bool CTextureWorkshop::tiles() const { return m_recipe.text().starts_with("bark:"); }
+
+/// Tiles are shown four times, so that their seams could be seen; cut-out pictures once, on grey, in the form of what wears them.
+QPixmap CTextureWorkshop::shown(const TextureMaps& maps) const {
+    const QImage image = imageOf(maps, kMaps[static_cast<std::size_t>(m_map->currentIndex())].pixel);
+    QPixmap whole(kShown, kShown);
+    whole.fill(QColor(200, 206, 212));
+    QPainter painter(&whole);
+    painter.setRenderHint(QPainter::SmoothPixmapTransform);
+    if (!tiles()) {
+        const QSizeF size(kShown * std::min(1.0, m_aspect), kShown / std::max(1.0, m_aspect));
+        painter.drawImage(QRectF(QPointF((kShown - size.width()) / 2, (kShown - size.height()) / 2), size), image);
+        return whole;
+    }
+    for (int y = 0; y < kShown; y += maps.height)
+        for (int x = 0; x < kShown; x += maps.width) painter.drawImage(x, y, image);
+    return whole;
+}
+
+CTextureWorkshop::CTextureWorkshop(CRecipe recipe, double aspect, QWidget* parent)
+    : QDialog(parent), m_recipe(std::move(recipe)), m_aspect(aspect), m_map(new QComboBox), m_scroll(new QScrollArea), m_picture(new QLabel),
       m_text(new QLabel) {
     setWindowTitle(tr("Texture Workshop"));
     auto* kinds = new QComboBox;
@@ -52,6 +105,10 @@ CTextureWorkshop::CTextureWorkshop(CRecipe recipe, QWidget* parent)
         makeRows();
         m_redraw.start();
     });
+    for (const ShownMap& map : kMaps) m_map->addItem(trText(map.label));
+    m_map->setObjectName(QStringLiteral("map"));
+    m_map->setAccessibleName(tr("Picture"));
+    connect(m_map, &QComboBox::currentIndexChanged, this, &CTextureWorkshop::draw);
     m_picture->setFixedSize(kShown, kShown);
     m_picture->setObjectName(QStringLiteral("picture"));
     m_text->setWordWrap(true);
@@ -68,6 +125,7 @@ CTextureWorkshop::CTextureWorkshop(CRecipe recipe, QWidget* parent)
     connect(buttons, &QDialogButtonBox::rejected, this, &QDialog::reject);
     auto* left = new QVBoxLayout;
     left->addWidget(m_picture);
+    left->addWidget(m_map);
     left->addWidget(m_text);
     left->addStretch(1);
     auto* right = new QVBoxLayout;
@@ -81,7 +139,10 @@ CTextureWorkshop::CTextureWorkshop(CRecipe recipe, QWidget* parent)
     column->addWidget(buttons);
     m_redraw.setSingleShot(true);
     m_redraw.setInterval(30);
-    connect(&m_redraw, &QTimer::timeout, this, &CTextureWorkshop::draw);
+    connect(&m_redraw, &QTimer::timeout, this, [this] {
+        draw();
+        emit changed();
+    });
     makeRows();
     draw();
 }
@@ -161,8 +222,7 @@ void CTextureWorkshop::set(std::size_t row, const QString& value) {
 }
 
 void CTextureWorkshop::draw() {
-    const bool tile = m_recipe.text().starts_with("bark:");
-    m_picture->setPixmap(shown(m_recipe.draw(tile ? kTile : kShown, CProgress()), tile));
+    m_picture->setPixmap(shown(m_recipe.draw(tiles() ? kTile : kShown, CProgress())));
     m_text->setText(QString::fromStdString(m_recipe.text()));
 }
 

@@ -3,21 +3,29 @@
 #include <QDialog>
 #include <QTimer>
 
+class QComboBox;
 class QFormLayout;
 class QLabel;
 class QScrollArea;
 
 namespace stromar {
 
-/// A dialog in which a recipe is changed while its picture follows.
+/// A dialog in which a recipe is changed while its picture follows, and who listens.
 class CTextureWorkshop : public QDialog {
     Q_OBJECT
 public:
-    explicit CTextureWorkshop(CRecipe recipe, QWidget* parent = nullptr);
+    /// `aspect`: width over height of what wears the picture.
+    explicit CTextureWorkshop(CRecipe recipe, double aspect = 1, QWidget* parent = nullptr);
 
     const CRecipe& recipe() const { return m_recipe; }
 
+signals:
+    /// A moment after the last of several.
+    void changed();
+
 private:
+    bool tiles() const;
+    QPixmap shown(const TextureMaps& maps) const;
     void makeRows();
     QWidget* makeEditor(std::size_t row);
     QWidget* makeNumberEditor(std::size_t row);
@@ -27,6 +35,8 @@ private:
     void savePictures();
 
     CRecipe m_recipe;
+    double m_aspect;
+    QComboBox* m_map; ///< which of its pictures is shown
     QScrollArea* m_scroll;
     QLabel *m_picture, *m_text;
     QTimer m_redraw; ///< a little later: the newest value counts

@@ -1,12 +1,12 @@
 #include "library/Thumbnails.h"
 #include "window/QtText.h"
+#include "work/GrownView.h"
 #include "stromar/app/Export.h"
 #include "stromar/app/Prediction.h"
 #include "stromar/params/TreeFile.h"
 #include <QCryptographicHash>
 #include <QDir>
 #include <QFileInfo>
-#include <QStandardPaths>
 #include <QTimer>
 
 namespace stromar {
@@ -31,23 +31,13 @@ QString keptFile(const CParams& params, const SurfaceTextures& textures, const Q
                          .toUtf8());
     }
     hash.addData(QStringLiteral("%1 %2x%3").arg(kLookVersion).arg(pixels.width()).arg(pixels.height()).toUtf8());
-    const QDir folder(QStandardPaths::writableLocation(QStandardPaths::CacheLocation) + QStringLiteral("/thumbnails"));
+    const QDir folder(fromPath(pictureCache() / "thumbnails"));
     folder.mkpath(QStringLiteral("."));
     return folder.filePath(QString::fromLatin1(hash.result().toHex()) + QStringLiteral(".png"));
 }
 
-std::shared_ptr<const ViewModel> grow(const CParams& params, const std::filesystem::path& folder, double age, const CProgress& progress) {
-    const bool small = predictSize(params, detailOf(Model::Full, 1)).vertices < kFewVertices;
-    CTreeCreator creator;
-    creator.setAge(age);
-    auto view = std::make_shared<ViewModel>();
-    view->model = creator.create(params, detailOf(Model::Full, small ? 1 : 3), progress);
-    view->parts = viewPartsOf(*view->model, {}, progress);
-    makePictures(*view->model, folder, progress);
-    for (const ViewPart& part : view->parts)
-        view->surfaces[static_cast<std::size_t>(part.surface)] =
-            readSurface(part.surface, textureOf(*view->model, part.surface, folder).string());
-    return view;
+const Detail& detailFor(const CParams& params) {
+    return detailOf(Model::Full, predictSize(params, detailOf(Model::Full, 1)).vertices < kFewVertices ? 1 : 3);
 }
 } // namespace
 
@@ -109,7 +99,7 @@ void CThumbnails::work(const std::stop_token& stop) {
             progress = m_progress;
         }
         try {
-            emit grown(task.number, grow(task.params, task.folder, task.age, progress), {});
+            emit grown(task.number, grownView(task.params, task.folder, task.age, detailFor(task.params), progress), {});
         } catch (const CCancelled&) {
             // Dropped, or the end.
         } catch (const std::exception& e) {

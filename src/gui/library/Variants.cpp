@@ -18,7 +18,7 @@
 namespace stromar {
 
 namespace {
-constexpr int kPictureSize = 128, kLikedSize = 64;
+constexpr int kPictureSize = 128, kLikedSize = 64, kLeastCell = 84; // pixels
 constexpr int kPauseMs = 700; // after a change of the tree
 constexpr const char* kSheetId = "seed:";
 constexpr const char* kLikedId = "liked:";
@@ -70,12 +70,11 @@ QWidget* CVariants::makeSheet() {
     auto* box = new QWidget;
     auto* column = new QVBoxLayout(box);
     column->setContentsMargins(0, 0, 0, 0);
-    auto* grid = new QGridLayout;
-    grid->setSpacing(3);
+    m_sheetGrid = new QGridLayout;
+    m_sheetGrid->setSpacing(3);
     for (int i = 0; i < kSheet; ++i) {
         QToolButton* cell = makeCell(QStringLiteral("seed%1").arg(i));
         connect(cell, &QToolButton::clicked, this, [this, i] { emit seedChosen(m_seeds[std::size_t(i)]); });
-        grid->addWidget(cell, i / 3, i % 3);
         m_cells[std::size_t(i)] = cell;
     }
     auto* more = new QPushButton(QIcon(QStringLiteral(":/icons/dice.svg")), tr("&Nine Others"));
@@ -84,7 +83,7 @@ QWidget* CVariants::makeSheet() {
         throwSheet();
         requestSheet();
     });
-    column->addLayout(grid);
+    column->addLayout(m_sheetGrid);
     column->addWidget(more, 0, Qt::AlignLeft);
     return box;
 }
@@ -105,6 +104,7 @@ QWidget* CVariants::makeLiked() {
     m_liked->setAccessibleName(tr("Liked seeds"));
     m_liked->setViewMode(QListView::IconMode);
     m_liked->setIconSize({kLikedSize, kLikedSize});
+    m_liked->setGridSize({kLikedSize + 12, kLikedSize + fontMetrics().height() + 10});
     m_liked->setMovement(QListView::Static);
     m_liked->setResizeMode(QListView::Adjust);
     m_liked->setFixedHeight(kLikedSize + 2 * fontMetrics().height() + 14);
@@ -128,8 +128,8 @@ QWidget* CVariants::makeAges() {
     auto* column = new QVBoxLayout(box);
     column->setContentsMargins(0, 6, 0, 0);
     column->addWidget(new QLabel(QStringLiteral("<b>%1</b>").arg(tr("Ages"))));
-    auto* row = new QHBoxLayout;
-    row->setSpacing(1);
+    m_agesGrid = new QGridLayout;
+    m_agesGrid->setSpacing(1);
     for (std::size_t i = 0; i < kAges.size(); ++i) {
         const QString percent = tr("%1 %").arg(100 * kAges[i]);
         QToolButton* cell = makeCell(QStringLiteral("age%1").arg(i));
@@ -137,10 +137,9 @@ QWidget* CVariants::makeAges() {
         cell->setAccessibleName(tr("Age %1").arg(percent));
         cell->setToolTip(tr("The tree at this part of its life"));
         connect(cell, &QToolButton::clicked, this, [this, i] { emit ageChosen(kAges[i]); });
-        row->addWidget(cell);
         m_ages[i] = cell;
     }
-    column->addLayout(row);
+    column->addLayout(m_agesGrid);
     return box;
 }
 
@@ -219,10 +218,18 @@ void CVariants::showParams(const CParams& params, const std::filesystem::path& f
 /// The pictures take the room there is.
 void CVariants::resizeEvent(QResizeEvent* event) {
     QWidget::resizeEvent(event);
-    const int side = std::clamp(width() / 3 - 12, 36, kPictureSize);
-    for (QToolButton* cell : m_cells) cell->setIconSize({side, side});
-    const int small = std::clamp(width() / int(kAges.size()) - 8, 24, kPictureSize);
-    for (QToolButton* cell : m_ages) cell->setIconSize({small, small});
+    layOut(*m_sheetGrid, m_cells, 3);
+    layOut(*m_agesGrid, m_ages, int(kAges.size()));
+}
+
+/// In as many columns as have room for pictures one can tell apart.
+void CVariants::layOut(QGridLayout& grid, std::span<QToolButton* const> cells, int most) const {
+    const int columns = std::clamp(width() / kLeastCell, 1, most);
+    const int side = std::min(width() / columns - 12, kPictureSize);
+    for (std::size_t i = 0; i < cells.size(); ++i) {
+        cells[i]->setIconSize({side, side});
+        grid.addWidget(cells[i], int(i) / columns, int(i) % columns);
+    }
 }
 
 void CVariants::showEvent(QShowEvent* event) {

@@ -7,6 +7,7 @@
 #include <optional>
 
 class QComboBox;
+class QGridLayout;
 class QListWidget;
 class QSpinBox;
 class QToolButton;
@@ -48,6 +49,7 @@ private:
     void fillGroups();
     void randomise();
     QSize pictureSize() const;
+    void layOut(QGridLayout& grid, std::span<QToolButton* const> cells, int most) const;
     QWidget* makeSheet();
     QWidget* makeLiked();
     QWidget* makeAges();
@@ -55,6 +57,7 @@ private:
     QWidget* makeRandomiser();
 
     CThumbnails& m_thumbnails;
+    QGridLayout *m_sheetGrid = nullptr, *m_agesGrid = nullptr;
     std::array<QToolButton*, kSheet> m_cells{};
     std::array<int, kSheet> m_seeds{};
     std::array<QToolButton*, kAges.size()> m_ages{};

@@ -26,6 +26,7 @@
 namespace stromar {
 
 namespace {
+constexpr int kSliderWidth = 56, kNarrowSliderWidth = 40; // pixels, at least
 constexpr int kBurstMs = 800; // changes that follow each other sooner are one step
 
 /// Shift steps by the last digit that is shown; Ctrl by ten steps is the box's own.
@@ -148,7 +149,7 @@ void CParamEditor::addSlider() {
     const ParamInfo& p = *m_ref.info;
     m_slider = new CParamSlider(static_cast<int>(std::lround((p.useful.max - p.useful.min) / p.step)));
     m_slider->setAccessibleName(trText(p.label));
-    m_slider->setMinimumWidth(56);
+    m_slider->setMinimumWidth(kSliderWidth);
     guardWheel(m_slider);
     connect(m_slider, &QSlider::sliderReleased, this, [this] {
         m_gesture = 0;
@@ -179,11 +180,22 @@ QAbstractSpinBox* CParamEditor::makeBox(Form form) {
     }
     box->setKeyboardTracking(false);
     m_varies = form == Form::Variation;
-    box->setMinimumWidth(fontMetrics().horizontalAdvance(QStringLiteral("−000.00 m")) + 24);
-    box->setMaximumWidth(box->minimumWidth());
     box->setAccessibleName(trText(p.label));
     guardWheel(box);
     return box;
+}
+
+QAbstractSpinBox* CParamEditor::box() const {
+    return m_real ? static_cast<QAbstractSpinBox*>(m_real) : m_whole;
+}
+
+/// Without the buttons of its box, which the wheel and the arrow keys replace.
+void CParamEditor::setNarrow(bool narrow) {
+    if (m_slider) m_slider->setMinimumWidth(narrow ? kNarrowSliderWidth : kSliderWidth);
+    if (!box()) return updateGeometry();
+    box()->setButtonSymbols(narrow ? QAbstractSpinBox::NoButtons : QAbstractSpinBox::UpDownArrows);
+    box()->setFixedWidth(fontMetrics().horizontalAdvance(narrow ? QStringLiteral("−000.00°") : QStringLiteral("−000.00 m")) + (narrow ? 10 : 24));
+    updateGeometry(); // so that who measures knows at once
 }
 
 void CParamEditor::guardWheel(QWidget* editor) {

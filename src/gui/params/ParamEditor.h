@@ -36,6 +36,8 @@ public:
     void showValue(const ParamValue& value);
     /// The tree that the value belongs to, for editors that show more of it.
     void showTree(const CParams& params);
+    /// Takes as little room as it can.
+    void setNarrow(bool narrow);
     /// The editor of a text that has a language, else null.
     CLanguageEditor* language() const { return m_language; }
     /// The editor of a curve, else null.
@@ -67,6 +69,7 @@ private:
     void takeBlock();
     void addSlider();
     QAbstractSpinBox* makeBox(Form form);
+    QAbstractSpinBox* box() const;
     void guardWheel(QWidget* editor);
     int sliderPosition(double value) const;
     double sliderValue(int position) const;

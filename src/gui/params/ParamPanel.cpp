@@ -4,6 +4,7 @@
 #include "params/LanguageEditor.h"
 #include "params/ParamEditor.h"
 #include "params/ParamRow.h"
+#include "params/ValuesMenu.h"
 #include "window/QtText.h"
 #include "stromar/app/Methods.h"
 #include "stromar/mesh/LeafMeshes.h"
@@ -17,6 +18,7 @@
 #include <QLabel>
 #include <QLineEdit>
 #include <QMenu>
+#include <QPushButton>
 #include <QScrollArea>
 #include <QSettings>
 #include <QStyleOptionFocusRect>
@@ -102,7 +104,8 @@ protected:
 };
 
 constexpr int kTouchMs = 80;
-constexpr const char* kLockedKey = "panel/locked";
+constexpr const char* kLockedKey = "panel/lockedOf"; // by tree
+constexpr int kNarrowLabel = 104, kScrollBar = 20; // pixels
 QString foldedKey(const QString& name) { return QStringLiteral("panel/folded/") + name; }
 } // namespace
 
@@ -115,7 +118,21 @@ CParamPanel::CParamPanel(QWidget* parent) : QWidget(parent), m_filter(new QLineE
     column->setContentsMargins(0, 4, 0, 0);
     m_nothing->setWordWrap(true);
     m_nothing->setAlignment(Qt::AlignHCenter | Qt::AlignTop);
-    column->addWidget(m_filter);
+    auto* values = new QPushButton;
+    values->setObjectName(QStringLiteral("values"));
+    values->setText(tr("Values"));
+    values->setToolTip(tr("Copies, pastes and keeps the values of this tab; a right click on a heading does it with what stands below"));
+    values->setAutoDefault(false);
+    auto* menu = new QMenu(values);
+    values->setMenu(menu);
+    connect(menu, &QMenu::aboutToShow, this, [this, menu] {
+        menu->clear();
+        addValues(*menu, setOfTab(m_tabs->currentIndex()));
+    });
+    auto* top = new QHBoxLayout;
+    top->addWidget(m_filter, 1);
+    top->addWidget(values);
+    column->addLayout(top);
     column->addWidget(m_tabs, 1);
     column->addWidget(m_nothing, 1);
 
@@ -139,6 +156,7 @@ void CParamPanel::showBlock(const ParamBlock& block) {
     m_groups.clear();
     m_leafRows.clear();
     m_leafSection.reset();
+    m_wide = 0;
     while (m_tabs->count() > 0) {
         QWidget* tab = m_tabs->widget(0);
         m_tabs->removeTab(0);
@@ -235,19 +253,48 @@ std::vector<CParamEditor*> CParamPanel::curves() const {
 }
 
 /// One column for all labels of a tab.
-void CParamPanel::alignLabels(const QWidget& page) {
+void CParamPanel::alignLabels(const QWidget& page) const {
     int widest = 0;
     const auto ofPage = page.findChildren<CParamRow*>();
     for (const CParamRow* row : ofPage) widest = std::max(widest, row->labelWidth());
-    for (CParamRow* row : ofPage) row->setLabelWidth(widest);
+    if (m_narrow) widest = std::min(widest, kNarrowLabel);
+    for (CParamRow* row : ofPage) {
+        row->setLabelWidth(widest);
+        row->setNarrow(m_narrow);
+    }
 }
 
+void CParamPanel::setNarrow(bool narrow) {
+    if (narrow == m_narrow) return;
+    m_narrow = narrow;
+    for (int tab = 0; tab < m_tabs->count(); ++tab) alignLabels(*m_tabs->widget(tab));
+}
+
+void CParamPanel::resizeEvent(QResizeEvent* event) {
+    QWidget::resizeEvent(event);
+    setNarrow(width() < m_wide);
+}
+
+/// It is as narrow as its rows can be, and prefers the room that they like to have.
 void CParamPanel::finishTab() {
     m_page->addStretch(1);
-    alignLabels(*m_page->parentWidget());
     auto* scroll = qobject_cast<QScrollArea*>(m_tabs->widget(m_tabs->count() - 1));
-    scroll->setMinimumWidth(m_page->parentWidget()->minimumSizeHint().width() + 20);
+    const bool now = m_narrow;
+    for (const bool narrow : {false, true}) {
+        m_narrow = narrow;
+        alignLabels(*m_page->parentWidget());
+        m_page->invalidate();
+        const int needed = m_page->minimumSize().width() + kScrollBar;
+        if (narrow)
+            scroll->setMinimumWidth(needed);
+        else
+            m_wide = std::max(m_wide, needed + m_tabs->tabBar()->sizeHint().width());
+    }
+    m_narrow = now;
+    alignLabels(*m_page->parentWidget());
 }
+
+QSize CParamPanel::sizeHint() const { return {m_wide, QWidget::sizeHint().height()}; }
 
 void CParamPanel::addSection(std::string_view title) {
     auto* heading = new CFoldButton(trText(title));
@@ -259,16 +306,41 @@ void CParamPanel::addSection(std::string_view title) {
         QSettings().setValue(foldedKey(name), !open);
         updateVisibility();
     });
+    heading->setContextMenuPolicy(Qt::CustomContextMenu);
+    connect(heading, &QWidget::customContextMenuRequested, this, [this, heading](const QPoint& at) {
+        const auto section = std::ranges::find(m_sections, heading, &Section::heading);
+        QMenu menu;
+        addValues(menu, setOfSection(*section));
+        menu.exec(heading->mapToGlobal(at));
+    });
     m_page->addWidget(heading);
-    m_sections.push_back({heading, tab, {}});
+    m_sections.push_back({heading, tab, {}, {}});
+}
+
+void CParamPanel::addValues(QMenu& menu, const ValueSet& set) {
+    addValuesMenu(menu, set, m_params, [this](const QString& text, const ParamValues& values) { emit assigned(text, values); }, this);
+}
+
+ValueSet CParamPanel::setOfTab(int tab) const {
+    const auto& [group, level] = m_groups[std::size_t(tab)];
+    ValueSet set{m_tabs->tabText(tab), toQString(group.name), {}};
+    for (const Section& section : m_sections)
+        if (section.tab == tab) set.refs.insert(set.refs.end(), section.refs.begin(), section.refs.end());
+    return set;
+}
+
+ValueSet CParamPanel::setOfSection(const Section& section) const {
+    const QString tab = m_tabs->tabText(section.tab);
+    return {QStringLiteral("%1 ▸ %2").arg(tab, section.heading->text()),
+            toQString(m_groups[std::size_t(section.tab)].first.name) + QLatin1Char(' ') + section.heading->objectName().section(QLatin1Char('/'), 1), section.refs};
 }
 
 void CParamPanel::addRow(const ParamRef& ref) {
     auto* row = new CParamRow(ref);
-    row->setLocked(QSettings().value(QLatin1String(kLockedKey)).toStringList().contains(toQString(ref.key())));
     row->installEventFilter(this);
     m_page->addWidget(row);
     m_sections.back().rows.push_back(row);
+    for (const CParamEditor* editor : row->editors()) m_sections.back().refs.push_back(editor->ref());
     m_rows.push_back(row);
     if (ref.info->placesLeaves) m_leafRows.emplace(row, m_sections.size() - 1);
     connect(row, &CParamRow::edited, this, &CParamPanel::edited);
@@ -294,6 +366,7 @@ void CParamPanel::addText(const ParamRef& ref) {
     layout->addWidget(ref.info->file() ? makePathEditor(ref, line) : line, 1);
     m_page->addWidget(row);
     m_sections.back().rows.push_back(row);
+    m_sections.back().refs.push_back(ref);
     m_lines.emplace_back(ref, line);
     connect(line, &QLineEdit::editingFinished, this, [this, ref, line] {
         if (line->isModified()) emit edited(ref, line->text().toStdString(), 0);
@@ -341,6 +414,7 @@ QMenu* CParamPanel::makeBuiltInMenu(const ParamRef& ref, QWidget* parent) {
 
 void CParamPanel::showParams(const CParams& params, const CParams& saved) {
     showBlock(params.block());
+    m_params = params;
     for (CParamRow* row : m_rows) row->show(params, saved);
     placeLeafRows(params);
     for (const auto& [text, line] : m_lines)
@@ -373,12 +447,21 @@ bool CParamPanel::locked(const ParamRef& ref) const {
     return owner && owner->locked();
 }
 
+void CParamPanel::showLocksOf(const QString& tree) {
+    m_locksOf = tree;
+    const QStringList keys = QSettings().value(QLatin1String(kLockedKey)).toMap().value(tree).toStringList();
+    for (CParamRow* row : m_rows) row->setLocked(keys.contains(toQString(row->ref().key())));
+}
+
 void CParamPanel::setLocked(const ParamRef& ref, bool locked) {
     row(ref)->setLocked(locked);
     QStringList keys;
     for (const CParamRow* one : m_rows)
         if (one->locked()) keys << toQString(one->ref().key());
-    QSettings().setValue(QLatin1String(kLockedKey), keys);
+    QVariantMap all = QSettings().value(QLatin1String(kLockedKey)).toMap();
+    all.insert(m_locksOf, keys);
+    if (keys.isEmpty()) all.remove(m_locksOf);
+    QSettings().setValue(QLatin1String(kLockedKey), all);
 }
 
 /// The filter reaches across all tabs: tabs without a hit disappear, folded sections open.

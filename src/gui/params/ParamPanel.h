@@ -17,6 +17,7 @@ namespace stromar {
 
 class CParamEditor;
 class CParamRow;
+struct ValueSet;
 
 /// All values of a tree in tabs, made from the tables of its method. Knows nothing of trees or files.
 class CParamPanel : public QWidget {
@@ -36,6 +37,8 @@ public:
     bool held() const;
     /// Whether randomising leaves the value alone.
     bool locked(const ParamRef& ref) const;
+    /// Of this tree, by a name that stays the same; kept between runs. After its values are shown.
+    void showLocksOf(const QString& tree);
     /// The tab of a group; `level` counts for Branches.
     int tabOf(Group group, int level = 1) const;
     /// Opens the tab of a generation of stems, or of the leaves.
@@ -49,6 +52,8 @@ public:
     std::vector<CParamEditor*> curves() const;
     /// Opens the tab of a text and marks one of its lines.
     void showLine(const ParamRef& ref, int line);
+
+    QSize sizeHint() const override;
 
 signals:
     void edited(const stromar::ParamRef& ref, const stromar::ParamValue& value, int gesture);
@@ -69,6 +74,7 @@ signals:
 
 protected:
     bool eventFilter(QObject* watched, QEvent* event) override;
+    void resizeEvent(QResizeEvent* event) override;
 
 private:
     /// Rows under one heading that folds them away.
@@ -76,19 +82,24 @@ private:
         QAbstractButton* heading;
         int tab;
         std::vector<QWidget*> rows;
+        std::vector<ParamRef> refs; ///< that are copied with it
     };
 
     void showBlock(const ParamBlock& block);
     void addTab(const ParamPage& page);
     void addSection(std::string_view title);
     void addRow(const ParamRef& ref);
+    void addValues(QMenu& menu, const ValueSet& set);
+    ValueSet setOfTab(int tab) const;
+    ValueSet setOfSection(const Section& section) const;
     void addText(const ParamRef& ref);
     void groupCurves();
     void addLeafSection(const ParamPage& page);
     void placeLeafRows(const CParams& params);
     void move(CParamRow* row, Section& from, Section& to);
     Section& sectionOf(const QWidget* row);
-    static void alignLabels(const QWidget& page);
+    void alignLabels(const QWidget& page) const;
+    void setNarrow(bool narrow);
     void finishTab();
     QWidget* makePathEditor(const ParamRef& ref, QLineEdit* line);
     QMenu* makeBuiltInMenu(const ParamRef& ref, QWidget* parent);
@@ -97,6 +108,7 @@ private:
     void updateTouched();
 
     const ParamBlock* m_block = nullptr;
+    CParams m_params; ///< that are shown
     QLineEdit* m_filter;
     QLabel* m_nothing; ///< in place of the tabs
     QTabWidget* m_tabs;
@@ -108,6 +120,9 @@ private:
     std::vector<CParamRow*> m_rows;
     std::vector<std::pair<ParamRef, QLineEdit*>> m_lines;
     CParamRow* m_hovered = nullptr;
+    bool m_narrow = false;
+    QString m_locksOf;
+    int m_wide = 0; ///< pixels of this panel from which on rows need not be narrow
     QTimer m_touch; ///< the mouse crosses the gaps between rows
 };
 

@@ -17,6 +17,8 @@
 namespace stromar {
 
 namespace {
+constexpr int kLabelAir = 4; // pixels
+
 /// What a row wants to say about itself without words: changed since it was saved, locked.
 class CMark : public QWidget {
 public:
@@ -119,8 +121,17 @@ bool CParamRow::matches(const QStringList& words, const QString& tab) const {
     return std::ranges::all_of(words, [&](const QString& w) { return text.contains(w, Qt::CaseInsensitive); });
 }
 
-int CParamRow::labelWidth() const { return m_label->sizeHint().width(); }
-void CParamRow::setLabelWidth(int width) { m_label->setFixedWidth(width); }
+int CParamRow::labelWidth() const { return fontMetrics().horizontalAdvance(trText(ref().info->label)) + kLabelAir; }
+
+void CParamRow::setLabelWidth(int width) {
+    m_label->setFixedWidth(width);
+    m_label->setText(fontMetrics().elidedText(trText(ref().info->label), Qt::ElideRight, width));
+}
+
+void CParamRow::setNarrow(bool narrow) {
+    for (CParamEditor* editor : m_editors) editor->setNarrow(narrow);
+    updateGeometry();
+}
 
 QString CParamRow::helpText() const {
     QString text;

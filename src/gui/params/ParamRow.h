@@ -30,7 +30,9 @@ public:
     /// Whether every word is in the label, the key, the section or the name of the tab.
     bool matches(const QStringList& words, const QString& tab) const;
     int labelWidth() const;
+    /// A longer label is cut; the tool tip has it.
     void setLabelWidth(int width);
+    void setNarrow(bool narrow);
 
 signals:
     void edited(const stromar::ParamRef& ref, const stromar::ParamValue& value, int gesture);

@@ -12,6 +12,7 @@
 #include "stromar/tree/Nearest.h"
 #include "stromar/util/Random.h"
 #include <QFileDialog>
+#include <QInputDialog>
 #include <QLocale>
 #include <QMessageBox>
 #include <QProgressDialog>
@@ -402,21 +403,42 @@ void CViewController::setStatistics(bool on) {
     updateOverlay();
 }
 
-bool CViewController::chooseBackdrop(QWidget* parent) {
+std::shared_ptr<const BackdropPicture> CViewController::askForPicture(QWidget* parent, const QString& title, const QString& kinds) {
     const QString folder = QStandardPaths::writableLocation(QStandardPaths::PicturesLocation);
-    const QString file =
-        QFileDialog::getOpenFileName(parent, tr("Picture Behind the Tree"), folder, tr("Pictures and HDRI panoramas (*.png *.jpg *.jpeg *.hdr)"));
-    if (file.isEmpty()) return false;
+    const QString file = QFileDialog::getOpenFileName(parent, title, folder, kinds);
+    if (file.isEmpty()) return nullptr;
     try {
-        const auto picture = readBackdrop(toPath(file).string());
-        setLook([&](ViewLook& look) {
-            look.backdrop = Backdrop::Picture;
-            look.picture = picture;
-        });
+        return readBackdrop(toPath(file).string());
     } catch (const CError& e) {
         QMessageBox::critical(parent, tr("Cannot show the picture"), toQString(e.what()));
-        return false;
+        return nullptr;
     }
+}
+
+bool CViewController::chooseBackdrop(QWidget* parent) {
+    const auto picture = askForPicture(parent, tr("Picture Behind the Tree"), tr("Pictures and HDRI panoramas (*.png *.jpg *.jpeg *.hdr)"));
+    if (!picture) return false;
+    setLook([&](ViewLook& look) {
+        look.backdrop = Backdrop::Picture;
+        look.picture = picture;
+    });
+    return true;
+}
+
+bool CViewController::chooseReference(QWidget* parent) {
+    const auto picture = askForPicture(parent, tr("Reference Picture"), tr("Pictures (*.png *.jpg *.jpeg)"));
+    if (!picture) return false;
+    const LengthUnit unit = lengthUnit();
+    const osg::BoundingBox box = m_viewport.scene().bounds();
+    const double tree = box.valid() ? double(box.zMax()) : m_viewport.look().referenceHeight;
+    bool wanted = false;
+    const double height = QInputDialog::getDouble(parent, tr("Reference Picture"), tr("Height of what the picture shows, from edge to edge (%1)").arg(unit.name),
+                                                  tree * unit.perMetre, 0.01 * unit.perMetre, 1000 * unit.perMetre, 2, &wanted);
+    if (!wanted) return false;
+    setLook([&](ViewLook& look) {
+        look.reference = picture;
+        look.referenceHeight = height / unit.perMetre;
+    });
     return true;
 }
 

@@ -34,6 +34,8 @@ public:
     bool held() const { return m_dragging; }
     /// Asks for a picture behind the tree. False, perhaps with a message, when there is none to show.
     bool chooseBackdrop(QWidget* parent);
+    /// Asks for a picture of a real tree and its height, which stands behind the tree; likewise.
+    bool chooseReference(QWidget* parent);
     /// Asks for size and file, and writes a picture or the frames of a turntable.
     void savePicture(QWidget* parent);
 
@@ -71,6 +73,7 @@ private:
     void describeStem(std::size_t generation, const CStem& stem, std::size_t number);
     void describeLeaf(const CLeaf& leaf);
     void updateSelection();
+    std::shared_ptr<const BackdropPicture> askForPicture(QWidget* parent, const QString& title, const QString& kinds);
     double lodDistance() const;
     QStringList statistics() const;
     int generationOf(const ParamRef& ref) const;

@@ -1,5 +1,6 @@
 #include "view/ViewOverlay.h"
 #include "window/QtText.h"
+#include "window/Settings.h"
 #include <QPainter>
 #include <QPainterPath>
 #include <algorithm>
@@ -10,12 +11,13 @@ namespace stromar {
 namespace {
 constexpr std::size_t kManyLines = 500; // that are selected
 constexpr double kHandleRadius = 6, kGrip = 11; // pixels
-constexpr double kAxisReach = 34, kAxisBall = 8, kAxisMargin = 52;
+constexpr double kAxisReach = 34, kAxisBall = 8, kAxisMargin = 54.0;
 constexpr int kRingPoints = 48;
 constexpr double kSteep = 0.94; // of a view that looks down or up: its sine
 const QColor kAccent(255, 150, 40);
 const QColor kGuide(255, 176, 64);
 const QColor kWind(120, 200, 255);
+constexpr double kLevel = 0.02; // of a measure that goes neither up nor down, or nowhere else
 constexpr double kArrowStart = 0.35, kArrowEnd = 1.15; // of the tree's reach
 
 /// Rows of text on a plate that is readable before a light and a dark ground; moved until it lies in the view.
@@ -127,8 +129,11 @@ void CViewOverlay::setHotHandle(std::optional<std::size_t> handle) {
     update();
 }
 
+/// Where neither the person nor the statistics stand.
+QPointF CViewOverlay::axesMiddle() const { return {width() - kAxisMargin, kAxisMargin}; }
+
 std::vector<CViewOverlay::AxisEnd> CViewOverlay::axisEnds() const {
-    const QPointF middle(kAxisMargin, height() - kAxisMargin);
+    const QPointF middle = axesMiddle();
     const osg::Vec3d axes[] = {{1, 0, 0}, {0, 1, 0}, {0, 0, 1}};
     const QColor colours[] = {QColor(214, 76, 76), QColor(104, 168, 60), QColor(74, 128, 216)};
     const char* names[] = {"X", "Y", "Z"};
@@ -237,7 +242,7 @@ void CViewOverlay::paintSelection(QPainter& painter) const {
 }
 
 void CViewOverlay::paintAxes(QPainter& painter) const {
-    const QPointF middle(kAxisMargin, height() - kAxisMargin);
+    const QPointF middle = axesMiddle();
     QFont small = font();
     small.setBold(true);
     small.setPixelSize(10);
@@ -279,13 +284,38 @@ void CViewOverlay::paintWind(QPainter& painter) const {
     }
 }
 
+/// The way, and what of it goes up where it is neither level nor upright.
+void CViewOverlay::paintRuler(QPainter& painter) const {
+    if (!m_model.measured) return;
+    const auto& [from, to] = *m_model.measured;
+    const auto start = toWidget(from), end = toWidget(to);
+    if (!start || !end) return;
+    for (const auto& [colour, wide] : {std::pair(QColor(0, 0, 0, 130), 5.0), {QColor(Qt::white), 2.2}}) {
+        painter.setPen(QPen(colour, wide, Qt::SolidLine, Qt::RoundCap));
+        painter.drawLine(*start, *end);
+        for (const QPointF& tip : {*start, *end}) {
+            QLineF tick = QLineF::fromPolar(9, QLineF(*start, *end).angle() + 90);
+            tick.translate(tip - tick.p2() / 2);
+            painter.drawLine(tick);
+        }
+    }
+    const double rise = std::abs(to.z() - from.z()), length = (to - from).length();
+    QStringList rows{lengthText(length)};
+    if (rise > kLevel * length && rise < (1 - kLevel) * length) rows << tr("%1 higher").arg(lengthText(rise));
+    drawPlate(painter, *end + QPointF(12, -8), Qt::TopLeftCorner, rows);
+}
+
 void CViewOverlay::paintWords(QPainter& painter) const {
+    const auto drawCentred = [&](const QPointF& at, const QString& text) {
+        const double wide = fontMetrics().horizontalAdvance(text) + 14;
+        drawPlate(painter, at - QPointF(wide / 2, 6), Qt::BottomLeftCorner, {text});
+    };
     if (!m_model.statistics.isEmpty()) drawPlate(painter, {8, 8}, Qt::TopLeftCorner, m_model.statistics);
     if (m_model.person)
-        if (const auto at = toWidget(*m_model.person)) {
-            const double wide = fontMetrics().horizontalAdvance(m_model.personText) + 14;
-            drawPlate(painter, *at - QPointF(wide / 2, 6), Qt::BottomLeftCorner, {m_model.personText});
-        }
+        if (const auto at = toWidget(*m_model.person)) drawCentred(*at, m_model.personText);
+    for (const auto& [place, text] : m_model.labels)
+        if (const auto at = toWidget(place)) drawCentred(*at, text);
+    if (!m_model.badge.isEmpty()) drawCentred({width() / 2.0, 46}, m_model.badge);
     if (!m_model.selectionText.isEmpty())
         drawPlate(painter, {width() - 8.0, height() - 8.0}, Qt::BottomRightCorner,
                   m_model.selectionText.split(QLatin1Char('\n')), kAccent.lighter(150));
@@ -299,6 +329,7 @@ void CViewOverlay::paintEvent(QPaintEvent*) {
     paintGuide(painter);
     paintHandles(painter);
     paintWind(painter);
+    paintRuler(painter);
     paintAxes(painter);
     paintWords(painter);
 }

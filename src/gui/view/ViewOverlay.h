@@ -37,6 +37,9 @@ public:
         QString personText;
         std::optional<double> wind; ///< degrees: where it blows to
         double reach = 1;           ///< metres from the trunk to the tree's edge
+        std::optional<std::pair<osg::Vec3d, osg::Vec3d>> measured; ///< the ends of the ruler
+        std::vector<std::pair<osg::Vec3d, QString>> labels;        ///< words above places
+        QString badge;                                             ///< what is shown in place of the tree; empty: the tree
     };
 
     explicit CViewOverlay(const CCamera& camera, QWidget* parent);
@@ -71,6 +74,7 @@ protected:
 
 private:
     struct AxisEnd;
+    QPointF axesMiddle() const;
     std::vector<AxisEnd> axisEnds() const;
     void paintGuide(QPainter& painter) const;
     void paintHandles(QPainter& painter) const;
@@ -78,6 +82,7 @@ private:
     void paintAxes(QPainter& painter) const;
     void paintWind(QPainter& painter) const;
     std::optional<std::pair<QPointF, QPointF>> windArrow() const;
+    void paintRuler(QPainter& painter) const;
     void paintWords(QPainter& painter) const;
     void drawLine(QPainter& painter, const std::vector<osg::Vec3d>& points) const;
     std::vector<std::vector<osg::Vec3d>> selectedLines() const;

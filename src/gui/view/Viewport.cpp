@@ -16,6 +16,7 @@ constexpr double kClickPixels = 4; // a drag is longer
 constexpr std::size_t kMovingVertices = 4'000'000, kMovingVerticesInSoftware = 160'000; // of all leaves
 constexpr qint64 kQuickNs = 12'000'000; // a picture with its shadows
 constexpr int kShadowEvery = 6;         // poses, where it is slower
+constexpr double kAir = 1.12; // about a tree that fills the view
 constexpr double kDegreesPerPixel = 0.35;
 constexpr double kZoomPerPixel = 0.006, kZoomPerNotch = 0.14;
 } // namespace
@@ -98,6 +99,12 @@ void CViewport::show(const std::vector<ViewPart>& parts) {
     changed();
 }
 
+void CViewport::showBeside(const std::vector<TreeBeside>& others) {
+    m_scene.showBeside(others);
+    m_settle.start(kSettle);
+    changed();
+}
+
 void CViewport::setPose(const std::shared_ptr<const ModelSway>& sway, const std::shared_ptr<const WindPose>& pose, double seconds,
                         double loop) {
     const bool behind = m_frameNs > kQuickNs && ++m_posesSinceShadows < kShadowEvery;
@@ -151,9 +158,40 @@ void CViewport::recentre() {
 }
 
 void CViewport::frame() {
-    osg::BoundingBox box = m_scene.bounds();
-    if (!box.valid()) box = osg::BoundingBox(-1, -1, 0, 1, 1, 2);
-    m_camera.frame(osg::BoundingBoxd(osg::Vec3d(box._min), osg::Vec3d(box._max)), m_overlay->aspect());
+    if (const auto points = m_scene.outline(); !points.empty()) {
+        const double free = 1 - double(m_covered) / std::max(1, height());
+        m_camera.fit(points, m_overlay->aspect() / free);
+        m_camera.zoom(kAir / free);
+        m_camera.pan({0, 1 - free}, m_overlay->aspect());
+    } else {
+        m_camera.frame(osg::BoundingBoxd(-1, -1, 0, 1, 1, 2), m_overlay->aspect());
+    }
+    changed();
+}
+
+void CViewport::setMeasuring(bool on) {
+    m_measuring = on;
+    setCursor(on ? Qt::CrossCursor : Qt::ArrowCursor);
+    m_overlay->model().measured.reset();
+    m_overlay->update();
+}
+
+osg::Vec3d CViewport::measuredPoint(const QPointF& at) const {
+    const auto [from, direction] = m_camera.rayAt(m_overlay->toView(at), m_overlay->aspect());
+    if (const auto hit = m_scene.pick(from, direction)) return hit->point;
+    const osg::Vec3d ahead = m_camera.forward();
+    return from + direction * (((m_camera.centre() - from) * ahead) / (direction * ahead));
+}
+
+void CViewport::measureTo(const QPointF& at) {
+    auto& measured = m_overlay->model().measured;
+    const osg::Vec3d point = measuredPoint(at);
+    measured = std::pair(measured ? measured->first : point, point);
+    m_overlay->update();
+}
+
+void CViewport::setCamera(const CCamera& camera) {
+    m_camera = camera;
     changed();
 }
 
@@ -218,6 +256,7 @@ void CViewport::mousePressEvent(QMouseEvent* event) {
     m_click = event->buttons() == Qt::LeftButton;
     m_windHeld = m_click && m_overlay->isOnWindArrow(at);
     m_handle = m_click && !m_windHeld ? m_overlay->handleAt(at) : std::nullopt;
+    if (m_click && m_measuring) m_overlay->model().measured.reset();
     if (m_handle) m_gesture = nextGesture();
 }
 
@@ -234,6 +273,11 @@ void CViewport::mouseMoveEvent(QMouseEvent* event) {
     if (m_handle) {
         emit guideDragged(*m_handle, m_overlay->guidePoint(*m_handle, at), m_gesture);
         return;
+    }
+    if (m_measuring && event->buttons() == Qt::LeftButton) {
+        if (m_click) measureTo(m_pressed);
+        m_click = false;
+        return measureTo(at);
     }
     if (m_click && QLineF(m_pressed, at).length() < kClickPixels) return;
     m_click = false;

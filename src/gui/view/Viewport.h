@@ -20,6 +20,8 @@ public:
     /// Replaces the tree; the view stays.
     void show(const std::vector<ViewPart>& parts);
     using QOpenGLWidget::show;
+    /// As CViewScene::showBeside().
+    void showBeside(const std::vector<TreeBeside>& others);
     /// The tree in the wind, as CViewScene::setPose(). Shadows follow in each picture where drawing is quick, else now and then.
     void setPose(const std::shared_ptr<const ModelSway>& sway, const std::shared_ptr<const WindPose>& pose, double seconds, double loop);
     void endSway();
@@ -34,6 +36,9 @@ public:
     /// Free turning instead of turning with z upright.
     void setTrackball(bool on);
     void setOrthographic(bool on);
+    /// While on, a drag of the left button measures instead of moving the view: between points of the tree, else of the upright
+    /// plane through the middle of the view. Off, the measure goes.
+    void setMeasuring(bool on);
 
     const CCamera& camera() const { return m_camera; }
     const CViewScene& scene() const { return m_scene; }
@@ -42,6 +47,10 @@ public:
     void recentre();
     /// The whole tree, from where it is seen.
     void frame();
+    /// Something lies on so many pixels at the lower edge: trees are framed above it.
+    void setCovered(int pixels) { m_covered = pixels; }
+    /// As it was seen before.
+    void setCamera(const CCamera& camera);
     /// Metres from the middle of the view; the direction stays.
     void moveTo(double distance);
     /// Degrees: 0 the front, 90 the right; 90 from above.
@@ -80,6 +89,8 @@ private:
     void release();
     void moveView(ViewMotion motion, const QPointF& from, const QPointF& to);
     void pick(const QPointF& at);
+    osg::Vec3d measuredPoint(const QPointF& at) const;
+    void measureTo(const QPointF& at);
     void changed();
     void redraw();
     QImage restPass(const ViewPass& pass);
@@ -99,12 +110,13 @@ private:
     std::optional<std::size_t> m_handle; ///< that is being dragged
     int m_gesture = 0;
     bool m_windHeld = false; ///< the arrow is being dragged
+    bool m_measuring = false;
     int m_posesSinceShadows = 0;
     qint64 m_frameNs = 0; ///< how long the last picture took
     bool m_click = false; ///< the mouse has not moved since a button went down
     bool m_trackball = false;
     bool m_lost = false;
-    int m_frames = 0;
+    int m_frames = 0, m_covered = 0;
 };
 
 } // namespace stromar

@@ -2,6 +2,8 @@
 #include "window/MainWindow.h"
 #include "document/FileController.h"
 #include "motion/Timeline.h"
+#include "view/Comparison.h"
+#include "view/SideBySide.h"
 #include "motion/WindPanel.h"
 #include "work/ExportController.h"
 #include "work/GrowthController.h"
@@ -63,10 +65,18 @@ constexpr Command kCommands[] = {
      QT_TRANSLATE_NOOP("Commands", "See the whole tree from where you are"), [](W& w, bool) { w.viewport().frame(); }},
     {"front", Menu::View, QT_TRANSLATE_NOOP("Commands", "From the Fr&ont"), "1", "",
      QT_TRANSLATE_NOOP("Commands", "Look along the Y axis"), [](W& w, bool) { w.viewport().lookFrom(0, 0); }},
-    {"side", Menu::View, QT_TRANSLATE_NOOP("Commands", "From the S&ide"), "3", "",
-     QT_TRANSLATE_NOOP("Commands", "Look along the X axis"), [](W& w, bool) { w.viewport().lookFrom(90, 0); }},
+    {"back", Menu::View, QT_TRANSLATE_NOOP("Commands", "From the Back"), "2", "",
+     QT_TRANSLATE_NOOP("Commands", "Look against the Y axis"), [](W& w, bool) { w.viewport().lookFrom(180, 0); }},
+    {"right", Menu::View, QT_TRANSLATE_NOOP("Commands", "From the Right"), "3", "",
+     QT_TRANSLATE_NOOP("Commands", "Look against the X axis"), [](W& w, bool) { w.viewport().lookFrom(90, 0); }},
+    {"left", Menu::View, QT_TRANSLATE_NOOP("Commands", "From the Left"), "4", "",
+     QT_TRANSLATE_NOOP("Commands", "Look along the X axis"), [](W& w, bool) { w.viewport().lookFrom(-90, 0); }},
     {"top", Menu::View, QT_TRANSLATE_NOOP("Commands", "From A&bove"), "7", "",
      QT_TRANSLATE_NOOP("Commands", "Look down"), [](W& w, bool) { w.viewport().lookFrom(0, 90); }},
+    {"bottom", Menu::View, QT_TRANSLATE_NOOP("Commands", "From Below"), "8", "",
+     QT_TRANSLATE_NOOP("Commands", "Look up"), [](W& w, bool) { w.viewport().lookFrom(0, -90); }},
+    {"saveCamera", Menu::View, QT_TRANSLATE_NOOP("Commands", "Save Camera…"), "Ctrl+Shift+K", "",
+     QT_TRANSLATE_NOOP("Commands", "Keep this view of the tree under a name"), [](W& w, bool) { w.saveCamera(); }},
     {"orthographic", Menu::View, QT_TRANSLATE_NOOP("Commands", "Ort&hographic"), "5", "",
      QT_TRANSLATE_NOOP("Commands", "Without perspective"), [](W& w, bool on) { w.viewport().setOrthographic(on); }, false, false, Kind::KeptSwitch},
     {"trackball", Menu::View, QT_TRANSLATE_NOOP("Commands", "Turn &Freely"), "T", "",
@@ -83,6 +93,8 @@ constexpr Command kCommands[] = {
      QT_TRANSLATE_NOOP("Commands", "Let the tree sway in the wind"), [](W& w, bool on) { w.wind().setBlowing(on); }, false, false, Kind::Switch},
     {"fell", Menu::View, QT_TRANSLATE_NOOP("Commands", "F&ell…"), "X", "",
      QT_TRANSLATE_NOOP("Commands", "Cut the tree and let it fall; the timeline runs over its fall"), [](W& w, bool on) { w.setFelled(on); }, false, false, Kind::Switch},
+    {"ruler", Menu::View, QT_TRANSLATE_NOOP("Commands", "R&uler"), "M", "",
+     QT_TRANSLATE_NOOP("Commands", "Drag from one place to another to measure"), [](W& w, bool on) { w.viewport().setMeasuring(on); }, false, false, Kind::Switch},
     {"statistics", Menu::View, QT_TRANSLATE_NOOP("Commands", "&Statistics"), "I", "",
      QT_TRANSLATE_NOOP("Commands", "Show sizes and counts in the picture"), [](W& w, bool on) { w.view().setStatistics(on); }, false, false, Kind::KeptSwitch},
     {"tintEdited", Menu::View, QT_TRANSLATE_NOOP("Commands", "Tint What Is &Edited"), "Shift+T", "",
@@ -95,6 +107,8 @@ constexpr Command kCommands[] = {
      QT_TRANSLATE_NOOP("Commands", "A dark, plain backdrop"), [](W& w, bool) { w.view().setLook([](ViewLook& look) { look.backdrop = Backdrop::Dark; }); }, false, false, Kind::KeptSwitch, "backdrop"},
     {"backdropPicture", Menu::View, QT_TRANSLATE_NOOP("Commands", "Before a &Picture…"), "Ctrl+4", "",
      QT_TRANSLATE_NOOP("Commands", "A photograph, or an HDRI panorama that lights the tree"), [](W& w, bool) { w.chooseBackdrop(); }},
+    {"reference", Menu::View, QT_TRANSLATE_NOOP("Commands", "Reference Picture…"), "Ctrl+5", "",
+     QT_TRANSLATE_NOOP("Commands", "A picture of a real tree, in its true size, behind the one in the window"), [](W& w, bool on) { w.setReference(on); }, false, false, Kind::Switch},
     {"shadingLit", Menu::View, QT_TRANSLATE_NOOP("Commands", "&Lit"), "Alt+1", "",
      QT_TRANSLATE_NOOP("Commands", "The tree in the light"), [](W& w, bool) { w.view().setLook([](ViewLook& look) { look.shading = Shading::Lit; }); }, false, true, Kind::Switch, "shading"},
     {"shadingMaterial", Menu::View, QT_TRANSLATE_NOOP("Commands", "&Material Alone"), "Alt+2", "",
@@ -114,6 +128,19 @@ constexpr Command kCommands[] = {
     {"lodDistance", Menu::View, QT_TRANSLATE_NOOP("Commands", "At Its Distance"), "Alt+9", "",
      QT_TRANSLATE_NOOP("Commands", "Move to where a program would begin to show this level of detail"), [](W& w, bool) { w.view().goToLod(); }},
 
+    {"keepState", Menu::View, QT_TRANSLATE_NOOP("Commands", "Keep as “Before”"), "Shift+A", "",
+     QT_TRANSLATE_NOOP("Commands", "Keep the tree as it is now, to compare with what you make of it"), [](W& w, bool) { w.comparison().keep(); }, false, true},
+    {"showBefore", Menu::View, QT_TRANSLATE_NOOP("Commands", "Show “Before”"), "A", "",
+     QT_TRANSLATE_NOOP("Commands", "The tree as it was kept, until this is switched off or a value changes"), [](W& w, bool on) { w.comparison().show(on); }, false, false, Kind::Switch},
+    {"alone", Menu::View, QT_TRANSLATE_NOOP("Commands", "One Tree"), "Ctrl+6", "",
+     QT_TRANSLATE_NOOP("Commands", "The tree alone"), [](W& w, bool) { w.setRow(CSideBySide::Row::Alone); }, false, true, Kind::Switch, "row"},
+    {"seeds", Menu::View, QT_TRANSLATE_NOOP("Commands", "Nine Seeds Side by Side"), "Ctrl+7", "",
+     QT_TRANSLATE_NOOP("Commands", "The tree among eight others of its kind"), [](W& w, bool) { w.setRow(CSideBySide::Row::Seeds); }, false, false, Kind::Switch, "row"},
+    {"ages", Menu::View, QT_TRANSLATE_NOOP("Commands", "Five Ages Side by Side"), "Ctrl+8", "",
+     QT_TRANSLATE_NOOP("Commands", "The tree from its youth to its full age"), [](W& w, bool) { w.setRow(CSideBySide::Row::Ages); }, false, false, Kind::Switch, "row"},
+    {"seasons", Menu::View, QT_TRANSLATE_NOOP("Commands", "Four Seasons Side by Side"), "Ctrl+9", "",
+     QT_TRANSLATE_NOOP("Commands", "The tree in winter, spring, summer and autumn"), [](W& w, bool) { w.setRow(CSideBySide::Row::Seasons); }, false, false, Kind::Switch, "row"},
+
     {"resetLayout", Menu::Window, QT_TRANSLATE_NOOP("Commands", "&Reset Layout"), "Ctrl+Shift+R", "",
      QT_TRANSLATE_NOOP("Commands", "Put all docks back to where they were at first"), [](W& w, bool) { w.resetLayout(); }, false, true},
 
@@ -121,6 +148,8 @@ constexpr Command kCommands[] = {
      QT_TRANSLATE_NOOP("Commands", "Read how Stromar works"), [](W& w, bool) { w.showManual(); }},
     {"shortcuts", Menu::Help, QT_TRANSLATE_NOOP("Commands", "Mouse and &Keys"), "F2", "",
      QT_TRANSLATE_NOOP("Commands", "How to move about, and all shortcuts"), [](W& w, bool) { w.showShortcuts(); }},
+    {"welcome", Menu::Help, QT_TRANSLATE_NOOP("Commands", "Welcome"), "", "",
+     QT_TRANSLATE_NOOP("Commands", "The ways to begin, as at the first start"), [](W& w, bool) { w.showWelcome(); }},
     {"about", Menu::Help, QT_TRANSLATE_NOOP("Commands", "&About Stromar"), "Shift+F1", "",
      QT_TRANSLATE_NOOP("Commands", "Version and origin"), [](W& w, bool) { w.showAbout(); }},
 };

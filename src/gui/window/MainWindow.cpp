@@ -5,8 +5,11 @@
 #include "work/ExportController.h"
 #include "work/GrowthController.h"
 #include "document/Gesture.h"
+#include "window/DockFolder.h"
 #include "window/HelpWindow.h"
+#include "view/Comparison.h"
 #include "view/LightPanel.h"
+#include "view/SavedCameras.h"
 #include "motion/FallController.h"
 #include "motion/Recorder.h"
 #include "motion/Timeline.h"
@@ -23,7 +26,9 @@
 #include "window/Theme.h"
 #include "library/Thumbnails.h"
 #include "library/Variants.h"
+#include "library/WelcomeCard.h"
 #include "stromar/app/Methods.h"
+#include "stromar/app/Pictures.h"
 #include "stromar/app/Prediction.h"
 #include "stromar/app/Randomise.h"
 #include <QAbstractButton>
@@ -60,6 +65,7 @@ namespace stromar {
 
 namespace {
 QString tr2(const char* text) { return QCoreApplication::translate("Commands", text); }
+constexpr const char* kStartPreset = "japanese_maple.tree";
 QString switchKey(const QString& name) { return QStringLiteral("view/") + name; }
 } // namespace
 
@@ -68,6 +74,8 @@ CMainWindow::CMainWindow(const SizeLimits& limits, std::shared_ptr<CDocument> do
       m_thumbnails(new CThumbnails(this)), m_viewport(new CViewport), m_panel(new CParamPanel),
       m_presets(new CPresetBrowser(*m_thumbnails)), m_variants(new CVariants(*m_thumbnails)), m_bar(new CMessageBar),
       m_timeline(new CTimeline), m_wind(new CWindPanel), m_recorder(new CRecorder(*this)),
+      m_comparison(new CComparison(*m_viewport, this)),
+      m_cameras(new CSavedCameras(*m_viewport, this)), m_sideBySide(new CSideBySide(*m_viewport, this)),
       m_viewController(new CViewController(*m_viewport, *m_panel, *m_document, this)),
       m_files(new CFileController(*m_document, *m_bar, this)),
       m_exporter(new CExportController(
@@ -96,7 +104,7 @@ CMainWindow::CMainWindow(const SizeLimits& limits, std::shared_ptr<CDocument> do
 CMainWindow::~CMainWindow() { m_panel->disconnect(); }
 
 bool CMainWindow::busy() const {
-    return !m_started || m_thumbnails->busy() || m_growth->progress() || m_viewport->settling();
+    return !m_started || m_thumbnails->busy() || m_sideBySide->busy() || m_growth->progress() || m_viewport->settling();
 }
 
 void CMainWindow::makeCentre() {
@@ -132,7 +140,7 @@ QDockWidget* CMainWindow::addDock(const char* name, const QString& title, QWidge
 void CMainWindow::makeDocks() {
     setDockNestingEnabled(true);
     setTabPosition(Qt::LeftDockWidgetArea, QTabWidget::West);
-    addDock("parameters", tr("Parameters"), m_panel, Qt::RightDockWidgetArea);
+    QDockWidget* parameters = addDock("parameters", tr("Parameters"), m_panel, Qt::RightDockWidgetArea);
     QDockWidget* presets = addDock("presets", tr("Presets"), m_presets, Qt::LeftDockWidgetArea);
     auto* scroll = new QScrollArea;
     scroll->setWidget(m_variants);
@@ -159,6 +167,7 @@ void CMainWindow::makeDocks() {
     tabifyDockWidget(light, wind);
     presets->raise();
     resizeDocks({presets}, {200}, Qt::Horizontal);
+    m_folder = new CDockFolder(*this, {presets, variants, history, light, wind}, parameters, kLayoutVersion);
 }
 
 QAction* CMainWindow::makeAction(const Command& command) {
@@ -211,6 +220,7 @@ void CMainWindow::makeActions() {
         }
         if (QLatin1String(command.name) == QLatin1String("new")) addMethods(*menu);
         if (QLatin1String(command.name) == QLatin1String("open")) m_recentMenu = menu->addMenu(tr("Open &Recent"));
+        if (QLatin1String(command.name) == QLatin1String("saveCamera")) m_cameras->addTo(*menu->addMenu(tr("Saved Cameras")));
     }
     assignMnemonics(menuBar()->actions());
     for (const QAction* title : menuBar()->actions()) assignMnemonics(title->menu()->actions());
@@ -266,6 +276,15 @@ void CMainWindow::connectParts() {
     const auto relight = [this] { m_viewController->setLook([this](ViewLook& look) { m_light->applyTo(look); }); };
     connect(m_light, &CLightPanel::changed, this, relight);
     relight();
+    connect(m_comparison, &CComparison::shownChanged, this, [this](bool before) {
+        findChild<QAction*>(QStringLiteral("showBefore"))->setChecked(before);
+        if (before)
+            m_windController->setPaused(true);
+        else if (m_shown)
+            showNow();
+    });
+    connect(m_cameras, &CSavedCameras::orthographicWanted, findChild<QAction*>(QStringLiteral("orthographic")), &QAction::setChecked);
+    connect(m_comparison, &CComparison::notice, m_notice, &QLabel::setText);
     connect(m_viewController, &CViewController::notice, m_notice, &QLabel::setText);
     connect(m_presets, &CPresetBrowser::chosen, m_files, &CFileController::openPreset);
     connect(m_presets, &CPresetBrowser::saveWanted, m_files, &CFileController::savePreset);
@@ -283,7 +302,7 @@ void CMainWindow::connectControllers() {
     connect(growth, &CGrowthController::created, this, &CMainWindow::onCreated);
     connect(growth, &CGrowthController::surfaceRead, this, &CMainWindow::onSurfaceRead);
     connect(growth, &CGrowthController::failed, this, &CMainWindow::onFailed);
-    connect(growth, &CGrowthController::refused, this, &CMainWindow::showPresets);
+    connect(growth, &CGrowthController::refused, this, &CMainWindow::onRefused);
     connect(growth, &CGrowthController::started, &m_progressTimer, qOverload<>(&QTimer::start));
     connect(m_files, &CFileController::notice, m_notice, &QLabel::setText);
     connect(m_files, &CFileController::failed, this, &CMainWindow::onFailed);
@@ -359,10 +378,18 @@ void CMainWindow::restoreLayout() {
 void CMainWindow::keepLayout() const {
     QSettings settings;
     settings.setValue(QStringLiteral("geometry"), saveGeometry());
-    settings.setValue(QStringLiteral("layout"), saveState(kLayoutVersion));
+    settings.setValue(QStringLiteral("layout"), m_folder->layout());
 }
 
-void CMainWindow::resetLayout() { restoreState(m_firstLayout, kLayoutVersion); }
+void CMainWindow::resetLayout() {
+    restoreState(m_firstLayout, kLayoutVersion);
+    m_folder->followLayout();
+}
+
+void CMainWindow::resizeEvent(QResizeEvent* event) {
+    QMainWindow::resizeEvent(event);
+    m_folder->follow();
+}
 
 /// A widget that changes its parent gets a context of its own; the scene goes to the graphics card again.
 void CMainWindow::onContextLost() {
@@ -408,6 +435,26 @@ void CMainWindow::dropEvent(QDropEvent* event) {
     m_files->drop(path, mapToGlobal(event->position().toPoint()));
 }
 
+void CMainWindow::showStart() {
+    m_files->startWith(fromPath(dataFolder() / "presets" / kStartPreset));
+    if (CWelcomeCard::wanted()) showWelcome();
+}
+
+void CMainWindow::showWelcome() {
+    if (findChild<CWelcomeCard*>()) return;
+    auto* card = new CWelcomeCard(m_viewport);
+    connect(card, &CWelcomeCard::presetWanted, m_files, &CFileController::openPreset);
+    connect(card, &CWelcomeCard::fileWanted, m_files, &CFileController::chooseAndOpen);
+    connect(card, &CWelcomeCard::methodWanted, m_files, &CFileController::startNew);
+    connect(card, &CWelcomeCard::allPresetsWanted, this, [this] {
+        m_folder->show(findChild<QDockWidget*>(QStringLiteral("presets")));
+        m_presets->filter().setFocus();
+    });
+    connect(m_document.get(), &CDocument::replaced, card, &CWelcomeCard::finish);
+    connect(card, &CWelcomeCard::placed, m_viewport, &CViewport::setCovered);
+    m_viewport->setCovered(card->height());
+}
+
 // From the document to the picture
 
 void CMainWindow::onReplaced() {
@@ -420,6 +467,7 @@ void CMainWindow::onReplaced() {
     updateTitle();
     updateMessages();
     onChanged();
+    m_panel->showLocksOf(m_document->path().isEmpty() ? m_document->displayName() : m_document->path());
 }
 
 void CMainWindow::onChanged() {
@@ -440,10 +488,9 @@ void CMainWindow::showPresets() {
 void CMainWindow::onCreated(const std::shared_ptr<const ViewModel>& view) {
     const bool own = view->model->params == m_document->params();
     if (m_recentreNext && !own && m_document->params() == m_replacedBy) return; // late, of the document before
+    m_comparison->setNow(view);
     m_shown = view;
-    m_fall->show(view);
-    m_viewController->show(view);
-    m_windController->show(view);
+    showNow();
     m_timeline->shown();
     if (m_recentreNext && own) {
         m_viewport->recentre();
@@ -454,9 +501,32 @@ void CMainWindow::onCreated(const std::shared_ptr<const ViewModel>& view) {
     emit modelShown();
 }
 
+void CMainWindow::showNow() {
+    m_viewport->overlay().model().badge.clear();
+    m_windController->setPaused(m_fall->felling().has_value());
+    m_fall->show(m_shown);
+    m_viewController->show(m_shown);
+    m_windController->show(m_shown);
+    m_sideBySide->follow(m_shown, m_document->folder());
+}
+
 void CMainWindow::onSurfaceRead(Surface surface, const std::shared_ptr<const SurfaceMaps>& maps) {
-    m_viewport->setSurface(surface, *maps);
+    m_comparison->setSurface(surface, maps);
     if (!maps->problem.empty()) onFailed(QString::fromStdString(maps->problem));
+}
+
+/// Of a tree that was opened there is nothing to see; one that was changed stays as it was.
+void CMainWindow::onRefused() {
+    showPresets();
+    if (!m_recentreNext) return;
+    m_comparison->setNow(nullptr);
+    m_shown.reset();
+    m_viewController->show(nullptr);
+    m_windController->setPaused(true);
+    m_viewport->show(std::vector<ViewPart>());
+    m_viewport->overlay().model().badge = tr("Nothing has grown yet");
+    m_viewport->overlay().update();
+    m_counts->clear();
 }
 
 std::shared_ptr<const TreeModel> CMainWindow::shownModel() const {
@@ -548,6 +618,20 @@ void CMainWindow::chooseBackdrop() {
     if (QAction* before = backdrops->checkedAction()) before->setChecked(false);
     backdrops->setExclusionPolicy(QActionGroup::ExclusionPolicy::Exclusive);
 }
+
+void CMainWindow::setReference(bool on) {
+    if (!on)
+        m_viewController->setLook([](ViewLook& look) { look.reference.reset(); });
+    else if (!m_viewController->chooseReference(this))
+        findChild<QAction*>(QStringLiteral("reference"))->setChecked(false);
+}
+
+void CMainWindow::setRow(CSideBySide::Row row) {
+    m_sideBySide->setSeeds(m_variants->seeds());
+    m_sideBySide->setRow(row);
+}
+
+void CMainWindow::saveCamera() { m_cameras->save(this); }
 
 void CMainWindow::stop() {
     if (m_growth->stop()) m_notice->setText(tr("Stopped; F6 grows the full model"));

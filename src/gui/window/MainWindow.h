@@ -1,5 +1,6 @@
 #pragma once
 #include "document/Document.h"
+#include "view/SideBySide.h"
 #include "view/ViewController.h"
 #include <QMainWindow>
 #include <QPointer>
@@ -15,12 +16,15 @@ class QProgressBar;
 namespace stromar {
 
 struct Command;
+class CComparison;
+class CDockFolder;
 class CExportController;
 class CFileController;
 class CGrowthController;
 class CHelpWindow;
 class CLightPanel;
 class CMessageBar;
+class CSavedCameras;
 class CParamPanel;
 class CPresetBrowser;
 class CThumbnails;
@@ -58,14 +62,22 @@ public:
     CFallController& fall() { return *m_fall; }
     CTimeline& timeline() { return *m_timeline; }
     CWindPanel& wind() { return *m_wind; }
+    CComparison& comparison() { return *m_comparison; }
+    CSideBySide& sideBySide() { return *m_sideBySide; }
     /// Whether a tree grows or a thumbnail is still to come.
     bool busy() const;
     /// What the viewport shows; null before the first tree.
     const ViewModel* shown() const { return m_shown.get(); }
 
+    /// For a program that starts without a file: a tree to look at and, the first times, the ways to begin.
+    void showStart();
+
     // The commands of the table.
     void chooseTexture(const char* key);
     void chooseBackdrop();
+    void setReference(bool on);
+    void saveCamera();
+    void setRow(CSideBySide::Row row);
     void findParameter();
     void showPreferences();
     void throwDice();
@@ -80,6 +92,7 @@ public:
     void showManual();
     void showShortcuts();
     void showAbout();
+    void showWelcome();
 
 signals:
     /// The viewport has a new model.
@@ -89,12 +102,13 @@ signals:
 
 protected:
     bool eventFilter(QObject* watched, QEvent* event) override;
+    void resizeEvent(QResizeEvent* event) override;
     void closeEvent(QCloseEvent* event) override;
     void dragEnterEvent(QDragEnterEvent* event) override;
     void dropEvent(QDropEvent* event) override;
 
 private:
-    static constexpr int kLayoutVersion = 3; ///< rises when docks come or go
+    static constexpr int kLayoutVersion = 4; ///< rises when docks come or go
 
     void makeCentre();
     void makeDocks();
@@ -112,6 +126,8 @@ private:
     void onReplaced();
     void onChanged();
     void onCreated(const std::shared_ptr<const ViewModel>& view);
+    void showNow();
+    void onRefused();
     void onFailed(const QString& why);
     std::shared_ptr<const TreeModel> shownModel() const;
     void onSurfaceRead(Surface surface, const std::shared_ptr<const SurfaceMaps>& maps);
@@ -136,9 +152,13 @@ private:
     CTimeline* m_timeline;
     CWindPanel* m_wind;
     CRecorder* m_recorder;
+    CComparison* m_comparison;
+    CSavedCameras* m_cameras;
+    CSideBySide* m_sideBySide;
     CViewController* m_viewController;
     QPointer<CHelpWindow> m_help;
     QMenu* m_recentMenu = nullptr;
+    CDockFolder* m_folder = nullptr;
     QDockWidget* m_messageDock = nullptr;
     QListWidget* m_messages = nullptr;
     QLabel* m_counts = nullptr;

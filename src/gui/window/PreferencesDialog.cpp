@@ -1,10 +1,12 @@
 #include "window/PreferencesDialog.h"
 #include "window/QtText.h"
 #include "window/Settings.h"
+#include "stromar/app/Pictures.h"
 #include <QComboBox>
 #include <QDialogButtonBox>
 #include <QFormLayout>
 #include <QLabel>
+#include <QPushButton>
 #include <QSpinBox>
 
 namespace stromar {
@@ -33,6 +35,22 @@ QWidget* makeNumber(const Setting& setting) {
                      [&setting](int value) { CSettings::instance().set(setting.key, QString::number(value)); });
     return box;
 }
+
+QString emptyCacheText() {
+    return CPreferencesDialog::tr("Remove All Drawn Pictures (%1)").arg(QLocale().formattedDataSize(qint64(pictureCacheSize())));
+}
+
+/// They are drawn again when a tree needs them.
+QWidget* makeEmptyCache() {
+    auto* button = new QPushButton(emptyCacheText());
+    button->setObjectName(QStringLiteral("emptyCache"));
+    button->setAutoDefault(false);
+    QObject::connect(button, &QPushButton::clicked, button, [button] {
+        trimPictureCache(0);
+        button->setText(emptyCacheText());
+    });
+    return button;
+}
 } // namespace
 
 CPreferencesDialog::CPreferencesDialog(QWidget* parent) : QDialog(parent) {
@@ -48,6 +66,7 @@ CPreferencesDialog::CPreferencesDialog(QWidget* parent) : QDialog(parent) {
         label->setBuddy(editor);
         form->addRow(label, editor);
     }
+    form->addRow(makeEmptyCache());
     auto* buttons = new QDialogButtonBox(QDialogButtonBox::Close);
     connect(buttons, &QDialogButtonBox::rejected, this, &QDialog::accept);
     form->addRow(buttons);

@@ -28,10 +28,22 @@ void CExportController::choose(const QString& name) {
     const bool isFull = shown && shown->detail == &full, mayPredict = methodOf(m_document.params()).boundIsQuick;
     const double vertices = isFull || !mayPredict ? (shown ? double(shown->vertexCount()) : 0)
                                                   : predictSize(m_document.params(), full).vertices;
+    if (mayPredict && !fits()) return;
     CExportDialog dialog(name, vertices, m_window);
     if (dialog.exec() != QDialog::Accepted) return;
     exportTo(dialog.path(), dialog.options());
     m_chosen = true;
+}
+
+/// Tells why not, before anything is chosen.
+bool CExportController::fits() {
+    try {
+        refuseTooLarge(m_document.params(), detailOf(Model::Full), m_limits(), CProgress());
+        return true;
+    } catch (const CError& e) {
+        QMessageBox::critical(m_window, tr("Cannot export the tree"), toQString(e.what()));
+        return false;
+    }
 }
 
 void CExportController::exportTo(const QString& path, const ExportOptions& options) {

@@ -43,6 +43,7 @@ signals:
 
 private:
     void choose(const QString& name);
+    bool fits();
     QProgressDialog* showProgress(const QString& path);
     void finish(const QString& path, const QString& why, bool cancelled);
 

@@ -104,7 +104,7 @@ void CGrowthController::onTooLarge(const TooLargeTree& tree) {
     if (tree.fits) {
         const auto [ref, value] = *tree.fits;
         const QString shown = ref.info->unit == Unit::Metre ? lengthText(value) : QLocale().toString(value, 'g', 6);
-        choices.push_back({tr("%1 = %2 fits").arg(trText(ref.info->label), shown),
+        choices.push_back({tr("%1 = %2 fits").arg(QStringLiteral("%1 ▸ %2").arg(groupTitle(ref.group(), ref.level), trText(ref.info->label)), shown),
                            [this, ref, value] { m_document.setValue(ref, value, 0); }});
     }
     const Prediction& size = tree.size;
@@ -113,10 +113,13 @@ void CGrowthController::onTooLarge(const TooLargeTree& tree) {
                                m_allowed = m_document.params();
                                follow();
                            }});
-    choices.push_back({tr("Undo"), [this] { m_document.history().undo(); }});
+    if (m_document.history().canUndo())
+        choices.push_back({tr("Undo"), [this] { m_document.history().undo(); }});
+    else if (m_document.canGoBack())
+        choices.push_back({tr("Back"), [this] { m_document.goBack(); }});
     const QLocale numbers;
     m_bar.ask(QLatin1String(kAboutSize),
-              tr("This tree may have up to %1 stems, %2 leaves and %3 million vertices and take %4 GB of memory; the limit is "
+              tr("Nothing has grown: this tree may have up to %1 stems, %2 leaves and %3 million vertices and take %4 GB of memory; the limit is "
                  "%5 million vertices and %6 GB.")
                   .arg(numbers.toString(size.stems, 'f', 0), numbers.toString(size.leaves, 'f', 0),
                        numbers.toString(size.vertices / 1e6, 'f', 0), numbers.toString(size.bytes / 1e9, 'f', 1),

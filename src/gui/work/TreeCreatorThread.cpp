@@ -1,4 +1,5 @@
 #include "work/TreeCreatorThread.h"
+#include "stromar/app/Methods.h"
 #include "stromar/texture/Draw.h"
 #include <algorithm>
 #ifdef __GLIBC__
@@ -86,7 +87,7 @@ std::optional<CTreeCreatorThread::Request> CTreeCreatorThread::nextRequest() {
     return request;
 }
 
-/// When one value alone makes the tree too large, the nearest that does not is on offer.
+/// When one value alone makes the tree too large, the nearest that does not is on offer, else the least change that helps.
 TooLargeTree CTreeCreatorThread::refusedTree(const Request& request, const Prediction& size) const {
     TooLargeTree tree{request.params, size, {}};
     std::vector<ParamRef> changed;
@@ -95,6 +96,8 @@ TooLargeTree CTreeCreatorThread::refusedTree(const Request& request, const Predi
     if (changed.size() == 1 && changed.front().info->numeric())
         tree.fits = {changed.front(), nearestThatFits(tree.params, changed.front(), changed.front().get(m_fitting),
                                                       detailOf(Model::Full), request.limits)};
+    else if (methodOf(tree.params).boundIsQuick)
+        tree.fits = leastChangeThatFits(tree.params, detailOf(Model::Full), request.limits, CProgress());
     return tree;
 }
 

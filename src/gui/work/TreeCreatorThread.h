@@ -22,7 +22,7 @@ struct ViewModel {
 struct TooLargeTree {
     CParams params;
     Prediction size;
-    std::optional<std::pair<ParamRef, double>> fits; ///< the one value that makes it so, and the nearest that does not
+    std::optional<std::pair<ParamRef, double>> fits; ///< a value, and what it has to be for the tree to be small enough
 };
 
 /// Creates trees away from the GUI thread. One slot: a newer request replaces the waiting one and cancels the running
