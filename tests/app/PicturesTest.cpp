@@ -3,6 +3,7 @@
 #include "stromar/app/Export.h"
 #include "stromar/params/TreeFile.h"
 #include "stromar/texture/Draw.h"
+#include "stromar/util/FileSet.h"
 #include "util/TemporaryFolder.h"
 #include <cstdlib>
 #include <gtest/gtest.h>
@@ -26,6 +27,29 @@ protected:
     CParams m_params;
 };
 
+TEST_F(RecipeTest, TheOldestPicturesGoFirst) {
+    const fs::path folder = pictureCache() / "textures";
+    fs::create_directories(folder);
+    const auto now = fs::file_time_type::clock::now();
+    for (int age = 0; age < 4; ++age) {
+        const fs::path file = folder / (std::to_string(age) + ".png");
+        writeFile(file, std::string(1000, 'x'));
+        fs::last_write_time(file, now - std::chrono::hours(age));
+    }
+    EXPECT_EQ(pictureCacheSize(), 4000u);
+    trimPictureCache(4000);
+    EXPECT_EQ(pictureCacheSize(), 4000u);
+    trimPictureCache(2500);
+    EXPECT_TRUE(fs::exists(folder / "0.png"));
+    EXPECT_TRUE(fs::exists(folder / "1.png"));
+    EXPECT_FALSE(fs::exists(folder / "2.png"));
+    EXPECT_FALSE(fs::exists(folder / "3.png"));
+    trimPictureCache(0);
+    EXPECT_EQ(pictureCacheSize(), 0u);
+    makePictures(m_params, CProgress());
+    EXPECT_TRUE(fs::exists(bark())) << "drawn again when it is needed";
+}
+
 TEST_F(RecipeTest, IsDrawnOnceAndKept) {
     EXPECT_FALSE(fs::exists(bark()));
     makePictures(m_params, CProgress());
@@ -39,20 +63,21 @@ TEST_F(RecipeTest, IsDrawnOnceAndKept) {
     EXPECT_NE(bark(), first);
 }
 
-TEST_F(RecipeTest, OfLeavesHasAPreviewUntilTheWholeIsThere) {
+TEST_F(RecipeTest, HasAPreviewUntilTheWholeIsThere) {
     m_params.text.leafTexture = "leaf:maple";
-    const fs::path small = textureOf(m_params, Surface::Leaf, {}, PictureQuality::Preview),
-                   whole = textureOf(m_params, Surface::Leaf, {});
-    EXPECT_NE(small, whole);
-    EXPECT_EQ(textureOf(m_params, Surface::Bark, {}, PictureQuality::Preview), bark()) << "barks have none";
-    makePictures(m_params, CProgress(), PictureQuality::Preview);
-    EXPECT_TRUE(fs::exists(small));
-    EXPECT_FALSE(fs::exists(whole) || fs::exists(bark()));
-    makePictures(m_params, CProgress());
-    EXPECT_TRUE(fs::exists(whole));
-    fs::remove(small);
-    makePictures(m_params, CProgress(), PictureQuality::Preview);
-    EXPECT_FALSE(fs::exists(small)) << "the whole is better";
+    for (const Surface surface : {Surface::Leaf, Surface::Bark}) {
+        const fs::path small = textureOf(m_params, surface, {}, PictureQuality::Preview), whole = textureOf(m_params, surface, {});
+        EXPECT_NE(small, whole);
+        fs::remove_all(pictureCache());
+        makePictures(m_params, CProgress(), PictureQuality::Preview);
+        EXPECT_TRUE(fs::exists(small));
+        EXPECT_FALSE(fs::exists(whole));
+        makePictures(m_params, CProgress());
+        EXPECT_TRUE(fs::exists(whole));
+        fs::remove(small);
+        makePictures(m_params, CProgress(), PictureQuality::Preview);
+        EXPECT_FALSE(fs::exists(small)) << "the whole is better";
+    }
 }
 
 TEST_F(RecipeTest, OfLeavesFollowsTheMonth) {

@@ -185,8 +185,8 @@ TEST_F(DeskTest, AnAxisOfTheCrossTurnsTheView) {
     CViewOverlay& overlay = window.viewport().overlay();
     window.viewport().lookFrom(30, 30);
     QPoint found(-1, -1);
-    for (int y = overlay.height() - 110; y < overlay.height() && found.x() < 0; y += 2)
-        for (int x = 0; x < 110; x += 2)
+    for (int y = 0; y < 110 && found.x() < 0; y += 2)
+        for (int x = overlay.width() - 110; x < overlay.width(); x += 2)
             if (const auto axis = overlay.axisAt(QPointF(x, y)); axis && axis->second == 90) found = {x, y};
     ASSERT_GE(found.x(), 0);
     QTest::mouseClick(&window.viewport(), Qt::LeftButton, {}, found);

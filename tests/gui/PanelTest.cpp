@@ -316,12 +316,16 @@ TEST(Panel, LocksAreKept) {
     const ParamRef ref = paramRef("1Curve");
     {
         CParamPanel panel;
+        panel.showLocksOf(QStringLiteral("/trees/aspen.tree"));
         EXPECT_FALSE(panel.locked(ref));
         emit panel.row(ref)->lockToggled(true);
         EXPECT_TRUE(panel.locked(ref));
         EXPECT_TRUE(panel.locked(paramRef("1CurveV"))) << "with its variation";
     }
     CParamPanel again;
+    again.showLocksOf(QStringLiteral("/trees/other.tree"));
+    EXPECT_FALSE(again.locked(ref)) << "of the tree alone";
+    again.showLocksOf(QStringLiteral("/trees/aspen.tree"));
     EXPECT_TRUE(again.locked(ref));
     emit again.row(ref)->lockToggled(false);
     EXPECT_FALSE(again.locked(ref));

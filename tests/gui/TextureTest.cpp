@@ -4,7 +4,9 @@
 #include <QComboBox>
 #include <QDoubleSpinBox>
 #include <QLabel>
+#include <QPointer>
 #include <QPushButton>
+#include <QSet>
 #include <QSlider>
 #include <gtest/gtest.h>
 
@@ -43,6 +45,57 @@ TEST(TextureWorkshop, SlidersAndNumbersFollowEachOther) {
     slider->setValue(slider->maximum());
     EXPECT_EQ(number->value(), 3);
     EXPECT_EQ(workshop.recipe().text(), "bark:birch depth=3");
+}
+
+class WorkshopTest : public WindowFixture {
+protected:
+    CTextureWorkshop* open() {
+        window.files().openWorkshop(paramRef("BarkTexture"));
+        return window.findChild<CTextureWorkshop*>();
+    }
+    const std::string& bark() { return window.document().params().text.barkTexture; }
+};
+
+TEST_F(WorkshopTest, TheTreeWearsWhatIsMadeAsOneStep) {
+    const std::string before = bark();
+    CTextureWorkshop* workshop = open();
+    ASSERT_TRUE(workshop);
+    EXPECT_FALSE(workshop->isModal());
+    auto* depth = workshop->findChild<QDoubleSpinBox*>(QStringLiteral("depth"));
+    for (const double value : {0.5, 1.5, 2.5}) {
+        depth->setValue(value);
+        ASSERT_TRUE(waitFor([&] { return bark() == workshop->recipe().text(); }));
+    }
+    EXPECT_EQ(window.document().history().count(), 1);
+    workshop->reject();
+    EXPECT_EQ(bark(), before);
+    EXPECT_EQ(window.document().history().count(), 0) << "as if nothing had been";
+}
+
+TEST_F(WorkshopTest, IsClosedWithItsTree) {
+    QPointer<CTextureWorkshop> workshop = open();
+    ASSERT_TRUE(workshop);
+    workshop->findChild<QDoubleSpinBox*>(QStringLiteral("depth"))->setValue(2.2);
+    window.document().startNew();
+    const CParams fresh = window.document().params();
+    EXPECT_TRUE(waitFor([&] { return !workshop; }));
+    EXPECT_EQ(window.document().params(), fresh);
+}
+
+TEST(TextureWorkshop, ShowsEveryMapInTheFormOfTheLeaf) {
+    CTextureWorkshop workshop(CRecipe("leaf:oak"), 0.5);
+    QSet<QRgb> corners;
+    std::vector<QImage> seen;
+    auto* map = workshop.findChild<QComboBox*>(QStringLiteral("map"));
+    ASSERT_EQ(map->count(), 4);
+    for (int i = 0; i < map->count(); ++i) {
+        map->setCurrentIndex(i);
+        const QImage image = pictureOf(workshop);
+        for (const QImage& other : seen) EXPECT_NE(image, other);
+        seen.push_back(image);
+        for (int y = 0; y < image.height(); ++y) corners << image.pixel(image.width() / 8, y);
+    }
+    EXPECT_EQ(corners.size(), 1) << "half as wide as high: nothing but the ground there";
 }
 
 TEST(LightPanel, MovesTheSunOfTheLook) {

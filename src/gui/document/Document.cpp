@@ -128,8 +128,9 @@ void CDocument::open(const QString& path) {
 
 void CDocument::goBack() {
     if (!m_previous) return;
+    const PlacePtr place = m_previous;
     const CParams wanted = m_previousParams;
-    replace(m_previous);
+    replace(place);
     m_previous.reset();
     if (wanted == m_params) return;
     edit(tr("Unsaved changes"), [&](CParams& params) { params = wanted; });

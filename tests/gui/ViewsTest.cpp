@@ -1,0 +1,215 @@
+#include "view/Comparison.h"
+#include "view/SavedCameras.h"
+#include "window/DockFolder.h"
+#include "window/MessageBar.h"
+#include "window/Settings.h"
+#include "WindowFixture.h"
+#include "stromar/params/TreeFile.h"
+#include <QDockWidget>
+#include <QFile>
+#include <QInputDialog>
+#include <QMenu>
+#include <QSettings>
+#include <QTemporaryDir>
+#include <QToolBar>
+
+namespace stromar {
+namespace {
+
+class ViewsTest : public WindowFixture {
+protected:
+    CViewport& view() { return window.viewport(); }
+    osg::Vec3d ahead() { return view().camera().forward(); }
+    void drag(const QPointF& from, const QPointF& to) {
+        QTest::mousePress(&view(), Qt::LeftButton, {}, from.toPoint());
+        for (int i = 1; i <= 4; ++i) {
+            const QPointF at = from + (to - from) * i / 4;
+            QMouseEvent move(QEvent::MouseMove, at, view().mapToGlobal(at), Qt::NoButton, Qt::LeftButton, {});
+            QCoreApplication::sendEvent(&view(), &move);
+        }
+        QTest::mouseRelease(&view(), Qt::LeftButton, {}, to.toPoint());
+    }
+    QPointF seenAt(const osg::Vec3d& point) { return *view().overlay().toWidget(point); }
+};
+
+TEST_F(ViewsTest, EverySideHasAKey) {
+    const std::tuple<Qt::Key, osg::Vec3d> sides[] = {{Qt::Key_1, {0, 1, 0}}, {Qt::Key_2, {0, -1, 0}}, {Qt::Key_3, {-1, 0, 0}},
+                                                     {Qt::Key_4, {1, 0, 0}}, {Qt::Key_7, {0, 0, -1}}, {Qt::Key_8, {0, 0, 1}}};
+    for (const auto& [key, looks] : sides) {
+        QTest::keyClick(&view(), key);
+        EXPECT_LT((ahead() - looks).length(), 0.01) << key;
+    }
+}
+
+TEST_F(ViewsTest, TheTreeFillsTheViewThatIsRecentred) {
+    for (const bool orthographic : {false, true}) {
+        view().setOrthographic(orthographic);
+        QTest::keyClick(&view(), Qt::Key_Space);
+        double top = view().height(), bottom = 0;
+        for (const osg::Vec3f& point : view().scene().outline()) {
+            const QPointF at = seenAt(osg::Vec3d(point));
+            EXPECT_TRUE(view().rect().contains(at.toPoint()));
+            top = std::min(top, at.y());
+            bottom = std::max(bottom, at.y());
+        }
+        EXPECT_GT(bottom - top, 0.8 * view().height());
+    }
+    view().setOrthographic(false);
+}
+
+TEST_F(ViewsTest, CamerasAreKeptUnderNames) {
+    CSavedCameras cameras(view(), nullptr);
+    QObject::connect(&cameras, &CSavedCameras::orthographicWanted, action("orthographic"), &QAction::setChecked);
+    view().lookFrom(40, 20);
+    const CCamera kept = view().camera();
+    cameras.saveAs(QStringLiteral("a/b"));
+    view().lookFrom(90, 0);
+    view().moveTo(3);
+    QMenu menu;
+    cameras.addTo(menu);
+    emit menu.aboutToShow();
+    ASSERT_EQ(menu.actions().size(), 3) << "the camera, a line, what removes it";
+    menu.actions().front()->trigger();
+    EXPECT_LT((view().camera().eye() - kept.eye()).length(), 1e-9);
+    EXPECT_LT((ahead() - kept.forward()).length(), 1e-9);
+    menu.actions().back()->menu()->actions().front()->trigger();
+    emit menu.aboutToShow();
+    ASSERT_EQ(menu.actions().size(), 1);
+    EXPECT_FALSE(menu.actions().front()->isEnabled());
+}
+
+TEST_F(ViewsTest, TheRulerMeasuresTheTrunk) {
+    QTest::keyClick(&view(), Qt::Key_M);
+    ASSERT_TRUE(action("ruler")->isChecked());
+    const CCamera before = view().camera();
+    drag(seenAt({0, 0, 1}), seenAt({0, 0, 4}));
+    const auto& measured = view().overlay().model().measured;
+    ASSERT_TRUE(measured);
+    EXPECT_NEAR((measured->second - measured->first).length(), 3, 0.2);
+    EXPECT_EQ(view().camera().eye(), before.eye()) << "the view does not turn";
+    const QImage with = view().overlay().grab().toImage();
+    QTest::keyClick(&view(), Qt::Key_M);
+    EXPECT_FALSE(view().overlay().model().measured);
+    EXPECT_NE(view().overlay().grab().toImage(), with);
+}
+
+TEST_F(ViewsTest, AReferenceStandsBehindTheTreeInItsSize) {
+    QTemporaryDir folder;
+    QImage red(40, 80, QImage::Format_RGB32);
+    red.fill(Qt::red);
+    ASSERT_TRUE(red.save(folder.filePath(QStringLiteral("red.png"))));
+    const auto picture = readBackdrop(folder.filePath(QStringLiteral("red.png")).toStdString());
+    ViewLook look = view().look();
+    look.backdrop = Backdrop::Dark;
+    const QImage without = view().picture({300, 300}, look, view().camera());
+    look.reference = picture;
+    look.referenceHeight = 4;
+    const QImage with = view().picture({300, 300}, look, view().camera());
+    const auto at = [&](const osg::Vec3d& point) {
+        const osg::Vec3d place = view().camera().project(point, 1);
+        return QPoint(static_cast<int>((place.x() + 1) / 2 * 300), static_cast<int>((1 - place.y()) / 2 * 300));
+    };
+    EXPECT_EQ(with.pixelColor(at({0.8, 0, 2})), QColor(Qt::red));
+    EXPECT_EQ(with.pixelColor(at({1.2, 0, 2})), without.pixelColor(at({1.2, 0, 2}))) << "two metres wide";
+    EXPECT_EQ(with.pixelColor(at({0.8, 0, 4.3})), without.pixelColor(at({0.8, 0, 4.3}))) << "four metres high";
+    EXPECT_EQ(with.pixelColor(at({0, 0, 2})), without.pixelColor(at({0, 0, 2}))) << "the trunk stands before it";
+}
+
+TEST_F(ViewsTest, BeforeIsShownUntilSomethingChanges) {
+    const QImage before = picture();
+    QTest::keyClick(&view(), Qt::Key_A);
+    EXPECT_FALSE(action("showBefore")->isChecked()) << "nothing was kept";
+    QTest::keyClick(&view(), Qt::Key_A, Qt::ShiftModifier);
+    window.document().setValue(paramRef("Seed"), 99, 0);
+    ASSERT_TRUE(showsNow(Model::Full));
+    ASSERT_TRUE(waitFor([&] { return !view().settling(); }));
+    const QImage after = picture();
+    EXPECT_NE(after, before);
+    QTest::keyClick(&view(), Qt::Key_A);
+    EXPECT_TRUE(action("showBefore")->isChecked());
+    ASSERT_TRUE(waitFor([&] { return !view().settling(); }));
+    EXPECT_EQ(picture(), before);
+    EXPECT_FALSE(view().overlay().model().badge.isEmpty());
+    QTest::keyClick(&view(), Qt::Key_A);
+    ASSERT_TRUE(waitFor([&] { return !view().settling(); }));
+    EXPECT_EQ(picture(), after);
+    QTest::keyClick(&view(), Qt::Key_A);
+    window.document().setValue(paramRef("Seed"), 100, 0);
+    EXPECT_TRUE(waitFor([&] { return !action("showBefore")->isChecked(); })) << "the hand wants to see what it does";
+    EXPECT_TRUE(view().overlay().model().badge.isEmpty());
+}
+
+TEST_F(ViewsTest, TreesStandSideBySide) {
+    const osg::BoundingBox alone = view().scene().bounds();
+    for (const auto& [name, count] : {std::pair{"ages", 5}, {"seasons", 4}, {"seeds", 9}}) {
+        action(name)->trigger();
+        ASSERT_TRUE(waitFor([&] { return !window.sideBySide().busy(); }, 120000)) << name;
+        const auto& labels = view().overlay().model().labels;
+        ASSERT_EQ(labels.size(), std::size_t(count)) << name;
+        std::vector<double> feet;
+        for (const auto& [place, text] : labels) feet.push_back(place.x());
+        std::ranges::sort(feet);
+        for (std::size_t i = 1; i < feet.size(); ++i) EXPECT_GT(feet[i] - feet[i - 1], 0.5) << name;
+        const osg::BoundingBox row = view().scene().bounds();
+        EXPECT_GT(row.xMax() - row.xMin(), 2 * (alone.xMax() - alone.xMin())) << name;
+    }
+    action("alone")->trigger();
+    EXPECT_TRUE(view().overlay().model().labels.empty());
+    EXPECT_EQ(view().scene().bounds().xMax(), alone.xMax());
+}
+
+TEST_F(ViewsTest, ANarrowWindowGivesHalfToThePicture) {
+    window.resize(1024, 700);
+    ASSERT_TRUE(waitFor([&] { return view().width() >= 512; })) << view().width();
+    EXPECT_EQ(window.width(), 1024);
+    auto* presets = window.findChild<QDockWidget*>(QStringLiteral("presets"));
+    EXPECT_TRUE(presets->isHidden());
+    auto* bar = window.findChild<QToolBar*>(QStringLiteral("foldedDocks"));
+    ASSERT_TRUE(bar->isVisible());
+    window.findChild<QAction*>(QStringLiteral("fold:light"))->trigger();
+    EXPECT_TRUE(window.findChild<QDockWidget*>(QStringLiteral("light"))->isVisible());
+    window.findChild<QAction*>(QStringLiteral("fold:presets"))->trigger();
+    EXPECT_TRUE(presets->isVisible());
+    EXPECT_TRUE(window.findChild<QDockWidget*>(QStringLiteral("light"))->isHidden()) << "one at a time";
+    window.findChild<QAction*>(QStringLiteral("fold:presets"))->trigger();
+    EXPECT_TRUE(presets->isHidden());
+    window.keepLayout();
+    window.resize(1500, 800);
+    ASSERT_TRUE(waitFor([&] { return presets->isVisible(); }));
+    EXPECT_FALSE(bar->isVisible());
+    CMainWindow next;
+    next.resize(1500, 800);
+    next.show();
+    EXPECT_TRUE(waitFor([&] { return next.findChild<QDockWidget*>(QStringLiteral("presets"))->isVisible(); })) << "what was folded is not lost";
+}
+
+TEST_F(ViewsTest, AFileThatIsTooLargeShowsNothingAndOffersTheWaysOut) {
+    QTemporaryDir folder;
+    CParams huge;
+    for (const char* key : {"1Branches", "2Branches", "3Branches"}) paramRef(key).set(huge, 500);
+    paramRef("Levels").set(huge, 4);
+    const QString path = folder.filePath(QStringLiteral("huge.tree"));
+    static_cast<void>(CTreeFile().write(path.toStdString(), huge));
+    const QString before = window.document().path();
+    ASSERT_TRUE(window.files().open(path));
+    ASSERT_TRUE(waitFor([&] { return window.bar().isVisible(); }, 60000));
+    EXPECT_FALSE(window.shown());
+    EXPECT_FALSE(view().scene().bounds().valid()) << "not the tree before";
+    EXPECT_FALSE(view().overlay().model().badge.isEmpty());
+    QStringList offers;
+    for (const auto* button : window.bar().findChildren<QAbstractButton*>()) offers << button->text();
+    const QString all = offers.join(QLatin1Char('|'));
+    EXPECT_TRUE(all.contains(QLatin1String("fits"))) << all.toStdString();
+    EXPECT_TRUE(all.contains(QLatin1String("Back"))) << all.toStdString();
+    answerNext(QMessageBox::Ok);
+    window.exporter().chooseAndExport();
+    EXPECT_TRUE(asked) << "why not, before anything is chosen";
+    for (auto* button : window.bar().findChildren<QAbstractButton*>())
+        if (button->text() == QLatin1String("Back")) button->click();
+    EXPECT_EQ(window.document().path(), before);
+    EXPECT_TRUE(showsNow(Model::Full));
+    EXPECT_TRUE(view().overlay().model().badge.isEmpty());
+}
+
+} // namespace
+} // namespace stromar
