@@ -183,10 +183,6 @@
         <translation>Pohled podél osy Y</translation>
     </message>
     <message>
-        <source>From the S&amp;ide</source>
-        <translation>Z &amp;boku</translation>
-    </message>
-    <message>
         <source>Look along the X axis</source>
         <translation>Pohled podél osy X</translation>
     </message>
@@ -454,6 +450,114 @@
         <source>Move to where a program would begin to show this level of detail</source>
         <translation>Přejít tam, kde by program začal ukazovat tuto úroveň detailu</translation>
     </message>
+    <message>
+        <source>From the Back</source>
+        <translation>Zezadu</translation>
+    </message>
+    <message>
+        <source>Look against the Y axis</source>
+        <translation>Pohled proti ose Y</translation>
+    </message>
+    <message>
+        <source>From the Right</source>
+        <translation>Zprava</translation>
+    </message>
+    <message>
+        <source>Look against the X axis</source>
+        <translation>Pohled proti ose X</translation>
+    </message>
+    <message>
+        <source>From the Left</source>
+        <translation>Zleva</translation>
+    </message>
+    <message>
+        <source>From Below</source>
+        <translation>Zdola</translation>
+    </message>
+    <message>
+        <source>Look up</source>
+        <translation>Pohled vzhůru</translation>
+    </message>
+    <message>
+        <source>Save Camera…</source>
+        <translation>Uložit kameru…</translation>
+    </message>
+    <message>
+        <source>Keep this view of the tree under a name</source>
+        <translation>Uchová tento pohled na strom pod jménem</translation>
+    </message>
+    <message>
+        <source>R&amp;uler</source>
+        <translation>Pravítko</translation>
+    </message>
+    <message>
+        <source>Drag from one place to another to measure</source>
+        <translation>Tažením z místa na místo změříte vzdálenost</translation>
+    </message>
+    <message>
+        <source>Reference Picture…</source>
+        <translation>Referenční obrázek…</translation>
+    </message>
+    <message>
+        <source>A picture of a real tree, in its true size, behind the one in the window</source>
+        <translation>Obrázek skutečného stromu ve skutečné velikosti za stromem v okně</translation>
+    </message>
+    <message>
+        <source>Keep as “Before”</source>
+        <translation>Uchovat jako „předtím“</translation>
+    </message>
+    <message>
+        <source>Keep the tree as it is now, to compare with what you make of it</source>
+        <translation>Uchová strom, jaký je teď, k porovnání s tím, co z něj uděláte</translation>
+    </message>
+    <message>
+        <source>Show “Before”</source>
+        <translation>Ukázat „předtím“</translation>
+    </message>
+    <message>
+        <source>The tree as it was kept, until this is switched off or a value changes</source>
+        <translation>Uchovaný strom, dokud se to nevypne nebo se nezmění hodnota</translation>
+    </message>
+    <message>
+        <source>One Tree</source>
+        <translation>Jeden strom</translation>
+    </message>
+    <message>
+        <source>The tree alone</source>
+        <translation>Samotný strom</translation>
+    </message>
+    <message>
+        <source>Nine Seeds Side by Side</source>
+        <translation>Devět semínek vedle sebe</translation>
+    </message>
+    <message>
+        <source>The tree among eight others of its kind</source>
+        <translation>Strom mezi osmi dalšími svého druhu</translation>
+    </message>
+    <message>
+        <source>Five Ages Side by Side</source>
+        <translation>Pět stáří vedle sebe</translation>
+    </message>
+    <message>
+        <source>The tree from its youth to its full age</source>
+        <translation>Strom od mládí do plného stáří</translation>
+    </message>
+    <message>
+        <source>Four Seasons Side by Side</source>
+        <translation>Čtyři roční období vedle sebe</translation>
+    </message>
+    <message>
+        <source>The tree in winter, spring, summer and autumn</source>
+        <translation>Strom v zimě, na jaře, v létě a na podzim</translation>
+    </message>
+    <message>
+        <source>Welcome</source>
+        <translation>Vítejte</translation>
+    </message>
+    <message>
+        <source>The ways to begin, as at the first start</source>
+        <translation>Způsoby, jak začít, jako při prvním spuštění</translation>
+    </message>
 </context>
 <context>
     <name>Counts</name>
@@ -476,6 +580,41 @@
     <message>
         <source>Level of detail %1</source>
         <translation>Úroveň detailu %1</translation>
+    </message>
+</context>
+<context>
+    <name>Values</name>
+    <message>
+        <source>Cannot use the values</source>
+        <translation>Hodnoty nelze použít</translation>
+    </message>
+    <message>
+        <source>Paste %1</source>
+        <translation>Vložit %1</translation>
+    </message>
+    <message>
+        <source>Save Values</source>
+        <translation>Uložit hodnoty</translation>
+    </message>
+    <message>
+        <source>Name of these values</source>
+        <translation>Jméno těchto hodnot</translation>
+    </message>
+    <message>
+        <source>Remove</source>
+        <translation>Odstranit</translation>
+    </message>
+    <message>
+        <source>&amp;Copy Values</source>
+        <translation>&amp;Kopírovat hodnoty</translation>
+    </message>
+    <message>
+        <source>&amp;Paste Values</source>
+        <translation>&amp;Vložit hodnoty</translation>
+    </message>
+    <message>
+        <source>&amp;Save Values…</source>
+        <translation>&amp;Uložit hodnoty…</translation>
     </message>
 </context>
 <context>
@@ -2808,6 +2947,45 @@
         <source>the colours of this wind hold the occlusion already</source>
         <translation>barvy tohoto větru už zastínění obsahují</translation>
     </message>
+    <message>
+        <source>Lit</source>
+        <translation>Osvětlené</translation>
+    </message>
+    <message>
+        <source>Normals</source>
+        <translation>Normály</translation>
+    </message>
+    <message>
+        <source>Roughness</source>
+        <translation>Drsnost</translation>
+    </message>
+    <message>
+        <source>Drawn pictures</source>
+        <translation>Nakreslené obrázky</translation>
+    </message>
+    <message>
+        <source>The most that textures and thumbnails may take on the disk; at each start the oldest beyond go.</source>
+        <translation>Nejvíce, kolik smějí textury a náhledy zabrat na disku; při každém spuštění se nejstarší nad tuto mez smažou.</translation>
+    </message>
+    <message>
+        <source> MB</source>
+        <translation> MB</translation>
+    </message>
+</context>
+<context>
+    <name>stromar::CComparison</name>
+    <message>
+        <source>Kept; A shows it in place of what you make of it</source>
+        <translation>Uchováno; klávesa A ho ukáže místo toho, co z něj uděláte</translation>
+    </message>
+    <message>
+        <source>Nothing was kept yet: Shift+A keeps the tree as it is</source>
+        <translation>Zatím není nic uchováno: Shift+A uchová strom, jaký je</translation>
+    </message>
+    <message>
+        <source>Before</source>
+        <translation>Předtím</translation>
+    </message>
 </context>
 <context>
     <name>stromar::CCurveEditor</name>
@@ -2818,6 +2996,13 @@
     <message>
         <source>&amp;Delete Point</source>
         <translation>&amp;Smazat bod</translation>
+    </message>
+</context>
+<context>
+    <name>stromar::CDockFolder</name>
+    <message>
+        <source>Folded docks</source>
+        <translation>Složené panely</translation>
     </message>
 </context>
 <context>
@@ -2833,6 +3018,10 @@
     <message>
         <source>Restore</source>
         <translation>Obnovit</translation>
+    </message>
+    <message>
+        <source>Unsaved changes</source>
+        <translation>Neuložené změny</translation>
     </message>
 </context>
 <context>
@@ -3056,6 +3245,10 @@
         <source>Changes from before a preset was opened are not saved; Undo brings them back. Go on without them?</source>
         <translation>Změny z doby před otevřením předvolby nejsou uloženy; Zpět je vrátí. Pokračovat bez nich?</translation>
     </message>
+    <message>
+        <source>Cannot open the workshop</source>
+        <translation>Dílnu nelze otevřít</translation>
+    </message>
 </context>
 <context>
     <name>stromar::CGrowthController</name>
@@ -3072,8 +3265,12 @@
         <translation>Zpět</translation>
     </message>
     <message>
-        <source>This tree may have up to %1 stems, %2 leaves and %3 million vertices and take %4 GB of memory; the limit is %5 million vertices and %6 GB.</source>
-        <translation>Tento strom může mít až %1 větví, %2 listů a %3 milionů vrcholů a zabrat %4 GB paměti; mez je %5 milionů vrcholů a %6 GB.</translation>
+        <source>Back</source>
+        <translation>Zpět</translation>
+    </message>
+    <message>
+        <source>Nothing has grown: this tree may have up to %1 stems, %2 leaves and %3 million vertices and take %4 GB of memory; the limit is %5 million vertices and %6 GB.</source>
+        <translation>Nic nevyrostlo: tento strom může mít až %1 větví, %2 listů a %3 milionů vrcholů a zabrat %4 GB paměti; mez je %5 milionů vrcholů a %6 GB.</translation>
     </message>
 </context>
 <context>
@@ -3279,6 +3476,14 @@
         <source>%1   %2   %3 leaves   %4 vertices   %5 triangles   %6 ms</source>
         <translation>%1   %2   %3 listů   %4 vrcholů   %5 trojúhelníků   %6 ms</translation>
     </message>
+    <message>
+        <source>Saved Cameras</source>
+        <translation>Uložené kamery</translation>
+    </message>
+    <message>
+        <source>Nothing has grown yet</source>
+        <translation>Zatím nic nevyrostlo</translation>
+    </message>
 </context>
 <context>
     <name>stromar::CMessageBar</name>
@@ -3347,6 +3552,14 @@
     <message>
         <source>Where they point</source>
         <translation>Kam směřují</translation>
+    </message>
+    <message>
+        <source>Values</source>
+        <translation>Hodnoty</translation>
+    </message>
+    <message>
+        <source>Copies, pastes and keeps the values of this tab; a right click on a heading does it with what stands below</source>
+        <translation>Kopíruje, vkládá a uchovává hodnoty této karty; pravé kliknutí na nadpis to udělá s tím, co je pod ním</translation>
     </message>
 </context>
 <context>
@@ -3436,6 +3649,10 @@
     <message>
         <source>Preferences</source>
         <translation>Nastavení</translation>
+    </message>
+    <message>
+        <source>Remove All Drawn Pictures (%1)</source>
+        <translation>Odstranit všechny nakreslené obrázky (%1)</translation>
     </message>
 </context>
 <context>
@@ -3620,6 +3837,29 @@
     </message>
 </context>
 <context>
+    <name>stromar::CSavedCameras</name>
+    <message>
+        <source>None yet: Save Camera keeps one</source>
+        <translation>Zatím žádná: uchová ji Uložit kameru</translation>
+    </message>
+    <message>
+        <source>Remove</source>
+        <translation>Odstranit</translation>
+    </message>
+    <message>
+        <source>Camera %1</source>
+        <translation>Kamera %1</translation>
+    </message>
+    <message>
+        <source>Save Camera</source>
+        <translation>Uložit kameru</translation>
+    </message>
+    <message>
+        <source>Name of the view</source>
+        <translation>Jméno pohledu</translation>
+    </message>
+</context>
+<context>
     <name>stromar::CShortcutsDialog</name>
     <message>
         <source>Mouse and keys</source>
@@ -3691,6 +3931,13 @@
     </message>
 </context>
 <context>
+    <name>stromar::CSideBySide</name>
+    <message>
+        <source>Age %1 %</source>
+        <translation>Stáří %1 %</translation>
+    </message>
+</context>
+<context>
     <name>stromar::CTextureWorkshop</name>
     <message>
         <source>Texture Workshop</source>
@@ -3711,6 +3958,10 @@
     <message>
         <source>Cannot save the pictures</source>
         <translation>Obrázky nelze uložit</translation>
+    </message>
+    <message>
+        <source>Picture</source>
+        <translation>Obrázek</translation>
     </message>
 </context>
 <context>
@@ -3944,6 +4195,25 @@ Na: %5, č. %6</translation>
         <source>%1: %2 triangles, from %3 on</source>
         <translation>%1: %2 trojúhelníků, od %3 dál</translation>
     </message>
+    <message>
+        <source>Reference Picture</source>
+        <translation>Referenční obrázek</translation>
+    </message>
+    <message>
+        <source>Pictures (*.png *.jpg *.jpeg)</source>
+        <translation>Obrázky (*.png *.jpg *.jpeg)</translation>
+    </message>
+    <message>
+        <source>Height of what the picture shows, from edge to edge (%1)</source>
+        <translation>Výška toho, co obrázek ukazuje, od kraje ke kraji (%1)</translation>
+    </message>
+</context>
+<context>
+    <name>stromar::CViewOverlay</name>
+    <message>
+        <source>%1 higher</source>
+        <translation>o %1 výše</translation>
+    </message>
 </context>
 <context>
     <name>stromar::CViewport</name>
@@ -3958,6 +4228,33 @@ Na: %5, č. %6</translation>
     <message>
         <source>Picture of the tree</source>
         <translation>Obrázek stromu</translation>
+    </message>
+</context>
+<context>
+    <name>stromar::CWelcomeCard</name>
+    <message>
+        <source>Welcome to Stromar.</source>
+        <translation>Vítejte ve Stromaru.</translation>
+    </message>
+    <message>
+        <source>Begin with a tree and change it:</source>
+        <translation>Začněte stromem a změňte ho:</translation>
+    </message>
+    <message>
+        <source>Close</source>
+        <translation>Zavřít</translation>
+    </message>
+    <message>
+        <source>All Presets</source>
+        <translation>Všechny předvolby</translation>
+    </message>
+    <message>
+        <source>Open a File…</source>
+        <translation>Otevřít soubor…</translation>
+    </message>
+    <message>
+        <source>New Tree by</source>
+        <translation>Nový strom podle</translation>
     </message>
 </context>
 <context>

@@ -183,10 +183,6 @@
         <translation>Вид вдоль оси Y</translation>
     </message>
     <message>
-        <source>From the S&amp;ide</source>
-        <translation>С&amp;боку</translation>
-    </message>
-    <message>
         <source>Look along the X axis</source>
         <translation>Вид вдоль оси X</translation>
     </message>
@@ -454,6 +450,114 @@
         <source>Move to where a program would begin to show this level of detail</source>
         <translation>Отойти туда, откуда программа начала бы показывать этот уровень детализации</translation>
     </message>
+    <message>
+        <source>From the Back</source>
+        <translation>Сзади</translation>
+    </message>
+    <message>
+        <source>Look against the Y axis</source>
+        <translation>Взгляд против оси Y</translation>
+    </message>
+    <message>
+        <source>From the Right</source>
+        <translation>Справа</translation>
+    </message>
+    <message>
+        <source>Look against the X axis</source>
+        <translation>Взгляд против оси X</translation>
+    </message>
+    <message>
+        <source>From the Left</source>
+        <translation>Слева</translation>
+    </message>
+    <message>
+        <source>From Below</source>
+        <translation>Снизу</translation>
+    </message>
+    <message>
+        <source>Look up</source>
+        <translation>Взгляд вверх</translation>
+    </message>
+    <message>
+        <source>Save Camera…</source>
+        <translation>Сохранить камеру…</translation>
+    </message>
+    <message>
+        <source>Keep this view of the tree under a name</source>
+        <translation>Сохраняет этот вид дерева под именем</translation>
+    </message>
+    <message>
+        <source>R&amp;uler</source>
+        <translation>Линейка</translation>
+    </message>
+    <message>
+        <source>Drag from one place to another to measure</source>
+        <translation>Протяните от одной точки до другой, чтобы измерить расстояние</translation>
+    </message>
+    <message>
+        <source>Reference Picture…</source>
+        <translation>Эталонное изображение…</translation>
+    </message>
+    <message>
+        <source>A picture of a real tree, in its true size, behind the one in the window</source>
+        <translation>Снимок настоящего дерева в натуральную величину позади дерева в окне</translation>
+    </message>
+    <message>
+        <source>Keep as “Before”</source>
+        <translation>Запомнить как «до»</translation>
+    </message>
+    <message>
+        <source>Keep the tree as it is now, to compare with what you make of it</source>
+        <translation>Запоминает дерево таким, какое оно сейчас, для сравнения с тем, что из него получится</translation>
+    </message>
+    <message>
+        <source>Show “Before”</source>
+        <translation>Показать «до»</translation>
+    </message>
+    <message>
+        <source>The tree as it was kept, until this is switched off or a value changes</source>
+        <translation>Запомненное дерево, пока это не выключено или не изменено значение</translation>
+    </message>
+    <message>
+        <source>One Tree</source>
+        <translation>Одно дерево</translation>
+    </message>
+    <message>
+        <source>The tree alone</source>
+        <translation>Только само дерево</translation>
+    </message>
+    <message>
+        <source>Nine Seeds Side by Side</source>
+        <translation>Девять зёрен рядом</translation>
+    </message>
+    <message>
+        <source>The tree among eight others of its kind</source>
+        <translation>Дерево среди восьми других того же вида</translation>
+    </message>
+    <message>
+        <source>Five Ages Side by Side</source>
+        <translation>Пять возрастов рядом</translation>
+    </message>
+    <message>
+        <source>The tree from its youth to its full age</source>
+        <translation>Дерево от молодости до полного возраста</translation>
+    </message>
+    <message>
+        <source>Four Seasons Side by Side</source>
+        <translation>Четыре времени года рядом</translation>
+    </message>
+    <message>
+        <source>The tree in winter, spring, summer and autumn</source>
+        <translation>Дерево зимой, весной, летом и осенью</translation>
+    </message>
+    <message>
+        <source>Welcome</source>
+        <translation>Добро пожаловать</translation>
+    </message>
+    <message>
+        <source>The ways to begin, as at the first start</source>
+        <translation>Способы начать, как при первом запуске</translation>
+    </message>
 </context>
 <context>
     <name>Counts</name>
@@ -476,6 +580,41 @@
     <message>
         <source>Level of detail %1</source>
         <translation>Уровень детализации %1</translation>
+    </message>
+</context>
+<context>
+    <name>Values</name>
+    <message>
+        <source>Cannot use the values</source>
+        <translation>Значения использовать нельзя</translation>
+    </message>
+    <message>
+        <source>Paste %1</source>
+        <translation>Вставить %1</translation>
+    </message>
+    <message>
+        <source>Save Values</source>
+        <translation>Сохранить значения</translation>
+    </message>
+    <message>
+        <source>Name of these values</source>
+        <translation>Имя этих значений</translation>
+    </message>
+    <message>
+        <source>Remove</source>
+        <translation>Удалить</translation>
+    </message>
+    <message>
+        <source>&amp;Copy Values</source>
+        <translation>&amp;Копировать значения</translation>
+    </message>
+    <message>
+        <source>&amp;Paste Values</source>
+        <translation>&amp;Вставить значения</translation>
+    </message>
+    <message>
+        <source>&amp;Save Values…</source>
+        <translation>&amp;Сохранить значения…</translation>
     </message>
 </context>
 <context>
@@ -2808,6 +2947,45 @@
         <source>the colours of this wind hold the occlusion already</source>
         <translation>цвета этого ветра уже содержат затенение</translation>
     </message>
+    <message>
+        <source>Lit</source>
+        <translation>Освещённое</translation>
+    </message>
+    <message>
+        <source>Normals</source>
+        <translation>Нормали</translation>
+    </message>
+    <message>
+        <source>Roughness</source>
+        <translation>Шероховатость</translation>
+    </message>
+    <message>
+        <source>Drawn pictures</source>
+        <translation>Нарисованные изображения</translation>
+    </message>
+    <message>
+        <source>The most that textures and thumbnails may take on the disk; at each start the oldest beyond go.</source>
+        <translation>Сколько места на диске могут занимать текстуры и миниатюры; при каждом запуске самые старые сверх этого удаляются.</translation>
+    </message>
+    <message>
+        <source> MB</source>
+        <translation> МБ</translation>
+    </message>
+</context>
+<context>
+    <name>stromar::CComparison</name>
+    <message>
+        <source>Kept; A shows it in place of what you make of it</source>
+        <translation>Запомнено; клавиша A показывает его вместо того, что из него получилось</translation>
+    </message>
+    <message>
+        <source>Nothing was kept yet: Shift+A keeps the tree as it is</source>
+        <translation>Ещё ничего не запомнено: Shift+A запоминает дерево таким, какое оно есть</translation>
+    </message>
+    <message>
+        <source>Before</source>
+        <translation>До</translation>
+    </message>
 </context>
 <context>
     <name>stromar::CCurveEditor</name>
@@ -2818,6 +2996,13 @@
     <message>
         <source>&amp;Delete Point</source>
         <translation>&amp;Удалить точку</translation>
+    </message>
+</context>
+<context>
+    <name>stromar::CDockFolder</name>
+    <message>
+        <source>Folded docks</source>
+        <translation>Свёрнутые панели</translation>
     </message>
 </context>
 <context>
@@ -2833,6 +3018,10 @@
     <message>
         <source>Restore</source>
         <translation>Восстановить</translation>
+    </message>
+    <message>
+        <source>Unsaved changes</source>
+        <translation>Несохранённые изменения</translation>
     </message>
 </context>
 <context>
@@ -3056,6 +3245,10 @@
         <source>Changes from before a preset was opened are not saved; Undo brings them back. Go on without them?</source>
         <translation>Изменения, сделанные до открытия заготовки, не сохранены; «Отменить» вернёт их. Продолжить без них?</translation>
     </message>
+    <message>
+        <source>Cannot open the workshop</source>
+        <translation>Мастерскую открыть нельзя</translation>
+    </message>
 </context>
 <context>
     <name>stromar::CGrowthController</name>
@@ -3072,8 +3265,12 @@
         <translation>Отменить</translation>
     </message>
     <message>
-        <source>This tree may have up to %1 stems, %2 leaves and %3 million vertices and take %4 GB of memory; the limit is %5 million vertices and %6 GB.</source>
-        <translation>У этого дерева может быть до %1 ветвей, %2 листьев и %3 млн вершин, оно займёт до %4 ГБ памяти; предел — %5 млн вершин и %6 ГБ.</translation>
+        <source>Back</source>
+        <translation>Назад</translation>
+    </message>
+    <message>
+        <source>Nothing has grown: this tree may have up to %1 stems, %2 leaves and %3 million vertices and take %4 GB of memory; the limit is %5 million vertices and %6 GB.</source>
+        <translation>Ничего не выросло: у этого дерева может быть до %1 ветвей, %2 листьев и %3 миллионов вершин, и оно может занять %4 ГБ памяти; предел — %5 миллионов вершин и %6 ГБ.</translation>
     </message>
 </context>
 <context>
@@ -3279,6 +3476,14 @@
         <source>%1   %2   %3 leaves   %4 vertices   %5 triangles   %6 ms</source>
         <translation>%1   %2   %3 листьев   %4 вершин   %5 треугольников   %6 мс</translation>
     </message>
+    <message>
+        <source>Saved Cameras</source>
+        <translation>Сохранённые камеры</translation>
+    </message>
+    <message>
+        <source>Nothing has grown yet</source>
+        <translation>Ещё ничего не выросло</translation>
+    </message>
 </context>
 <context>
     <name>stromar::CMessageBar</name>
@@ -3347,6 +3552,14 @@
     <message>
         <source>Where they point</source>
         <translation>Куда они направлены</translation>
+    </message>
+    <message>
+        <source>Values</source>
+        <translation>Значения</translation>
+    </message>
+    <message>
+        <source>Copies, pastes and keeps the values of this tab; a right click on a heading does it with what stands below</source>
+        <translation>Копирует, вставляет и сохраняет значения этой вкладки; правый щелчок по заголовку делает это с тем, что под ним</translation>
     </message>
 </context>
 <context>
@@ -3436,6 +3649,10 @@
     <message>
         <source>Preferences</source>
         <translation>Настройки</translation>
+    </message>
+    <message>
+        <source>Remove All Drawn Pictures (%1)</source>
+        <translation>Удалить все нарисованные изображения (%1)</translation>
     </message>
 </context>
 <context>
@@ -3620,6 +3837,29 @@
     </message>
 </context>
 <context>
+    <name>stromar::CSavedCameras</name>
+    <message>
+        <source>None yet: Save Camera keeps one</source>
+        <translation>Пока нет: сохраняет команда «Сохранить камеру»</translation>
+    </message>
+    <message>
+        <source>Remove</source>
+        <translation>Удалить</translation>
+    </message>
+    <message>
+        <source>Camera %1</source>
+        <translation>Камера %1</translation>
+    </message>
+    <message>
+        <source>Save Camera</source>
+        <translation>Сохранить камеру</translation>
+    </message>
+    <message>
+        <source>Name of the view</source>
+        <translation>Имя вида</translation>
+    </message>
+</context>
+<context>
     <name>stromar::CShortcutsDialog</name>
     <message>
         <source>Mouse and keys</source>
@@ -3691,6 +3931,13 @@
     </message>
 </context>
 <context>
+    <name>stromar::CSideBySide</name>
+    <message>
+        <source>Age %1 %</source>
+        <translation>Возраст %1 %</translation>
+    </message>
+</context>
+<context>
     <name>stromar::CTextureWorkshop</name>
     <message>
         <source>Texture Workshop</source>
@@ -3711,6 +3958,10 @@
     <message>
         <source>Cannot save the pictures</source>
         <translation>Картинки не удаётся сохранить</translation>
+    </message>
+    <message>
+        <source>Picture</source>
+        <translation>Изображение</translation>
     </message>
 </context>
 <context>
@@ -3944,6 +4195,25 @@ On %5, stem %6</source>
         <source>%1: %2 triangles, from %3 on</source>
         <translation>%1: треугольников: %2, от %3</translation>
     </message>
+    <message>
+        <source>Reference Picture</source>
+        <translation>Эталонное изображение</translation>
+    </message>
+    <message>
+        <source>Pictures (*.png *.jpg *.jpeg)</source>
+        <translation>Изображения (*.png *.jpg *.jpeg)</translation>
+    </message>
+    <message>
+        <source>Height of what the picture shows, from edge to edge (%1)</source>
+        <translation>Высота того, что показывает изображение, от края до края (%1)</translation>
+    </message>
+</context>
+<context>
+    <name>stromar::CViewOverlay</name>
+    <message>
+        <source>%1 higher</source>
+        <translation>на %1 выше</translation>
+    </message>
 </context>
 <context>
     <name>stromar::CViewport</name>
@@ -3958,6 +4228,33 @@ On %5, stem %6</source>
     <message>
         <source>Picture of the tree</source>
         <translation>Картинка дерева</translation>
+    </message>
+</context>
+<context>
+    <name>stromar::CWelcomeCard</name>
+    <message>
+        <source>Welcome to Stromar.</source>
+        <translation>Добро пожаловать в Stromar.</translation>
+    </message>
+    <message>
+        <source>Begin with a tree and change it:</source>
+        <translation>Начните с дерева и измените его:</translation>
+    </message>
+    <message>
+        <source>Close</source>
+        <translation>Закрыть</translation>
+    </message>
+    <message>
+        <source>All Presets</source>
+        <translation>Все заготовки</translation>
+    </message>
+    <message>
+        <source>Open a File…</source>
+        <translation>Открыть файл…</translation>
+    </message>
+    <message>
+        <source>New Tree by</source>
+        <translation>Новое дерево по методу</translation>
     </message>
 </context>
 <context>

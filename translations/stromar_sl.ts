@@ -183,10 +183,6 @@
         <translation>Pogled vzdolž osi Y</translation>
     </message>
     <message>
-        <source>From the S&amp;ide</source>
-        <translation>Od s&amp;trani</translation>
-    </message>
-    <message>
         <source>Look along the X axis</source>
         <translation>Pogled vzdolž osi X</translation>
     </message>
@@ -454,6 +450,114 @@
         <source>Move to where a program would begin to show this level of detail</source>
         <translation>Premakni se tja, kjer bi program začel kazati to raven podrobnosti</translation>
     </message>
+    <message>
+        <source>From the Back</source>
+        <translation>Od zadaj</translation>
+    </message>
+    <message>
+        <source>Look against the Y axis</source>
+        <translation>Pogled proti osi Y</translation>
+    </message>
+    <message>
+        <source>From the Right</source>
+        <translation>Z desne</translation>
+    </message>
+    <message>
+        <source>Look against the X axis</source>
+        <translation>Pogled proti osi X</translation>
+    </message>
+    <message>
+        <source>From the Left</source>
+        <translation>Z leve</translation>
+    </message>
+    <message>
+        <source>From Below</source>
+        <translation>Od spodaj</translation>
+    </message>
+    <message>
+        <source>Look up</source>
+        <translation>Pogled navzgor</translation>
+    </message>
+    <message>
+        <source>Save Camera…</source>
+        <translation>Shrani pogled…</translation>
+    </message>
+    <message>
+        <source>Keep this view of the tree under a name</source>
+        <translation>Ohrani ta pogled na drevo pod imenom</translation>
+    </message>
+    <message>
+        <source>R&amp;uler</source>
+        <translation>Merilo</translation>
+    </message>
+    <message>
+        <source>Drag from one place to another to measure</source>
+        <translation>Povlecite od ene točke do druge, da izmerite razdaljo</translation>
+    </message>
+    <message>
+        <source>Reference Picture…</source>
+        <translation>Referenčna slika…</translation>
+    </message>
+    <message>
+        <source>A picture of a real tree, in its true size, behind the one in the window</source>
+        <translation>Slika pravega drevesa v pravi velikosti za drevesom v oknu</translation>
+    </message>
+    <message>
+        <source>Keep as “Before”</source>
+        <translation>Ohrani kot »prej«</translation>
+    </message>
+    <message>
+        <source>Keep the tree as it is now, to compare with what you make of it</source>
+        <translation>Ohrani drevo, kakršno je zdaj, za primerjavo s tem, kar iz njega naredite</translation>
+    </message>
+    <message>
+        <source>Show “Before”</source>
+        <translation>Pokaži »prej«</translation>
+    </message>
+    <message>
+        <source>The tree as it was kept, until this is switched off or a value changes</source>
+        <translation>Ohranjeno drevo, dokler to ni izklopljeno ali se ne spremeni vrednost</translation>
+    </message>
+    <message>
+        <source>One Tree</source>
+        <translation>Eno drevo</translation>
+    </message>
+    <message>
+        <source>The tree alone</source>
+        <translation>Samo drevo</translation>
+    </message>
+    <message>
+        <source>Nine Seeds Side by Side</source>
+        <translation>Devet semen drugo ob drugem</translation>
+    </message>
+    <message>
+        <source>The tree among eight others of its kind</source>
+        <translation>Drevo med osmimi drugimi svoje vrste</translation>
+    </message>
+    <message>
+        <source>Five Ages Side by Side</source>
+        <translation>Pet starosti drugo ob drugem</translation>
+    </message>
+    <message>
+        <source>The tree from its youth to its full age</source>
+        <translation>Drevo od mladosti do polne starosti</translation>
+    </message>
+    <message>
+        <source>Four Seasons Side by Side</source>
+        <translation>Štirje letni časi drug ob drugem</translation>
+    </message>
+    <message>
+        <source>The tree in winter, spring, summer and autumn</source>
+        <translation>Drevo pozimi, spomladi, poleti in jeseni</translation>
+    </message>
+    <message>
+        <source>Welcome</source>
+        <translation>Dobrodošli</translation>
+    </message>
+    <message>
+        <source>The ways to begin, as at the first start</source>
+        <translation>Načini za začetek, kot ob prvem zagonu</translation>
+    </message>
 </context>
 <context>
     <name>Counts</name>
@@ -476,6 +580,41 @@
     <message>
         <source>Level of detail %1</source>
         <translation>Raven podrobnosti %1</translation>
+    </message>
+</context>
+<context>
+    <name>Values</name>
+    <message>
+        <source>Cannot use the values</source>
+        <translation>Vrednosti ni mogoče uporabiti</translation>
+    </message>
+    <message>
+        <source>Paste %1</source>
+        <translation>Prilepi %1</translation>
+    </message>
+    <message>
+        <source>Save Values</source>
+        <translation>Shrani vrednosti</translation>
+    </message>
+    <message>
+        <source>Name of these values</source>
+        <translation>Ime teh vrednosti</translation>
+    </message>
+    <message>
+        <source>Remove</source>
+        <translation>Odstrani</translation>
+    </message>
+    <message>
+        <source>&amp;Copy Values</source>
+        <translation>&amp;Kopiraj vrednosti</translation>
+    </message>
+    <message>
+        <source>&amp;Paste Values</source>
+        <translation>&amp;Prilepi vrednosti</translation>
+    </message>
+    <message>
+        <source>&amp;Save Values…</source>
+        <translation>&amp;Shrani vrednosti…</translation>
     </message>
 </context>
 <context>
@@ -2808,6 +2947,45 @@
         <source>the colours of this wind hold the occlusion already</source>
         <translation>barve tega vetra že vsebujejo zastrtost</translation>
     </message>
+    <message>
+        <source>Lit</source>
+        <translation>Osvetljeno</translation>
+    </message>
+    <message>
+        <source>Normals</source>
+        <translation>Normale</translation>
+    </message>
+    <message>
+        <source>Roughness</source>
+        <translation>Hrapavost</translation>
+    </message>
+    <message>
+        <source>Drawn pictures</source>
+        <translation>Narisane slike</translation>
+    </message>
+    <message>
+        <source>The most that textures and thumbnails may take on the disk; at each start the oldest beyond go.</source>
+        <translation>Največ, kolikor smejo teksture in sličice zasesti na disku; ob vsakem zagonu se odvečne najstarejše izbrišejo.</translation>
+    </message>
+    <message>
+        <source> MB</source>
+        <translation> MB</translation>
+    </message>
+</context>
+<context>
+    <name>stromar::CComparison</name>
+    <message>
+        <source>Kept; A shows it in place of what you make of it</source>
+        <translation>Ohranjeno; tipka A ga pokaže namesto tega, kar iz njega naredite</translation>
+    </message>
+    <message>
+        <source>Nothing was kept yet: Shift+A keeps the tree as it is</source>
+        <translation>Nič še ni ohranjeno: Shift+A ohrani drevo, kakršno je</translation>
+    </message>
+    <message>
+        <source>Before</source>
+        <translation>Prej</translation>
+    </message>
 </context>
 <context>
     <name>stromar::CCurveEditor</name>
@@ -2818,6 +2996,13 @@
     <message>
         <source>&amp;Delete Point</source>
         <translation>&amp;Izbriši točko</translation>
+    </message>
+</context>
+<context>
+    <name>stromar::CDockFolder</name>
+    <message>
+        <source>Folded docks</source>
+        <translation>Zložene plošče</translation>
     </message>
 </context>
 <context>
@@ -2833,6 +3018,10 @@
     <message>
         <source>Restore</source>
         <translation>Obnovi</translation>
+    </message>
+    <message>
+        <source>Unsaved changes</source>
+        <translation>Neshranjene spremembe</translation>
     </message>
 </context>
 <context>
@@ -3056,6 +3245,10 @@
         <source>Changes from before a preset was opened are not saved; Undo brings them back. Go on without them?</source>
         <translation>Spremembe izpred odprtja predloge niso shranjene; Razveljavi jih povrne. Nadaljujem brez njih?</translation>
     </message>
+    <message>
+        <source>Cannot open the workshop</source>
+        <translation>Delavnice ni mogoče odpreti</translation>
+    </message>
 </context>
 <context>
     <name>stromar::CGrowthController</name>
@@ -3072,8 +3265,12 @@
         <translation>Razveljavi</translation>
     </message>
     <message>
-        <source>This tree may have up to %1 stems, %2 leaves and %3 million vertices and take %4 GB of memory; the limit is %5 million vertices and %6 GB.</source>
-        <translation>To drevo ima lahko do %1 vej, %2 listov in %3 milijonov oglišč ter zasede %4 GB pomnilnika; meja je %5 milijonov oglišč in %6 GB.</translation>
+        <source>Back</source>
+        <translation>Nazaj</translation>
+    </message>
+    <message>
+        <source>Nothing has grown: this tree may have up to %1 stems, %2 leaves and %3 million vertices and take %4 GB of memory; the limit is %5 million vertices and %6 GB.</source>
+        <translation>Nič ni zraslo: to drevo ima lahko do %1 vej, %2 listov in %3 milijonov oglišč ter porabi %4 GB pomnilnika; meja je %5 milijonov oglišč in %6 GB.</translation>
     </message>
 </context>
 <context>
@@ -3279,6 +3476,14 @@
         <source>%1   %2   %3 leaves   %4 vertices   %5 triangles   %6 ms</source>
         <translation>%1   %2   %3 listov   %4 oglišč   %5 trikotnikov   %6 ms</translation>
     </message>
+    <message>
+        <source>Saved Cameras</source>
+        <translation>Shranjeni pogledi</translation>
+    </message>
+    <message>
+        <source>Nothing has grown yet</source>
+        <translation>Nič še ni zraslo</translation>
+    </message>
 </context>
 <context>
     <name>stromar::CMessageBar</name>
@@ -3347,6 +3552,14 @@
     <message>
         <source>Where they point</source>
         <translation>Kam kažejo</translation>
+    </message>
+    <message>
+        <source>Values</source>
+        <translation>Vrednosti</translation>
+    </message>
+    <message>
+        <source>Copies, pastes and keeps the values of this tab; a right click on a heading does it with what stands below</source>
+        <translation>Kopira, prilepi in ohrani vrednosti tega zavihka; desni klik na naslov naredi enako s tem, kar je pod njim</translation>
     </message>
 </context>
 <context>
@@ -3436,6 +3649,10 @@
     <message>
         <source>Preferences</source>
         <translation>Nastavitve</translation>
+    </message>
+    <message>
+        <source>Remove All Drawn Pictures (%1)</source>
+        <translation>Odstrani vse narisane slike (%1)</translation>
     </message>
 </context>
 <context>
@@ -3622,6 +3839,29 @@
     </message>
 </context>
 <context>
+    <name>stromar::CSavedCameras</name>
+    <message>
+        <source>None yet: Save Camera keeps one</source>
+        <translation>Ni še nobenega: ohrani ga Shrani pogled</translation>
+    </message>
+    <message>
+        <source>Remove</source>
+        <translation>Odstrani</translation>
+    </message>
+    <message>
+        <source>Camera %1</source>
+        <translation>Pogled %1</translation>
+    </message>
+    <message>
+        <source>Save Camera</source>
+        <translation>Shrani pogled</translation>
+    </message>
+    <message>
+        <source>Name of the view</source>
+        <translation>Ime pogleda</translation>
+    </message>
+</context>
+<context>
     <name>stromar::CShortcutsDialog</name>
     <message>
         <source>Mouse and keys</source>
@@ -3693,6 +3933,13 @@
     </message>
 </context>
 <context>
+    <name>stromar::CSideBySide</name>
+    <message>
+        <source>Age %1 %</source>
+        <translation>Starost %1 %</translation>
+    </message>
+</context>
+<context>
     <name>stromar::CTextureWorkshop</name>
     <message>
         <source>Texture Workshop</source>
@@ -3713,6 +3960,10 @@
     <message>
         <source>Cannot save the pictures</source>
         <translation>Slik ni mogoče shraniti</translation>
+    </message>
+    <message>
+        <source>Picture</source>
+        <translation>Slika</translation>
     </message>
 </context>
 <context>
@@ -3950,6 +4201,25 @@ Na: %5, št. %6</translation>
         <source>%1: %2 triangles, from %3 on</source>
         <translation>%1: %2 trikotnikov, od %3 naprej</translation>
     </message>
+    <message>
+        <source>Reference Picture</source>
+        <translation>Referenčna slika</translation>
+    </message>
+    <message>
+        <source>Pictures (*.png *.jpg *.jpeg)</source>
+        <translation>Slike (*.png *.jpg *.jpeg)</translation>
+    </message>
+    <message>
+        <source>Height of what the picture shows, from edge to edge (%1)</source>
+        <translation>Višina tega, kar kaže slika, od roba do roba (%1)</translation>
+    </message>
+</context>
+<context>
+    <name>stromar::CViewOverlay</name>
+    <message>
+        <source>%1 higher</source>
+        <translation>%1 višje</translation>
+    </message>
 </context>
 <context>
     <name>stromar::CViewport</name>
@@ -3964,6 +4234,33 @@ Na: %5, št. %6</translation>
     <message>
         <source>Picture of the tree</source>
         <translation>Slika drevesa</translation>
+    </message>
+</context>
+<context>
+    <name>stromar::CWelcomeCard</name>
+    <message>
+        <source>Welcome to Stromar.</source>
+        <translation>Dobrodošli v Stromarju.</translation>
+    </message>
+    <message>
+        <source>Begin with a tree and change it:</source>
+        <translation>Začnite z drevesom in ga spremenite:</translation>
+    </message>
+    <message>
+        <source>Close</source>
+        <translation>Zapri</translation>
+    </message>
+    <message>
+        <source>All Presets</source>
+        <translation>Vse predloge</translation>
+    </message>
+    <message>
+        <source>Open a File…</source>
+        <translation>Odpri datoteko…</translation>
+    </message>
+    <message>
+        <source>New Tree by</source>
+        <translation>Novo drevo po</translation>
     </message>
 </context>
 <context>

@@ -1,4 +1,5 @@
 #include "stromar/app/Export.h"
+#include "ExportPictures.h"
 #include "VertexColours.h"
 #include "wind/WindExport.h"
 #include "stromar/app/DisplacedModel.h"
@@ -10,10 +11,12 @@
 #include "stromar/model/ModelSway.h"
 #include "stromar/texture/TextureMaps.h"
 #include "stromar/util/Parallel.h"
+#include "stromar/util/Text.h"
 #include <algorithm>
 #include <atomic>
 #include <cmath>
 #include <mutex>
+#include <optional>
 
 namespace stromar {
 
@@ -40,6 +43,31 @@ Arrangement arrangementFor(const ExportOptions& options, const Format& format) {
     const auto up = static_cast<ExportedUp>(options.up);
     const bool turn = up != ExportedUp::Format && (up == ExportedUp::Y) != (format.upAxis == "y");
     return {static_cast<float>(options.scale), turn, up == ExportedUp::Y ? 1.0f : -1.0f};
+}
+
+/// A leaf's triangles once more, turned round.
+std::shared_ptr<const CMesh> withBacks(const CMesh& mesh) {
+    auto both = std::make_shared<CMesh>(mesh);
+    const auto twice = [](auto& values, const auto& turned) {
+        const std::size_t count = values.size();
+        values.reserve(2 * count);
+        for (std::size_t i = 0; i < count; ++i) values.push_back(turned(values[i]));
+    };
+    const auto first = static_cast<std::uint32_t>(mesh.vertexCount());
+    twice(both->positions, [](const glm::vec3& p) { return p; });
+    twice(both->normals, [](const glm::vec3& n) { return -n; });
+    twice(both->texCoords, [](const glm::vec2& t) { return t; });
+    twice(both->looks, [](const VertexLook& look) { return look; });
+    for (std::size_t i = 0; i + 2 < mesh.indices.size(); i += 3)
+        for (const std::size_t corner : {i, i + 2, i + 1}) both->indices.push_back(first + mesh.indices[corner]);
+    return both;
+}
+
+Meshes twoSided(Meshes meshes, const ExportOptions& options, const Format& format) {
+    if (isTwoSided(options, format))
+        for (auto& mesh : meshes)
+            if (surfaceOf(mesh->surface).cutOut) mesh = withBacks(*mesh);
+    return meshes;
 }
 
 Meshes arranged(const Meshes& meshes, const Arrangement& to) {
@@ -77,6 +105,23 @@ std::string placed(const fs::path& picture, const fs::path& copy, ExportedTextur
     return copy.filename().string();
 }
 
+/// The map beside a picture.
+std::optional<fs::path> mapOf(const fs::path& picture, const char* suffix) {
+    const fs::path map = mapBeside(picture, suffix);
+    std::error_code problem;
+    return fs::is_regular_file(map, problem) ? std::optional(map) : std::nullopt;
+}
+
+/// Of normals and roughness, where there are some.
+template <typename Place>
+void addMaps(Material& material, const fs::path& whole, const ExportOptions& options, Place&& place) {
+    if (const auto normal = mapOf(whole, "_normal")) material.normal = place(preparedPicture(*normal, PictureUse::Normal, options), "_normal");
+    const auto rough = mapOf(whole, "_roughness");
+    if (!rough) return;
+    material.packed = options.packedMaps == static_cast<int>(ExportedPackedMaps::Orm) && lowerCase(rough->extension().string()) == ".png";
+    material.roughness = place(preparedPicture(*rough, PictureUse::Roughness, options), material.packed ? "_orm" : "_roughness");
+}
+
 /// Which surface looks how; the pictures are put where the options want them.
 std::vector<Material> materialsOf(const TreeModel& model, const std::vector<Meshes>& lods, const ExportOptions& options,
                                  const Format& format, const fs::path& treeFolder, const Output& to,
@@ -91,15 +136,18 @@ std::vector<Material> materialsOf(const TreeModel& model, const std::vector<Mesh
         if (!isInEveryFile(info) && !shown) continue;
         Material& material = materials.emplace_back(Material{surface, info.name, {}, {}, info.colour, info.cutOut});
         if (format.pictures == Pictures::None) continue;
-        material.picture = textureOf(model, surface, treeFolder);
+        const fs::path whole = textureOf(model, surface, treeFolder);
+        material.picture = preparedPicture(whole, info.cutOut ? PictureUse::CutOutAlbedo : PictureUse::Albedo, options);
         const fs::path copy = pictureBeside(to.named, surface, material.picture);
+        const auto place = [&](const fs::path& picture, const char* suffix) {
+            return PictureRef{placed(picture, mapBeside(copy, suffix), textures, to.path, to, files), picture};
+        };
         material.texture = placed(material.picture, copy, textures, to.path, to, files);
-        if (!format.maps) continue;
-        for (auto [map, suffix] : {std::pair{&material.normal, "_normal"}, std::pair{&material.roughness, "_roughness"}}) {
-            const fs::path picture = mapBeside(material.picture, suffix);
-            if (std::error_code problem; !fs::is_regular_file(picture, problem)) continue;
-            *map = {placed(picture, mapBeside(copy, suffix), textures, to.path, to, files), picture};
-        }
+        if (format.opacity && info.cutOut && lowerCase(whole.extension().string()) == ".png" && textures != ExportedTextures::Refer)
+            material.opacity = place(preparedPicture(whole, PictureUse::Opacity, options), "_opacity");
+        if (format.maps) addMaps(material, whole, options, place);
+        if (options.packedMaps == static_cast<int>(ExportedPackedMaps::UnityMask) && to.copiesPictures)
+            if (const auto rough = mapOf(whole, "_roughness")) files.copy(preparedPicture(*rough, PictureUse::UnityMask, options), mapBeside(copy, "_mask"));
     }
     return materials;
 }
@@ -141,9 +189,10 @@ void writePose(const Pose& pose, const ExportOptions& options, const fs::path& t
     CFileSet files(progress, static_cast<std::uint64_t>(format.bytesPerVertex * double(pose.vertexCount())));
     const auto materials = materialsOf(coarsest, pose.meshes, options, format, treeFolder, to, files);
     const Arrangement arrangement = arrangementFor(options, format);
+    const auto sided = [&](const Meshes& meshes) { return twoSided(meshes, options, format); };
     const auto write = [&](const std::string& suffix, std::size_t first, std::size_t count) {
-        ExportModel model{plainName(to.path) + suffix, arranged(pose.meshes[first], arrangement), {}, materials};
-        for (std::size_t i = first + 1; i < first + count; ++i) model.coarser.push_back(arranged(pose.meshes[i], arrangement));
+        ExportModel model{plainName(to.path) + suffix, arranged(sided(pose.meshes[first]), arrangement), {}, materials};
+        for (std::size_t i = first + 1; i < first + count; ++i) model.coarser.push_back(arranged(sided(pose.meshes[i]), arrangement));
         if (!pose.sways.empty()) addWind(model, std::span(pose.sways).subspan(first, count), options, motion, arrangement);
         if (format.wind) addColours(model, isSolid(options) ? std::span<const std::shared_ptr<const TreeModel>>() : std::span(pose.lods).subspan(first, count), options);
         format.write(model, withSuffix(to.path, suffix), files);

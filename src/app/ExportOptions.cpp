@@ -1,5 +1,9 @@
 #include "stromar/app/ExportOptions.h"
+#include "stromar/util/Error.h"
+#include "stromar/util/Text.h"
 #include "stromar/util/Translatable.h"
+#include <algorithm>
+#include <cmath>
 
 namespace stromar {
 
@@ -26,7 +30,14 @@ constexpr string_view kWatertights[] = {"none", "voxel"};
 constexpr string_view kWatertightNames[] = {N_("No"), N_("Remeshed in voxels")};
 constexpr string_view kOcclusions[] = {"none", "attribute", "color"};
 constexpr string_view kOcclusionNames[] = {N_("No"), N_("As an attribute"), N_("In the vertex colours")};
-constexpr int kMaxBones = 256;
+constexpr string_view kNormalMaps[] = {"gl", "dx"};
+constexpr string_view kNormalMapNames[] = {N_("OpenGL: green is up"), N_("DirectX: green is down")};
+constexpr string_view kPackedMaps[] = {"none", "orm", "unity"};
+constexpr string_view kPackedMapNames[] = {N_("No"), N_("Occlusion, roughness, metal"), N_("Unity's mask map")};
+constexpr string_view kTwoSided[] = {"format", "no", "yes"};
+constexpr string_view kTwoSidedNames[] = {N_("As usual in the format"), N_("One, which programs show from both sides"),
+                                          N_("Two, each with triangles of its own")};
+constexpr int kMaxBones = 256, kMaxTexture = 8192;
 
 constexpr ExportChoice kChoices[] = {
     {.key = "model",
@@ -37,7 +48,7 @@ constexpr ExportChoice kChoices[] = {
      .field = &ExportOptions::model},
     {.key = "lod",
      .label = N_("Level of detail"),
-     .help = N_("Of the full model: 0 is the finest, 1 to 3 have about 50, 25 and 10 % of its triangles."),
+     .help = N_("Of the full model: 0 is the finest, 1 to 3 have about 50, 10 and 5 % of its triangles."),
      .field = &ExportOptions::lod,
      .range = {0, kMaxLod}},
     {.key = "lods",
@@ -63,6 +74,30 @@ constexpr ExportChoice kChoices[] = {
      .words = kTextures,
      .names = kTextureNames,
      .field = &ExportOptions::textures},
+    {.key = "texture-size",
+     .label = N_("Largest texture"),
+     .help = N_("Pixels that a picture may be wide or high: larger ones are halved until they are no larger; 0: as they are. PNG pictures only."),
+     .field = &ExportOptions::textureSize,
+     .range = {0, kMaxTexture}},
+    {.key = "normal-maps",
+     .label = N_("Normal maps"),
+     .help = N_("Which way the green of normal maps points: up, as OpenGL, Blender, Unity and Godot have it, or down, as DirectX and Unreal."),
+     .words = kNormalMaps,
+     .names = kNormalMapNames,
+     .field = &ExportOptions::normalMaps},
+    {.key = "packed-maps",
+     .label = N_("Packed maps"),
+     .help = N_("One picture for several maps: occlusion, roughness and metal in red, green and blue, or Unity's mask map beside the file "
+                "(metal, occlusion, detail, smoothness in alpha)."),
+     .words = kPackedMaps,
+     .names = kPackedMapNames,
+     .field = &ExportOptions::packedMaps},
+    {.key = "two-sided",
+     .label = N_("Sides of leaves"),
+     .help = N_("Whether leaves have triangles of their own for their back, for programs that do not draw what is seen from behind."),
+     .words = kTwoSided,
+     .names = kTwoSidedNames,
+     .field = &ExportOptions::twoSided},
     {.key = "occlusion",
      .label = N_("Ambient occlusion"),
      .help = N_("How much of the sky vertices see, in glTF files: as an attribute _OCCLUSION for shaders, or multiplied into the vertex "
@@ -113,12 +148,65 @@ std::span<const ExportChoice> exportChoices() { return kChoices; }
 
 bool isSolid(const ExportOptions& options) { return options.watertight == static_cast<int>(ExportedWatertight::Voxel); }
 
+bool isTwoSided(const ExportOptions& options, const Format& format) {
+    const auto wanted = static_cast<ExportedTwoSided>(options.twoSided);
+    return wanted == ExportedTwoSided::Yes || (wanted == ExportedTwoSided::Format && format.twoSided);
+}
+
+std::string choiceText(const ExportOptions& options, const ExportChoice& choice) {
+    if (choice.number) return numberText(options.*choice.number);
+    const int value = options.*choice.field;
+    return choice.words.empty() ? std::to_string(value) : std::string(choice.words[static_cast<std::size_t>(value)]);
+}
+
+void setChoice(ExportOptions& options, string_view key, string_view value) {
+    const auto found = std::ranges::find(kChoices, key, &ExportChoice::key);
+    if (found == std::end(kChoices)) {
+        std::vector<std::string> keys;
+        for (const ExportChoice& choice : kChoices) keys.emplace_back(choice.key);
+        throw CError("there is no choice '" + std::string(key) + "'" + suggestion(key, keys));
+    }
+    const std::string name = "'" + std::string(key) + "'";
+    if (!found->words.empty()) {
+        const auto word = std::ranges::find(found->words, value);
+        std::vector<std::string> words(found->words.begin(), found->words.end());
+        std::string all;
+        for (const std::string& one : words) all += (all.empty() ? "" : ", ") + one;
+        if (word == found->words.end()) throw CError(name + " is one of " + all + ", not '" + std::string(value) + "'" + suggestion(value, words));
+        options.*found->field = static_cast<int>(word - found->words.begin());
+        return;
+    }
+    const auto number = parseNumber(std::string(value));
+    if (!number || (found->field && *number != std::floor(*number))) throw CError(name + ": '" + std::string(value) + "' is not a number" + (found->field ? " without decimals" : ""));
+    if (*number < found->range.min || *number > found->range.max)
+        throw CError(name + " is between " + numberText(found->range.min) + " and " + numberText(found->range.max) + ", not " + std::string(value));
+    if (found->number)
+        options.*found->number = *number;
+    else
+        options.*found->field = static_cast<int>(*number);
+}
+
+string_view adviceOn(const ExportOptions& options, const Format& format) {
+    const auto lods = static_cast<ExportedLods>(options.lods);
+    if (lods == ExportedLods::InOneFile && (format.ending == ".glb" || format.ending == ".gltf"))
+        return N_("Babylon.js shows one level of detail at a time; Blender, Godot, Unity and three.js show all four on top of each other: choose a file "
+                  "for each");
+    return {};
+}
+
+/// Pictures that the export would have to change, or to add.
+bool changesPictures(const ExportOptions& options) {
+    return options.textureSize > 0 || options.normalMaps != 0 || options.packedMaps != 0;
+}
+
 string_view conflictOf(const ExportOptions& options, const Format& format) {
     const auto lods = static_cast<ExportedLods>(options.lods);
     if (lods == ExportedLods::InOneFile && !format.lods)
         return N_("%1 cannot hold levels of detail; choose a file for each");
     if (options.wind != static_cast<int>(ExportedWind::None) && !format.wind)
         return N_("%1 cannot hold what moves in the wind; choose glTF");
+    if (options.twoSided == static_cast<int>(ExportedTwoSided::Yes) && format.wind)
+        return N_("%1 shows leaves from both sides by itself");
     const bool simple = options.model == static_cast<int>(ExportedModel::Simple);
     if (simple && (lods != ExportedLods::None || options.lod > 0))
         return N_("levels of detail belong to the full model; the simple model has none");
@@ -137,6 +225,8 @@ string_view conflictOf(const ExportOptions& options, const Format& format) {
     if (!usual && !format.anyUp)
         return format.upAxis == "y" ? N_("in %1 files y is always up") : N_("in %1 files z is always up");
     const auto textures = static_cast<ExportedTextures>(options.textures);
+    if (textures == ExportedTextures::Refer && changesPictures(options))
+        return N_("pictures that stay where they are cannot be changed; choose copies");
     if (textures == ExportedTextures::Embed && format.pictures != Pictures::Inside)
         return N_("%1 cannot hold pictures; choose copies");
     return {};

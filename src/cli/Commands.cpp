@@ -284,7 +284,7 @@ bool checkMeshes(const CommonOptions& common, const ModelOptions& options, const
     for (std::size_t g = 0; g < all.size(); ++g) {
         if (model->stems[g]->vertexCount() == 0) continue; // cards show it
         const MeshFaults faults = checkStems(*model->tree, static_cast<int>(g), all[g], g > 0 ? &all[g - 1] : nullptr);
-        sound &= printFaults(all[g].mesh->name, faults, out);
+        sound &= printFaults(g == 0 ? "trunk" : "branches " + std::to_string(g), faults, out);
     }
     const JoinedStems whole = joinStems(*model->tree, all, progress);
     sound &= printFaults("all wood", checkJoined(whole, all), out);
@@ -332,6 +332,7 @@ void exportTree(const CommonOptions& common, const ExportOptions& options, const
     const Format* format = formatOf(path);
     if (!format) throw CUsageError(unknownFormat(path));
     if (const std::string conflict = conflictText(options, *format); !conflict.empty()) throw CUsageError(conflict);
+    if (const std::string_view advice = adviceOn(options, *format); !advice.empty()) say(common, std::string(advice));
     const CParams params = readParams(common);
     const bool carriesWind = options.wind != static_cast<int>(ExportedWind::None);
     if (!carriesWind && (motion.frames > 0 || motion.sways())) return exportFrames(common, params, options, motion, path, progress);

@@ -1,5 +1,6 @@
 #include "Commands.h"
 #include "Description.h"
+#include "stromar/app/Engines.h"
 #include "stromar/texture/Bark.h"
 #include "stromar/texture/Leaf.h"
 #include "stromar/util/Text.h"
@@ -34,6 +35,7 @@ struct Options {
     CommonOptions common;
     ModelOptions model;
     ExportOptions exported;
+    std::string ending; ///< of the model to write, where its name has none
     std::string modelName = "full", variation = "on", output, seed;
     bool seedGiven = false;
     std::vector<std::string> recipe;
@@ -212,6 +214,34 @@ void addExport(CLI::App& command, ExportOptions& options) {
     }
 }
 
+/// Choices that others stand on top of: they are taken while the line is read, the flags after it.
+void addEngines(CLI::App& command, Options& options) {
+    std::vector<std::string_view> keys;
+    for (const Engine& engine : engineTable()) keys.push_back(engine.key);
+    const auto take = [&options](const ExportSettings& settings) {
+        options.exported = settings.options;
+        options.ending = settings.ending;
+    };
+    CLI::Option* engine = command
+                              .add_option_function<std::string>(
+                                  "--for",
+                                  [take](const std::string& key) {
+                                      const Engine* found = engineNamed(key);
+                                      if (!found) throw CLI::ValidationError("--for", "there is no engine '" + key + "'");
+                                      take(settingsFor(*found));
+                                  },
+                                  "The defaults of a program that the model is for; other flags change them")
+                              ->option_text(joined(keys))
+                              ->trigger_on_parse();
+    command
+        .add_option_function<std::string>(
+            "--settings", [take](const std::string& file) { take(readSettings(file)); },
+            "The choices of a file, as the export dialog saves it; other flags change them")
+        ->type_name("FILE")
+        ->trigger_on_parse()
+        ->excludes(engine);
+}
+
 /// Growth or wind in many pictures or files.
 void addMotion(CLI::App& command, Options& options, const std::string& what) {
     command.add_option("--frames", options.motion.frames, "So many " + what + ", numbered: the tree grows up to its age, or sways in the wind")
@@ -286,7 +316,10 @@ int run(const CLI::App& app, Options& options) {
     if (name == "structure") printStructure(options.common, options.segments, std::cout, progress);
     bool sound = true;
     if (name == "check") sound = checkMeshes(options.common, options.model, options.exported, std::cout, progress);
-    if (name == "export") exportTree(options.common, options.exported, options.motion, options.output, progress);
+    if (name == "export") {
+        if (std::filesystem::path(options.output).extension().empty()) options.output += options.ending;
+        exportTree(options.common, options.exported, options.motion, options.output, progress);
+    }
     if (name == "render") renderTree(options.common, options.model, options.rendered, options.motion, options.output, progress);
     if (name == "texture") writeTexture(options.recipe, options.size, options.output, progress);
     if (name == "params") printParams(options.method, options.style(), std::cout);
@@ -318,6 +351,7 @@ void setUp(CLI::App& app, Options& options) {
     methods->add_flag("--json", options.json, "As JSON");
     addRender(*renderer, options);
     addMotion(*renderer, options, "pictures");
+    addEngines(*exporter, options);
     addExport(*exporter, options.exported);
     addSolid(*checker, options.exported);
     addMotion(*exporter, options, "files");

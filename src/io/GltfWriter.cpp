@@ -100,6 +100,10 @@ private:
                 material.pbrMetallicRoughness.metallicRoughnessTexture.index =
                     addTexture(look.name + "_roughness", look.roughness);
                 material.pbrMetallicRoughness.roughnessFactor = 1;
+                if (look.packed) {
+                    material.occlusionTexture.index = material.pbrMetallicRoughness.metallicRoughnessTexture.index;
+                    material.pbrMetallicRoughness.metallicFactor = 1;
+                }
             }
             m_gltf.materials.push_back(material);
         }

@@ -14,7 +14,10 @@ void writeMaterials(const ExportModel& model, std::ostream& stream) {
             out << "1 1 1";
         out << "\nKs 0 0 0\nillum 1\n";
         if (!look.texture.empty()) out << "map_Kd " << look.texture << "\n";
-        if (!look.texture.empty() && look.cutOut) out << "map_d " << look.texture << "\n";
+        if (const std::string& mask = look.opacity.texture.empty() ? look.texture : look.opacity.texture; look.cutOut && !mask.empty())
+            out << "map_d " << mask << "\n";
+        if (const std::string& normal = look.normal.texture; !normal.empty()) out << "norm " << normal << "\nmap_Bump " << normal << "\n";
+        if (!look.roughness.texture.empty()) out << "Pr 1\nmap_Pr " << look.roughness.texture << "\n";
         out << "\n";
     }
     out.flush();

@@ -103,12 +103,17 @@ void writePng(const std::vector<std::array<std::uint8_t, 4>>& pixels, int width,
     writePng(files.create(path), width, height, 4, bytesOf(pixels));
 }
 
-TextureMaps readPngs(const std::filesystem::path& path) {
+TextureMaps readPng(const std::filesystem::path& path) {
     TextureMaps maps;
     CPngReader albedo(path);
     maps.width = albedo.width();
     maps.height = albedo.height();
     albedo.read(4, roomFor(maps.albedo, maps));
+    return maps;
+}
+
+TextureMaps readPngs(const std::filesystem::path& path) {
+    TextureMaps maps = readPng(path);
     for (const MapFile& map : kMaps) {
         const std::filesystem::path file = mapBeside(path, map.suffix);
         if (std::error_code problem; !std::filesystem::is_regular_file(file, problem)) continue;

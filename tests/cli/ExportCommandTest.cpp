@@ -31,6 +31,31 @@ bool waitForBytes(const CTemporaryFolder& folder, std::uintmax_t bytes) {
 }
 } // namespace
 
+TEST(ExportCommand, AnEngineGivesDefaultsThatFlagsChange) {
+    const CTemporaryFolder folder;
+    ProcessResult run = cli(exportTo(folder / "tree", {"--lods", "none", "--for", "unity"}));
+    EXPECT_EQ(run.status, 0) << run.err;
+    EXPECT_TRUE(folder.names().contains("tree.glb")) << "the engine's format, one level of detail";
+    EXPECT_TRUE(folder.names().contains("tree_bark_mask.png")) << "the engine's maps";
+    EXPECT_FALSE(folder.names().contains("tree_LOD0.glb"));
+    run = cli(exportTo(folder / "two", {"--for", "maya"}));
+    EXPECT_EQ(run.status, 2);
+    EXPECT_NE(run.err.find("maya"), std::string::npos);
+}
+
+TEST(ExportCommand, SettingsOfAFile) {
+    const CTemporaryFolder folder;
+    writeFile(folder / "mine.export", "format = .obj\ntwo-sided = no\nscale = 100\n");
+    ProcessResult run = cli(exportTo(folder / "tree", {"--settings", (folder / "mine.export").string()}));
+    EXPECT_EQ(run.status, 0) << run.err;
+    EXPECT_TRUE(folder.names().contains("tree.obj"));
+    writeFile(folder / "wrong.export", "scale = 100\nup = down\n");
+    run = cli(exportTo(folder / "three.glb", {"--settings", (folder / "wrong.export").string()}));
+    EXPECT_NE(run.status, 0);
+    EXPECT_NE(run.err.find("wrong.export:2:6: error: 'up' is one of format, y, z, not 'down'"), std::string::npos) << run.err;
+    EXPECT_FALSE(folder.names().contains("three.glb"));
+}
+
 TEST(ExportCommand, WritesEveryFormat) {
     for (const Format& format : formatTable()) {
         const CTemporaryFolder folder;

@@ -370,7 +370,7 @@ TEST_F(WindowTest, ATreeThatWouldBeTooLargeAsksFirstAndOffersWhatFits) {
     EXPECT_TRUE(bar.text().contains(QLatin1String("limit is 20 million"))) << bar.text().toStdString();
     const auto buttons = bar.findChildren<QPushButton*>();
     ASSERT_GE(buttons.size(), 2);
-    EXPECT_TRUE(buttons.front()->text().startsWith(QLatin1String("Number = ")));
+    EXPECT_TRUE(buttons.front()->text().startsWith(QStringLiteral("Branches 2 ▸ Number = ")));
     buttons.front()->click();
     ASSERT_TRUE(waitFor([&] { return !bar.isVisible(); }));
     const double fits = value("2Branches");

@@ -75,7 +75,9 @@ void expectNear(const Bounds& box, const Bounds& wanted) {
 
 CExported::CExported(const TreeModel& model, const std::string& ending, const std::string& stem)
     : m_path((m_folder / (stem + ending)).string()) {
-    exportModel(model, {}, m_path, CProgress(2));
+    ExportOptions options;
+    options.twoSided = static_cast<int>(ExportedTwoSided::No); // as many triangles as the model
+    exportModels({std::shared_ptr<const TreeModel>(std::shared_ptr<const TreeModel>(), &model)}, options, {}, m_path, CProgress(2));
 }
 
 } // namespace stromar::test

@@ -154,7 +154,7 @@ TEST_P(BlenderReads, TheWholeModel) {
     const Json stats = Json::parse(run.out.substr(at + 6, run.out.find('\n', at) - at - 6));
     EXPECT_EQ(stats.at("triangles"), model.triangleCount());
     EXPECT_EQ(stats.at("materials"), (Json{"bark", "leaf"}));
-    EXPECT_EQ(stats.at("objects"), (Json{"branches 1", "branches 2", "leaves", "trunk"}));
+    EXPECT_EQ(stats.at("objects"), (Json{"branches_1", "branches_2", "leaves", "trunk"}));
     const bool relief = std::string(GetParam()).starts_with(".gl");
     EXPECT_EQ(stats.at("images"),
               relief ? (Json{{512, 512}, {512, 512}, {512, 512}, {1024, 1024}, {1024, 1024}, {1024, 1024}})

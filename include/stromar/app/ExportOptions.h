@@ -11,7 +11,8 @@ namespace stromar {
 
 /// What a user can choose for one export. A plain value; what each means stands in the table.
 struct ExportOptions {
-    int model = 0, lod = 0, lods = 0, up = 0, textures = 0, wind = 0, bones = 64, watertight = 0, occlusion = 1;
+    int model = 0, lod = 0, lods = 0, up = 0, textures = 0, wind = 0, bones = 64, watertight = 0, occlusion = 1, textureSize = 0,
+        normalMaps = 0, packedMaps = 0, twoSided = 0;
     double scale = 1, voxelSize = 0.02, displacement = 0, displacementStrength = 3;
 
     bool operator==(const ExportOptions&) const = default;
@@ -24,6 +25,9 @@ enum class ExportedUp { Format, Y, Z };
 enum class ExportedTextures { Format, Embed, Copy, Refer };
 enum class ExportedOcclusion { None, Attribute, InColours };
 enum class ExportedWatertight { None, Voxel };
+enum class ExportedNormalMaps { OpenGl, DirectX };
+enum class ExportedPackedMaps { None, Orm, UnityMask };
+enum class ExportedTwoSided { Format, No, Yes };
 enum class ExportedWind { None, Attributes, CryEngine, Unity, PivotPainter, Bones };
 
 /// One row of the table of choices: the flags of the command line and the rows of the dialog are loops over it.
@@ -39,7 +43,16 @@ struct ExportChoice {
 std::span<const ExportChoice> exportChoices();
 
 bool isSolid(const ExportOptions& options);
+/// Whether leaves have triangles of their own for their back.
+bool isTwoSided(const ExportOptions& options, const Format& format);
 
+/// Sets a choice by its key and a word or number. Throws CError, which says what is wrong.
+void setChoice(ExportOptions& options, std::string_view key, std::string_view value);
+/// The word or number that setChoice() takes.
+std::string choiceText(const ExportOptions& options, const ExportChoice& choice);
+
+/// What a user should know of a choice that the format can do; empty: nothing. Marked for translation.
+std::string_view adviceOn(const ExportOptions& options, const Format& format);
 /// Why a format cannot do what was chosen; empty when it can. Marked for translation; %1 stands for its ending.
 std::string_view conflictOf(const ExportOptions& options, const Format& format);
 /// The same in English, with the ending.

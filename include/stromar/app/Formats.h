@@ -22,6 +22,8 @@ struct Format {
     bool lods = false;  ///< holds levels of detail in one file
     bool anyUp = false; ///< readers do not mind which axis is up
     bool maps = false;  ///< holds pictures of the relief
+    bool twoSided = false; ///< leaves have triangles for their back, as readers do not draw what is seen from behind
+    bool opacity = false;  ///< opacity is a picture of its own
     bool wind = false;  ///< holds what ExportOptions::wind and ::occlusion add to vertices
 };
 

@@ -53,7 +53,7 @@ std::uint8_t thinnessOf(double radius, double trunk);
 /// Vertices at the seam of the bark are doubled; leaves are flat and meant to be seen from both sides.
 class CMesh {
 public:
-    std::string name; ///< "trunk", "branches 1", …, "leaves" or "twigs"
+    std::string name; ///< "trunk", "branches_1", …, "leaves" or "twigs"
     Surface surface = Surface::Bark;
     RawVector<glm::vec3> positions;
     RawVector<glm::vec3> normals; ///< unit

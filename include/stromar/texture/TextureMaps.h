@@ -40,6 +40,8 @@ std::filesystem::path mapBeside(const std::filesystem::path& albedo, std::string
 void writePngs(const TextureMaps& maps, const std::filesystem::path& path, CFileSet& files);
 /// What writePngs() wrote, or any PNG; maps of another size than the albedo are left out. Throws CError.
 TextureMaps readPngs(const std::filesystem::path& path);
+/// The picture alone, without maps beside it.
+TextureMaps readPng(const std::filesystem::path& path);
 /// One picture with its opacity.
 void writePng(const std::vector<std::array<std::uint8_t, 4>>& pixels, int width, int height,
               const std::filesystem::path& path, CFileSet& files);

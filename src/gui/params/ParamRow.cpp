@@ -124,8 +124,10 @@ bool CParamRow::matches(const QStringList& words, const QString& tab) const {
 int CParamRow::labelWidth() const { return fontMetrics().horizontalAdvance(trText(ref().info->label)) + kLabelAir; }
 
 void CParamRow::setLabelWidth(int width) {
-    m_label->setFixedWidth(width);
+    m_label->setMinimumWidth(0); // a label measures itself by its text and what it had to be at least
+    m_label->clear();
     m_label->setText(fontMetrics().elidedText(trText(ref().info->label), Qt::ElideRight, width));
+    m_label->setFixedWidth(width);
 }
 
 void CParamRow::setNarrow(bool narrow) {

@@ -148,7 +148,7 @@ constexpr Command kCommands[] = {
      QT_TRANSLATE_NOOP("Commands", "Read how Stromar works"), [](W& w, bool) { w.showManual(); }},
     {"shortcuts", Menu::Help, QT_TRANSLATE_NOOP("Commands", "Mouse and &Keys"), "F2", "",
      QT_TRANSLATE_NOOP("Commands", "How to move about, and all shortcuts"), [](W& w, bool) { w.showShortcuts(); }},
-    {"welcome", Menu::Help, QT_TRANSLATE_NOOP("Commands", "Welcome"), "", "",
+    {"welcome", Menu::Help, QT_TRANSLATE_NOOP("Commands", "Welcome"), "Ctrl+F1", "",
      QT_TRANSLATE_NOOP("Commands", "The ways to begin, as at the first start"), [](W& w, bool) { w.showWelcome(); }},
     {"about", Menu::Help, QT_TRANSLATE_NOOP("Commands", "&About Stromar"), "Shift+F1", "",
      QT_TRANSLATE_NOOP("Commands", "Version and origin"), [](W& w, bool) { w.showAbout(); }},

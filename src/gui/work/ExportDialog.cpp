@@ -22,22 +22,23 @@
 namespace stromar {
 
 namespace {
-constexpr const char *kFormatKey = "export/format", *kFolderKey = "export/folder";
+constexpr const char *kEngineKey = "export/for", *kFormatKey = "export/format", *kFolderKey = "export/folder";
 
 QString keyOf(const ExportChoice& choice) { return QStringLiteral("export/") + toQString(choice.key); }
 } // namespace
 
 CExportDialog::CExportDialog(const QString& name, double fullVertices, QWidget* parent)
-    : QDialog(parent), m_fullVertices(fullVertices), m_format(new QComboBox), m_path(new QLineEdit),
+    : QDialog(parent), m_fullVertices(fullVertices), m_engine(new QComboBox), m_format(new QComboBox), m_notes(new QLabel), m_path(new QLineEdit),
       m_losses(new QLabel), m_size(new QLabel), m_conflict(new QLabel) {
     setWindowTitle(tr("Export"));
     auto* form = new QFormLayout;
+    addEngines(*form);
     addFormats(*form);
     for (const ExportChoice& choice : exportChoices()) addChoice(choice, *form);
     addPlace(*form, name);
     form->addRow(tr("Lost in this format"), m_losses);
     form->addRow(tr("Size, about"), m_size);
-    for (QLabel* label : {m_losses, m_conflict}) label->setWordWrap(true);
+    for (QLabel* label : {m_losses, m_conflict, m_notes}) label->setWordWrap(true);
     m_conflict->setObjectName(QStringLiteral("conflict"));
     auto* buttons = new QDialogButtonBox(QDialogButtonBox::Cancel);
     m_export = buttons->addButton(tr("Export"), QDialogButtonBox::AcceptRole);
@@ -56,6 +57,64 @@ QString CExportDialog::path() const { return QDir::fromNativeSeparators(m_path->
 
 const Format& CExportDialog::format() const {
     return formatTable()[static_cast<std::size_t>(std::max(0, m_format->currentIndex()))];
+}
+
+/// Which program the tree is for: one choice for all rows below.
+void CExportDialog::addEngines(QFormLayout& form) {
+    m_engine->setObjectName(QStringLiteral("engine"));
+    m_engine->addItem(tr("No program in particular"));
+    for (const Engine& engine : engineTable()) m_engine->addItem(trText(engine.label), toQString(engine.key));
+    m_engine->setCurrentIndex(std::max(0, m_engine->findData(QSettings().value(QLatin1String(kEngineKey)))));
+    connect(m_engine, &QComboBox::activated, this, &CExportDialog::takeEngine);
+    auto* row = new QHBoxLayout;
+    row->addWidget(m_engine, 1);
+    const auto add = [&](const char* name, const QString& text, void (CExportDialog::*run)()) {
+        auto* button = new QPushButton(text);
+        button->setObjectName(QLatin1String(name));
+        button->setAutoDefault(false);
+        connect(button, &QPushButton::clicked, this, run);
+        row->addWidget(button);
+    };
+    add("loadSettings", tr("Load…"), &CExportDialog::loadSettings);
+    add("saveSettings", tr("Save…"), &CExportDialog::saveSettings);
+    form.addRow(tr("For"), row);
+    m_notes->setObjectName(QStringLiteral("notes"));
+    form.addRow(m_notes);
+}
+
+void CExportDialog::takeEngine(int index) {
+    take(index == 0 ? ExportSettings() : settingsFor(engineTable()[static_cast<std::size_t>(index) - 1]));
+}
+
+void CExportDialog::take(const ExportSettings& settings) {
+    m_engine->setCurrentIndex(std::max(0, m_engine->findData(toQString(settings.engine))));
+    m_options = settings.options;
+    for (const auto& show : m_show) show();
+    if (!settings.ending.empty()) m_format->setCurrentIndex(m_format->findData(toQString(settings.ending)));
+    update();
+}
+
+void CExportDialog::loadSettings() {
+    const QString file = QFileDialog::getOpenFileName(this, tr("Load Export Settings"), {}, tr("Export settings (*.export)"));
+    if (file.isEmpty()) return;
+    try {
+        take(readSettings(toPath(file)));
+    } catch (const CError& e) {
+        QMessageBox::critical(this, tr("Cannot load the settings"), toQString(e.what()));
+    }
+}
+
+void CExportDialog::saveSettings() {
+    QFileDialog dialog(this, tr("Save Export Settings"), {}, tr("Export settings (*.export)"));
+    dialog.setAcceptMode(QFileDialog::AcceptSave);
+    dialog.setDefaultSuffix(QStringLiteral("export"));
+    if (dialog.exec() != QDialog::Accepted) return;
+    try {
+        const ExportSettings settings{m_engine->currentData().toString().toStdString(), std::string(format().ending), m_options};
+        writeFile(toPath(dialog.selectedFiles().front()), settingsText(settings));
+    } catch (const CError& e) {
+        QMessageBox::critical(this, tr("Cannot save the settings"), toQString(e.what()));
+    }
 }
 
 void CExportDialog::addFormats(QFormLayout& form) {
@@ -87,6 +146,7 @@ void CExportDialog::addChoice(const ExportChoice& choice, QFormLayout& form) {
             m_options.*choice.number = value;
             update();
         });
+        m_show.emplace_back([this, box, &choice] { box->setValue(m_options.*choice.number); });
         editor = box;
     } else if (choice.words.empty()) {
         auto* box = new QSpinBox;
@@ -97,6 +157,7 @@ void CExportDialog::addChoice(const ExportChoice& choice, QFormLayout& form) {
             m_options.*choice.field = value;
             update();
         });
+        m_show.emplace_back([this, box, &choice] { box->setValue(m_options.*choice.field); });
         editor = box;
     } else {
         auto* box = new QComboBox;
@@ -107,6 +168,7 @@ void CExportDialog::addChoice(const ExportChoice& choice, QFormLayout& form) {
             m_options.*choice.field = value;
             update();
         });
+        m_show.emplace_back([this, box, &choice] { box->setCurrentIndex(m_options.*choice.field); });
         editor = box;
     }
     editor->setObjectName(toQString(choice.key));
@@ -151,6 +213,10 @@ void CExportDialog::update() {
     if (!m_export) return;
     const std::string_view conflict = conflictOf(m_options, format());
     const bool wrongEnding = formatOf(toPath(path())) != &format();
+    const Engine* engine = engineNamed(m_engine->currentData().toString().toStdString());
+    const std::string_view advice = adviceOn(m_options, format());
+    m_notes->setText(!advice.empty() ? trText(advice) : engine ? trText(engine->notes) : QString());
+    m_notes->setVisible(!m_notes->text().isEmpty());
     m_losses->setText(trText(format().losses));
     const QString size = QLocale().formattedDataSize(static_cast<qint64>(estimatedBytes(m_fullVertices, m_options, format())));
     m_size->setText(m_options.displacement > 0 ? tr("%1, and what displacement adds").arg(size) : size);
@@ -167,6 +233,7 @@ void CExportDialog::accept() {
             QMessageBox::Yes)
         return;
     QSettings settings;
+    settings.setValue(QLatin1String(kEngineKey), m_engine->currentData());
     settings.setValue(QLatin1String(kFormatKey), m_format->currentData());
     settings.setValue(QLatin1String(kFolderKey), file.absolutePath());
     for (const ExportChoice& choice : exportChoices())

@@ -1,6 +1,8 @@
 #pragma once
-#include "stromar/app/ExportOptions.h"
+#include "stromar/app/Engines.h"
 #include <QDialog>
+#include <functional>
+#include <vector>
 
 class QComboBox;
 class QFormLayout;
@@ -24,6 +26,11 @@ public:
     void accept() override;
 
 private:
+    void addEngines(QFormLayout& form);
+    void takeEngine(int index);
+    void take(const ExportSettings& settings);
+    void loadSettings();
+    void saveSettings();
     void addFormats(QFormLayout& form);
     void addChoice(const ExportChoice& choice, QFormLayout& form);
     void addPlace(QFormLayout& form, const QString& name);
@@ -34,7 +41,9 @@ private:
 
     double m_fullVertices;
     ExportOptions m_options;
-    QComboBox* m_format;
+    std::vector<std::function<void()>> m_show; ///< the options' values in their editors
+    QComboBox *m_engine, *m_format;
+    QLabel* m_notes;
     QLineEdit* m_path;
     QLabel *m_losses, *m_size, *m_conflict;
     QPushButton* m_export;

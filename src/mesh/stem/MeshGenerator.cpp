@@ -10,7 +10,7 @@ constexpr std::size_t kTubeGrain = 128;
 
 std::shared_ptr<const CMesh> meshOfStems(const CTree& tree, int generation, const MeshPlan& plan, const MeshParams& params,
                                          const CProgress& progress) {
-    const auto mesh = allocateMesh(generation == 0 ? "trunk" : "branches " + std::to_string(generation),
+    const auto mesh = allocateMesh(generation == 0 ? "trunk" : "branches_" + std::to_string(generation),
                                    barkOf(static_cast<std::size_t>(generation)), plan.vertexCount, plan.indexCount);
     const CStemSurface surface(tree, generation, params);
     parallelFor(

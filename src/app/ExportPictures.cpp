@@ -1,0 +1,125 @@
+#include "ExportPictures.h"
+#include "stromar/app/Pictures.h"
+#include "stromar/texture/Opacity.h"
+#include "stromar/texture/TextureMaps.h"
+#include "stromar/util/Random.h"
+#include "stromar/util/Text.h"
+#include <algorithm>
+#include <cmath>
+#include <cstdio>
+
+namespace stromar {
+
+namespace fs = std::filesystem;
+
+namespace {
+constexpr std::uint64_t kVersion = 1; // rises when the same is made differently
+
+struct Picture {
+    Pixels pixels;
+    int width, height;
+};
+
+Picture halved(const Picture& large, bool normals) {
+    Picture half{{}, std::max(1, large.width / 2), std::max(1, large.height / 2)};
+    half.pixels.resize(static_cast<std::size_t>(half.width) * static_cast<std::size_t>(half.height));
+    const auto at = [&](int x, int y, std::size_t c) {
+        return int(large.pixels[static_cast<std::size_t>(std::min(y, large.height - 1) * large.width + std::min(x, large.width - 1))][c]);
+    };
+    for (int y = 0; y < half.height; ++y)
+        for (int x = 0; x < half.width; ++x) {
+            auto& to = half.pixels[static_cast<std::size_t>(y * half.width + x)];
+            double n[3], length = 0;
+            for (std::size_t c = 0; c < 4; ++c) {
+                const int sum = at(2 * x, 2 * y, c) + at(2 * x + 1, 2 * y, c) + at(2 * x, 2 * y + 1, c) + at(2 * x + 1, 2 * y + 1, c);
+                to[c] = static_cast<std::uint8_t>((sum + 2) / 4);
+                if (c == 3) continue;
+                n[c] = sum / 4.0 - 128;
+                length += n[c] * n[c];
+            }
+            if (!normals || length == 0) continue;
+            for (std::size_t c = 0; c < 3; ++c) to[c] = static_cast<std::uint8_t>(std::lround(128 + 127 * n[c] / std::sqrt(length)));
+        }
+    return half;
+}
+
+/// Cut-out pictures keep how much they cover.
+Picture limited(Picture picture, PictureUse use, int most) {
+    if (most <= 0) return picture;
+    const auto tooLarge = [&] { return std::max(picture.width, picture.height) > most; };
+    const bool cutOut = use == PictureUse::CutOutAlbedo || use == PictureUse::Opacity;
+    const std::vector<Pixels> levels = cutOut && tooLarge() ? mipmapsKeepingCoverage(picture.pixels, picture.width, picture.height) : std::vector<Pixels>();
+    for (std::size_t level = 1; tooLarge(); ++level) {
+        if (cutOut)
+            picture = {levels[level], std::max(1, picture.width / 2), std::max(1, picture.height / 2)};
+        else
+            picture = halved(picture, use == PictureUse::Normal);
+    }
+    return picture;
+}
+
+std::uint8_t inverse(std::uint8_t value) { return static_cast<std::uint8_t>(255 - value); }
+
+/// Wood and leaves are no metal; nothing is known of occlusion.
+void recolour(Pixels& pixels, PictureUse use, const ExportOptions& options) {
+    const bool down = options.normalMaps == static_cast<int>(ExportedNormalMaps::DirectX);
+    const bool orm = options.packedMaps == static_cast<int>(ExportedPackedMaps::Orm);
+    for (auto& p : pixels) {
+        if (use == PictureUse::Normal && down) p[1] = static_cast<std::uint8_t>(std::min(255, 256 - int(p[1])));
+        if (use == PictureUse::Roughness && orm) p = {255, p[1], 0, 255};
+        if (use == PictureUse::Opacity) p = {p[3], p[3], p[3], p[3]};
+        if (use == PictureUse::UnityMask) p = {0, 255, 0, inverse(p[1])};
+    }
+}
+
+bool changes(const Picture& picture, PictureUse use, const ExportOptions& options) {
+    if (options.textureSize > 0 && std::max(picture.width, picture.height) > options.textureSize) return true;
+    switch (use) {
+    case PictureUse::Albedo:
+    case PictureUse::CutOutAlbedo: return false;
+    case PictureUse::Normal: return options.normalMaps == static_cast<int>(ExportedNormalMaps::DirectX);
+    case PictureUse::Roughness: return options.packedMaps == static_cast<int>(ExportedPackedMaps::Orm);
+    case PictureUse::Opacity:
+    case PictureUse::UnityMask: return true;
+    }
+    return false;
+}
+
+/// By the file, when it was written, and what is made of it.
+fs::path keptFile(const fs::path& source, PictureUse use, const ExportOptions& options) {
+    std::uint64_t hash = kVersion;
+    for (const char c : fs::absolute(source).string()) hash = hashCombine(hash, static_cast<unsigned char>(c));
+    hash = hashCombine(hash, static_cast<std::uint64_t>(fs::last_write_time(source).time_since_epoch().count()));
+    hash = hashCombine(hash, fs::file_size(source));
+    for (const int choice : {static_cast<int>(use), options.textureSize, options.normalMaps, options.packedMaps})
+        hash = hashCombine(hash, static_cast<std::uint64_t>(choice));
+    char name[32];
+    std::snprintf(name, sizeof name, "%016llx.png", static_cast<unsigned long long>(hash));
+    return pictureCache() / "exports" / name;
+}
+} // namespace
+
+fs::path preparedPicture(const fs::path& source, PictureUse use, const ExportOptions& options) {
+    if (lowerCase(source.extension().string()) != ".png") return source;
+    const bool mayChange = options.textureSize > 0 || use == PictureUse::Normal || use == PictureUse::Roughness || use == PictureUse::Opacity ||
+                           use == PictureUse::UnityMask;
+    if (!mayChange) return source;
+    try {
+        const fs::path file = keptFile(source, use, options);
+        if (fs::exists(file)) return file;
+        TextureMaps maps = readPng(source);
+        Picture picture{std::move(maps.albedo), maps.width, maps.height};
+        if (!changes(picture, use, options)) return source;
+        picture = limited(std::move(picture), use, options.textureSize);
+        recolour(picture.pixels, use, options);
+        fs::create_directories(file.parent_path());
+        CFileSet files;
+        writePng(picture.pixels, picture.width, picture.height, file, files);
+        files.commit();
+        return file;
+    } catch (const fs::filesystem_error& e) {
+        throw CError(std::string("cannot prepare the picture: ") + e.what());
+    }
+}
+
+} // namespace stromar
