@@ -676,10 +676,6 @@
         <translation>Úroveň detailu</translation>
     </message>
     <message>
-        <source>Of the full model: 0 is the finest, 1 to 3 have about 50, 25 and 10 % of its triangles.</source>
-        <translation>U úplného modelu: 0 je nejjemnější, 1 až 3 mají asi 50, 25 a 10 % jeho trojúhelníků.</translation>
-    </message>
-    <message>
         <source>All levels of detail</source>
         <translation>Všechny úrovně detailu</translation>
     </message>
@@ -748,10 +744,6 @@
         <translation>Wavefront OBJ</translation>
     </message>
     <message>
-        <source>occlusion and tangents; two-sided leaves are up to the program</source>
-        <translation>zastínění a tečny; oboustranné listy závisí na programu</translation>
-    </message>
-    <message>
         <source>COLLADA</source>
         <translation>COLLADA</translation>
     </message>
@@ -776,32 +768,16 @@
         <translation>3D Studio</translation>
     </message>
     <message>
-        <source>normals (programs make their own), names beyond ten letters; large meshes are cut into parts</source>
-        <translation>normály (programy si dělají vlastní), názvy nad deset písmen; velké sítě se dělí na části</translation>
-    </message>
-    <message>
         <source>LightWave object</source>
         <translation>Objekt LightWave</translation>
-    </message>
-    <message>
-        <source>normals (the program makes its own), transparency of the leaf picture</source>
-        <translation>normály (program si dělá vlastní), průhlednost obrázku listu</translation>
     </message>
     <message>
         <source>POV-Ray scene</source>
         <translation>Scéna POV-Ray</translation>
     </message>
     <message>
-        <source>nothing a picture shows; a camera, lights and ground are added</source>
-        <translation>nic, co je vidět; přidá se kamera, světla a zem</translation>
-    </message>
-    <message>
         <source>OpenSceneGraph binary</source>
         <translation>OpenSceneGraph, binární</translation>
-    </message>
-    <message>
-        <source>occlusion and tangents</source>
-        <translation>zastínění a tečny</translation>
     </message>
     <message>
         <source>OpenSceneGraph text</source>
@@ -2971,6 +2947,138 @@
         <source> MB</source>
         <translation> MB</translation>
     </message>
+    <message>
+        <source>Unreal Engine</source>
+        <translation>Unreal Engine</translation>
+    </message>
+    <message>
+        <source>Import the LOD0 file, then the others in the mesh editor under Level Of Detail; the pictures of pivots go to the material function PivotPainter2FoliageShader.</source>
+        <translation>Importujte soubor LOD0, ostatní pak v editoru sítě pod Level Of Detail; obrázky otočných bodů patří do funkce materiálu PivotPainter2FoliageShader.</translation>
+    </message>
+    <message>
+        <source>Unity</source>
+        <translation>Unity</translation>
+    </message>
+    <message>
+        <source>With the package glTFast; put the four objects under one with an LOD Group; the mask maps beside the file belong into the HDRP material.</source>
+        <translation>S balíčkem glTFast; čtyři objekty dejte pod jeden s LOD Group; masky vedle souboru patří do materiálu HDRP.</translation>
+    </message>
+    <message>
+        <source>Godot</source>
+        <translation>Godot</translation>
+    </message>
+    <message>
+        <source>Give each of the four meshes a visibility range.</source>
+        <translation>Každé ze čtyř sítí dejte rozsah viditelnosti.</translation>
+    </message>
+    <message>
+        <source>Blender</source>
+        <translation>Blender</translation>
+    </message>
+    <message>
+        <source>The attribute _OCCLUSION can be mixed into the material.</source>
+        <translation>Atribut _OCCLUSION lze přimíchat do materiálu.</translation>
+    </message>
+    <message>
+        <source>three.js</source>
+        <translation>three.js</translation>
+    </message>
+    <message>
+        <source>Add the four scenes to one THREE.LOD.</source>
+        <translation>Čtyři scény přidejte do jednoho THREE.LOD.</translation>
+    </message>
+    <message>
+        <source>OpenGL: green is up</source>
+        <translation>OpenGL: zelená míří nahoru</translation>
+    </message>
+    <message>
+        <source>DirectX: green is down</source>
+        <translation>DirectX: zelená míří dolů</translation>
+    </message>
+    <message>
+        <source>Occlusion, roughness, metal</source>
+        <translation>Zastínění, drsnost, kov</translation>
+    </message>
+    <message>
+        <source>Unity&apos;s mask map</source>
+        <translation>Maska pro Unity</translation>
+    </message>
+    <message>
+        <source>One, which programs show from both sides</source>
+        <translation>Jedna, kterou programy ukazují z obou stran</translation>
+    </message>
+    <message>
+        <source>Two, each with triangles of its own</source>
+        <translation>Dvě, každá s vlastními trojúhelníky</translation>
+    </message>
+    <message>
+        <source>Largest texture</source>
+        <translation>Největší textura</translation>
+    </message>
+    <message>
+        <source>Pixels that a picture may be wide or high: larger ones are halved until they are no larger; 0: as they are. PNG pictures only.</source>
+        <translation>Kolik pixelů smí být obrázek široký nebo vysoký: větší se půlí, dokud nejsou dost malé; 0: jak jsou. Jen obrázky PNG.</translation>
+    </message>
+    <message>
+        <source>Normal maps</source>
+        <translation>Normálové mapy</translation>
+    </message>
+    <message>
+        <source>Which way the green of normal maps points: up, as OpenGL, Blender, Unity and Godot have it, or down, as DirectX and Unreal.</source>
+        <translation>Kam míří zelená v normálových mapách: nahoru, jak ji mají OpenGL, Blender, Unity a Godot, nebo dolů, jako DirectX a Unreal.</translation>
+    </message>
+    <message>
+        <source>Packed maps</source>
+        <translation>Sloučené mapy</translation>
+    </message>
+    <message>
+        <source>One picture for several maps: occlusion, roughness and metal in red, green and blue, or Unity&apos;s mask map beside the file (metal, occlusion, detail, smoothness in alpha).</source>
+        <translation>Jeden obrázek pro několik map: zastínění, drsnost a kov v červené, zelené a modré, nebo maska pro Unity vedle souboru (kov, zastínění, detail, hladkost v kanálu alfa).</translation>
+    </message>
+    <message>
+        <source>Sides of leaves</source>
+        <translation>Strany listů</translation>
+    </message>
+    <message>
+        <source>Whether leaves have triangles of their own for their back, for programs that do not draw what is seen from behind.</source>
+        <translation>Zda mají listy vlastní trojúhelníky i pro rub, pro programy, které nekreslí to, co je vidět zezadu.</translation>
+    </message>
+    <message>
+        <source>%1 shows leaves from both sides by itself</source>
+        <translation>%1 ukazuje listy z obou stran sám</translation>
+    </message>
+    <message>
+        <source>pictures that stay where they are cannot be changed; choose copies</source>
+        <translation>obrázky, které zůstávají na místě, nelze změnit; zvolte kopie</translation>
+    </message>
+    <message>
+        <source>occlusion, tints of leaves and tangents</source>
+        <translation>zastínění, odstíny listů a tečny</translation>
+    </message>
+    <message>
+        <source>maps of normals and roughness, occlusion, tints of leaves and tangents</source>
+        <translation>mapy normál a drsnosti, zastínění, odstíny listů a tečny</translation>
+    </message>
+    <message>
+        <source>normals (programs make their own), their maps and those of roughness, occlusion, tints of leaves, names beyond ten letters; large meshes are cut into parts</source>
+        <translation>normály (programy si udělají vlastní), jejich mapy a mapy drsnosti, zastínění, odstíny listů, jména nad deset písmen; velké sítě jsou rozřezány na části</translation>
+    </message>
+    <message>
+        <source>normals (the program makes its own), their maps and those of roughness, occlusion, tints of leaves, transparency of the leaf picture</source>
+        <translation>normály (program si udělá vlastní), jejich mapy a mapy drsnosti, zastínění, odstíny listů, průhlednost obrázku listu</translation>
+    </message>
+    <message>
+        <source>maps of normals and roughness, occlusion, tints of leaves; a camera, lights and ground are added</source>
+        <translation>mapy normál a drsnosti, zastínění, odstíny listů; přidány jsou kamera, světla a země</translation>
+    </message>
+    <message>
+        <source>Of the full model: 0 is the finest, 1 to 3 have about 50, 12 and 7 % of its triangles.</source>
+        <translation>U plného modelu: 0 je nejjemnější, 1 až 3 mají asi 50, 12 a 7 % jeho trojúhelníků.</translation>
+    </message>
+    <message>
+        <source>Babylon.js shows one level of detail at a time, Blender and Godot all four on top of each other, others the finest alone: choose a file for each</source>
+        <translation>Babylon.js ukazuje vždy jednu úroveň detailů, Blender a Godot všechny čtyři přes sebe, ostatní jen nejjemnější: zvolte soubor pro každou</translation>
+    </message>
 </context>
 <context>
     <name>stromar::CComparison</name>
@@ -3088,6 +3196,42 @@
     <message>
         <source>%1, and what displacement adds</source>
         <translation>%1 a to, co přidá posunutí povrchu</translation>
+    </message>
+    <message>
+        <source>No program in particular</source>
+        <translation>Žádný určitý program</translation>
+    </message>
+    <message>
+        <source>Load…</source>
+        <translation>Načíst…</translation>
+    </message>
+    <message>
+        <source>Save…</source>
+        <translation>Uložit…</translation>
+    </message>
+    <message>
+        <source>For</source>
+        <translation>Pro</translation>
+    </message>
+    <message>
+        <source>Load Export Settings</source>
+        <translation>Načíst nastavení exportu</translation>
+    </message>
+    <message>
+        <source>Export settings (*.export)</source>
+        <translation>Nastavení exportu (*.export)</translation>
+    </message>
+    <message>
+        <source>Cannot load the settings</source>
+        <translation>Nastavení nelze načíst</translation>
+    </message>
+    <message>
+        <source>Save Export Settings</source>
+        <translation>Uložit nastavení exportu</translation>
+    </message>
+    <message>
+        <source>Cannot save the settings</source>
+        <translation>Nastavení nelze uložit</translation>
     </message>
 </context>
 <context>

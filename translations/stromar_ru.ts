@@ -676,10 +676,6 @@
         <translation>Уровень детализации</translation>
     </message>
     <message>
-        <source>Of the full model: 0 is the finest, 1 to 3 have about 50, 25 and 10 % of its triangles.</source>
-        <translation>Для полной модели: 0 — самый подробный, у 1–3 около 50, 25 и 10 % его треугольников.</translation>
-    </message>
-    <message>
         <source>All levels of detail</source>
         <translation>Все уровни детализации</translation>
     </message>
@@ -748,10 +744,6 @@
         <translation>Wavefront OBJ</translation>
     </message>
     <message>
-        <source>occlusion and tangents; two-sided leaves are up to the program</source>
-        <translation>затенение и касательные; двусторонность листьев зависит от программы</translation>
-    </message>
-    <message>
         <source>COLLADA</source>
         <translation>COLLADA</translation>
     </message>
@@ -776,32 +768,16 @@
         <translation>3D Studio</translation>
     </message>
     <message>
-        <source>normals (programs make their own), names beyond ten letters; large meshes are cut into parts</source>
-        <translation>нормали (программы строят свои), имена длиннее десяти букв; большие сетки режутся на части</translation>
-    </message>
-    <message>
         <source>LightWave object</source>
         <translation>Объект LightWave</translation>
-    </message>
-    <message>
-        <source>normals (the program makes its own), transparency of the leaf picture</source>
-        <translation>нормали (программа строит свои), прозрачность картинки листа</translation>
     </message>
     <message>
         <source>POV-Ray scene</source>
         <translation>Сцена POV-Ray</translation>
     </message>
     <message>
-        <source>nothing a picture shows; a camera, lights and ground are added</source>
-        <translation>ничего из видимого; добавляются камера, свет и земля</translation>
-    </message>
-    <message>
         <source>OpenSceneGraph binary</source>
         <translation>OpenSceneGraph, двоичный</translation>
-    </message>
-    <message>
-        <source>occlusion and tangents</source>
-        <translation>затенение и касательные</translation>
     </message>
     <message>
         <source>OpenSceneGraph text</source>
@@ -2971,6 +2947,138 @@
         <source> MB</source>
         <translation> МБ</translation>
     </message>
+    <message>
+        <source>Unreal Engine</source>
+        <translation>Unreal Engine</translation>
+    </message>
+    <message>
+        <source>Import the LOD0 file, then the others in the mesh editor under Level Of Detail; the pictures of pivots go to the material function PivotPainter2FoliageShader.</source>
+        <translation>Импортируйте файл LOD0, остальные — в редакторе сетки в разделе Level Of Detail; изображения точек вращения идут в функцию материала PivotPainter2FoliageShader.</translation>
+    </message>
+    <message>
+        <source>Unity</source>
+        <translation>Unity</translation>
+    </message>
+    <message>
+        <source>With the package glTFast; put the four objects under one with an LOD Group; the mask maps beside the file belong into the HDRP material.</source>
+        <translation>С пакетом glTFast; четыре объекта поместите под один с LOD Group; карты-маски рядом с файлом — для материала HDRP.</translation>
+    </message>
+    <message>
+        <source>Godot</source>
+        <translation>Godot</translation>
+    </message>
+    <message>
+        <source>Give each of the four meshes a visibility range.</source>
+        <translation>Задайте каждой из четырёх сеток диапазон видимости.</translation>
+    </message>
+    <message>
+        <source>Blender</source>
+        <translation>Blender</translation>
+    </message>
+    <message>
+        <source>The attribute _OCCLUSION can be mixed into the material.</source>
+        <translation>Атрибут _OCCLUSION можно подмешать в материал.</translation>
+    </message>
+    <message>
+        <source>three.js</source>
+        <translation>three.js</translation>
+    </message>
+    <message>
+        <source>Add the four scenes to one THREE.LOD.</source>
+        <translation>Добавьте четыре сцены в один THREE.LOD.</translation>
+    </message>
+    <message>
+        <source>OpenGL: green is up</source>
+        <translation>OpenGL: зелёный вверх</translation>
+    </message>
+    <message>
+        <source>DirectX: green is down</source>
+        <translation>DirectX: зелёный вниз</translation>
+    </message>
+    <message>
+        <source>Occlusion, roughness, metal</source>
+        <translation>Затенение, шероховатость, металл</translation>
+    </message>
+    <message>
+        <source>Unity&apos;s mask map</source>
+        <translation>Карта-маска Unity</translation>
+    </message>
+    <message>
+        <source>One, which programs show from both sides</source>
+        <translation>Одна, которую программы показывают с обеих сторон</translation>
+    </message>
+    <message>
+        <source>Two, each with triangles of its own</source>
+        <translation>Две, у каждой свои треугольники</translation>
+    </message>
+    <message>
+        <source>Largest texture</source>
+        <translation>Наибольшая текстура</translation>
+    </message>
+    <message>
+        <source>Pixels that a picture may be wide or high: larger ones are halved until they are no larger; 0: as they are. PNG pictures only.</source>
+        <translation>Сколько пикселей может быть в ширину или высоту изображения: большие делятся пополам, пока не подойдут; 0 — как есть. Только PNG.</translation>
+    </message>
+    <message>
+        <source>Normal maps</source>
+        <translation>Карты нормалей</translation>
+    </message>
+    <message>
+        <source>Which way the green of normal maps points: up, as OpenGL, Blender, Unity and Godot have it, or down, as DirectX and Unreal.</source>
+        <translation>Куда указывает зелёный в картах нормалей: вверх, как в OpenGL, Blender, Unity и Godot, или вниз, как в DirectX и Unreal.</translation>
+    </message>
+    <message>
+        <source>Packed maps</source>
+        <translation>Упакованные карты</translation>
+    </message>
+    <message>
+        <source>One picture for several maps: occlusion, roughness and metal in red, green and blue, or Unity&apos;s mask map beside the file (metal, occlusion, detail, smoothness in alpha).</source>
+        <translation>Одно изображение для нескольких карт: затенение, шероховатость и металл в красном, зелёном и синем, или карта-маска Unity рядом с файлом (металл, затенение, детали, гладкость в альфа-канале).</translation>
+    </message>
+    <message>
+        <source>Sides of leaves</source>
+        <translation>Стороны листьев</translation>
+    </message>
+    <message>
+        <source>Whether leaves have triangles of their own for their back, for programs that do not draw what is seen from behind.</source>
+        <translation>Есть ли у листьев свои треугольники для изнанки — для программ, которые не рисуют то, что видно сзади.</translation>
+    </message>
+    <message>
+        <source>%1 shows leaves from both sides by itself</source>
+        <translation>%1 и так показывает листья с обеих сторон</translation>
+    </message>
+    <message>
+        <source>pictures that stay where they are cannot be changed; choose copies</source>
+        <translation>изображения, которые остаются на месте, изменить нельзя; выберите копии</translation>
+    </message>
+    <message>
+        <source>occlusion, tints of leaves and tangents</source>
+        <translation>затенение, оттенки листьев и касательные</translation>
+    </message>
+    <message>
+        <source>maps of normals and roughness, occlusion, tints of leaves and tangents</source>
+        <translation>карты нормалей и шероховатости, затенение, оттенки листьев и касательные</translation>
+    </message>
+    <message>
+        <source>normals (programs make their own), their maps and those of roughness, occlusion, tints of leaves, names beyond ten letters; large meshes are cut into parts</source>
+        <translation>нормали (программы делают свои), их карты и карты шероховатости, затенение, оттенки листьев, имена длиннее десяти букв; большие сетки режутся на части</translation>
+    </message>
+    <message>
+        <source>normals (the program makes its own), their maps and those of roughness, occlusion, tints of leaves, transparency of the leaf picture</source>
+        <translation>нормали (программа делает свои), их карты и карты шероховатости, затенение, оттенки листьев, прозрачность изображения листа</translation>
+    </message>
+    <message>
+        <source>maps of normals and roughness, occlusion, tints of leaves; a camera, lights and ground are added</source>
+        <translation>карты нормалей и шероховатости, затенение, оттенки листьев; добавлены камера, свет и земля</translation>
+    </message>
+    <message>
+        <source>Of the full model: 0 is the finest, 1 to 3 have about 50, 12 and 7 % of its triangles.</source>
+        <translation>У полной модели: 0 — самый подробный, в 1–3 около 50, 12 и 7 % её треугольников.</translation>
+    </message>
+    <message>
+        <source>Babylon.js shows one level of detail at a time, Blender and Godot all four on top of each other, others the finest alone: choose a file for each</source>
+        <translation>Babylon.js показывает один уровень детализации, Blender и Godot — все четыре друг на друге, другие — только самый подробный: выберите файл для каждого</translation>
+    </message>
 </context>
 <context>
     <name>stromar::CComparison</name>
@@ -3088,6 +3196,42 @@
     <message>
         <source>%1, and what displacement adds</source>
         <translation>%1 и то, что добавит смещение поверхности</translation>
+    </message>
+    <message>
+        <source>No program in particular</source>
+        <translation>Никакая определённая программа</translation>
+    </message>
+    <message>
+        <source>Load…</source>
+        <translation>Загрузить…</translation>
+    </message>
+    <message>
+        <source>Save…</source>
+        <translation>Сохранить…</translation>
+    </message>
+    <message>
+        <source>For</source>
+        <translation>Для</translation>
+    </message>
+    <message>
+        <source>Load Export Settings</source>
+        <translation>Загрузить настройки экспорта</translation>
+    </message>
+    <message>
+        <source>Export settings (*.export)</source>
+        <translation>Настройки экспорта (*.export)</translation>
+    </message>
+    <message>
+        <source>Cannot load the settings</source>
+        <translation>Настройки загрузить нельзя</translation>
+    </message>
+    <message>
+        <source>Save Export Settings</source>
+        <translation>Сохранить настройки экспорта</translation>
+    </message>
+    <message>
+        <source>Cannot save the settings</source>
+        <translation>Настройки сохранить нельзя</translation>
     </message>
 </context>
 <context>

@@ -676,10 +676,6 @@
         <translation>Raven podrobnosti</translation>
     </message>
     <message>
-        <source>Of the full model: 0 is the finest, 1 to 3 have about 50, 25 and 10 % of its triangles.</source>
-        <translation>Pri polnem modelu: 0 je najfinejša, 1 do 3 imajo približno 50, 25 in 10 % njegovih trikotnikov.</translation>
-    </message>
-    <message>
         <source>All levels of detail</source>
         <translation>Vse ravni podrobnosti</translation>
     </message>
@@ -748,10 +744,6 @@
         <translation>Wavefront OBJ</translation>
     </message>
     <message>
-        <source>occlusion and tangents; two-sided leaves are up to the program</source>
-        <translation>zasenčenost in tangente; dvostranski listi so odvisni od programa</translation>
-    </message>
-    <message>
         <source>COLLADA</source>
         <translation>COLLADA</translation>
     </message>
@@ -776,32 +768,16 @@
         <translation>3D Studio</translation>
     </message>
     <message>
-        <source>normals (programs make their own), names beyond ten letters; large meshes are cut into parts</source>
-        <translation>normale (programi naredijo svoje), imena nad deset črk; velike mreže so razrezane na dele</translation>
-    </message>
-    <message>
         <source>LightWave object</source>
         <translation>Objekt LightWave</translation>
-    </message>
-    <message>
-        <source>normals (the program makes its own), transparency of the leaf picture</source>
-        <translation>normale (program naredi svoje), prosojnost slike lista</translation>
     </message>
     <message>
         <source>POV-Ray scene</source>
         <translation>Prizor POV-Ray</translation>
     </message>
     <message>
-        <source>nothing a picture shows; a camera, lights and ground are added</source>
-        <translation>nič, kar bi se videlo; dodani so kamera, luči in tla</translation>
-    </message>
-    <message>
         <source>OpenSceneGraph binary</source>
         <translation>OpenSceneGraph, binarni</translation>
-    </message>
-    <message>
-        <source>occlusion and tangents</source>
-        <translation>zasenčenost in tangente</translation>
     </message>
     <message>
         <source>OpenSceneGraph text</source>
@@ -2971,6 +2947,138 @@
         <source> MB</source>
         <translation> MB</translation>
     </message>
+    <message>
+        <source>Unreal Engine</source>
+        <translation>Unreal Engine</translation>
+    </message>
+    <message>
+        <source>Import the LOD0 file, then the others in the mesh editor under Level Of Detail; the pictures of pivots go to the material function PivotPainter2FoliageShader.</source>
+        <translation>Uvozite datoteko LOD0, druge pa v urejevalniku mreže pod Level Of Detail; sliki vrtišč gresta v funkcijo materiala PivotPainter2FoliageShader.</translation>
+    </message>
+    <message>
+        <source>Unity</source>
+        <translation>Unity</translation>
+    </message>
+    <message>
+        <source>With the package glTFast; put the four objects under one with an LOD Group; the mask maps beside the file belong into the HDRP material.</source>
+        <translation>S paketom glTFast; štiri objekte dajte pod enega z LOD Group; maske ob datoteki sodijo v material HDRP.</translation>
+    </message>
+    <message>
+        <source>Godot</source>
+        <translation>Godot</translation>
+    </message>
+    <message>
+        <source>Give each of the four meshes a visibility range.</source>
+        <translation>Vsaki od štirih mrež določite območje vidnosti.</translation>
+    </message>
+    <message>
+        <source>Blender</source>
+        <translation>Blender</translation>
+    </message>
+    <message>
+        <source>The attribute _OCCLUSION can be mixed into the material.</source>
+        <translation>Atribut _OCCLUSION je mogoče primešati materialu.</translation>
+    </message>
+    <message>
+        <source>three.js</source>
+        <translation>three.js</translation>
+    </message>
+    <message>
+        <source>Add the four scenes to one THREE.LOD.</source>
+        <translation>Štiri prizore dodajte v en THREE.LOD.</translation>
+    </message>
+    <message>
+        <source>OpenGL: green is up</source>
+        <translation>OpenGL: zelena kaže navzgor</translation>
+    </message>
+    <message>
+        <source>DirectX: green is down</source>
+        <translation>DirectX: zelena kaže navzdol</translation>
+    </message>
+    <message>
+        <source>Occlusion, roughness, metal</source>
+        <translation>Zasenčenost, hrapavost, kovina</translation>
+    </message>
+    <message>
+        <source>Unity&apos;s mask map</source>
+        <translation>Maska za Unity</translation>
+    </message>
+    <message>
+        <source>One, which programs show from both sides</source>
+        <translation>Ena, ki jo programi kažejo z obeh strani</translation>
+    </message>
+    <message>
+        <source>Two, each with triangles of its own</source>
+        <translation>Dve, vsaka s svojimi trikotniki</translation>
+    </message>
+    <message>
+        <source>Largest texture</source>
+        <translation>Največja tekstura</translation>
+    </message>
+    <message>
+        <source>Pixels that a picture may be wide or high: larger ones are halved until they are no larger; 0: as they are. PNG pictures only.</source>
+        <translation>Kolikor pikslov sme biti slika široka ali visoka: večje se razpolavljajo, dokler niso dovolj majhne; 0: kakršne so. Samo slike PNG.</translation>
+    </message>
+    <message>
+        <source>Normal maps</source>
+        <translation>Mape normal</translation>
+    </message>
+    <message>
+        <source>Which way the green of normal maps points: up, as OpenGL, Blender, Unity and Godot have it, or down, as DirectX and Unreal.</source>
+        <translation>Kam kaže zelena v mapah normal: navzgor, kot jo imajo OpenGL, Blender, Unity in Godot, ali navzdol, kot DirectX in Unreal.</translation>
+    </message>
+    <message>
+        <source>Packed maps</source>
+        <translation>Združene mape</translation>
+    </message>
+    <message>
+        <source>One picture for several maps: occlusion, roughness and metal in red, green and blue, or Unity&apos;s mask map beside the file (metal, occlusion, detail, smoothness in alpha).</source>
+        <translation>Ena slika za več map: zasenčenost, hrapavost in kovina v rdeči, zeleni in modri, ali maska za Unity ob datoteki (kovina, zasenčenost, podrobnosti, gladkost v kanalu alfa).</translation>
+    </message>
+    <message>
+        <source>Sides of leaves</source>
+        <translation>Strani listov</translation>
+    </message>
+    <message>
+        <source>Whether leaves have triangles of their own for their back, for programs that do not draw what is seen from behind.</source>
+        <translation>Ali imajo listi svoje trikotnike tudi za hrbtno stran, za programe, ki ne rišejo tega, kar je vidno od zadaj.</translation>
+    </message>
+    <message>
+        <source>%1 shows leaves from both sides by itself</source>
+        <translation>%1 sam kaže liste z obeh strani</translation>
+    </message>
+    <message>
+        <source>pictures that stay where they are cannot be changed; choose copies</source>
+        <translation>slik, ki ostanejo, kjer so, ni mogoče spremeniti; izberite kopije</translation>
+    </message>
+    <message>
+        <source>occlusion, tints of leaves and tangents</source>
+        <translation>zasenčenost, odtenki listov in tangente</translation>
+    </message>
+    <message>
+        <source>maps of normals and roughness, occlusion, tints of leaves and tangents</source>
+        <translation>mape normal in hrapavosti, zasenčenost, odtenki listov in tangente</translation>
+    </message>
+    <message>
+        <source>normals (programs make their own), their maps and those of roughness, occlusion, tints of leaves, names beyond ten letters; large meshes are cut into parts</source>
+        <translation>normale (programi naredijo svoje), njihove mape in mape hrapavosti, zasenčenost, odtenki listov, imena nad deset črk; velike mreže so razrezane na dele</translation>
+    </message>
+    <message>
+        <source>normals (the program makes its own), their maps and those of roughness, occlusion, tints of leaves, transparency of the leaf picture</source>
+        <translation>normale (program naredi svoje), njihove mape in mape hrapavosti, zasenčenost, odtenki listov, prosojnost slike lista</translation>
+    </message>
+    <message>
+        <source>maps of normals and roughness, occlusion, tints of leaves; a camera, lights and ground are added</source>
+        <translation>mape normal in hrapavosti, zasenčenost, odtenki listov; dodani so kamera, luči in tla</translation>
+    </message>
+    <message>
+        <source>Of the full model: 0 is the finest, 1 to 3 have about 50, 12 and 7 % of its triangles.</source>
+        <translation>Pri polnem modelu: 0 je najfinejša, 1 do 3 imajo približno 50, 12 in 7 % njegovih trikotnikov.</translation>
+    </message>
+    <message>
+        <source>Babylon.js shows one level of detail at a time, Blender and Godot all four on top of each other, others the finest alone: choose a file for each</source>
+        <translation>Babylon.js kaže eno stopnjo podrobnosti naenkrat, Blender in Godot vse štiri drugo čez drugo, drugi samo najfinejšo: izberite datoteko za vsako</translation>
+    </message>
 </context>
 <context>
     <name>stromar::CComparison</name>
@@ -3088,6 +3196,42 @@
     <message>
         <source>%1, and what displacement adds</source>
         <translation>%1 in kar doda odmik površine</translation>
+    </message>
+    <message>
+        <source>No program in particular</source>
+        <translation>Noben določen program</translation>
+    </message>
+    <message>
+        <source>Load…</source>
+        <translation>Naloži…</translation>
+    </message>
+    <message>
+        <source>Save…</source>
+        <translation>Shrani…</translation>
+    </message>
+    <message>
+        <source>For</source>
+        <translation>Za</translation>
+    </message>
+    <message>
+        <source>Load Export Settings</source>
+        <translation>Naloži nastavitve izvoza</translation>
+    </message>
+    <message>
+        <source>Export settings (*.export)</source>
+        <translation>Nastavitve izvoza (*.export)</translation>
+    </message>
+    <message>
+        <source>Cannot load the settings</source>
+        <translation>Nastavitev ni mogoče naložiti</translation>
+    </message>
+    <message>
+        <source>Save Export Settings</source>
+        <translation>Shrani nastavitve izvoza</translation>
+    </message>
+    <message>
+        <source>Cannot save the settings</source>
+        <translation>Nastavitev ni mogoče shraniti</translation>
     </message>
 </context>
 <context>

@@ -48,7 +48,7 @@ constexpr ExportChoice kChoices[] = {
      .field = &ExportOptions::model},
     {.key = "lod",
      .label = N_("Level of detail"),
-     .help = N_("Of the full model: 0 is the finest, 1 to 3 have about 50, 10 and 5 % of its triangles."),
+     .help = N_("Of the full model: 0 is the finest, 1 to 3 have about 50, 12 and 7 % of its triangles."),
      .field = &ExportOptions::lod,
      .range = {0, kMaxLod}},
     {.key = "lods",
@@ -189,8 +189,8 @@ void setChoice(ExportOptions& options, string_view key, string_view value) {
 string_view adviceOn(const ExportOptions& options, const Format& format) {
     const auto lods = static_cast<ExportedLods>(options.lods);
     if (lods == ExportedLods::InOneFile && (format.ending == ".glb" || format.ending == ".gltf"))
-        return N_("Babylon.js shows one level of detail at a time; Blender, Godot, Unity and three.js show all four on top of each other: choose a file "
-                  "for each");
+        return N_("Babylon.js shows one level of detail at a time, Blender and Godot all four on top of each other, others the finest alone: choose a "
+                  "file for each");
     return {};
 }
 

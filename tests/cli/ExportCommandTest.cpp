@@ -85,7 +85,10 @@ TEST(ExportCommand, WritesIntoTheCurrentFolder) {
     const CTemporaryFolder folder;
     const ProcessResult run = cli(exportTo("here.obj"), {.folder = folder.path().string()});
     EXPECT_EQ(run.status, 0) << run.err;
-    EXPECT_EQ(folder.names(), (std::set<std::string>{"here.obj", "here.mtl", "here_bark.png", "here_bark_1.png", "here_bark_2.png", "here_leaf.png"}));
+    std::set<std::string> expected{"here.obj", "here.mtl", "here_leaf_opacity.png"};
+    for (const std::string surface : {"bark", "bark_1", "bark_2", "leaf"})
+        for (const char* map : {"", "_normal", "_roughness"}) expected.insert("here_" + surface + map + ".png");
+    EXPECT_EQ(folder.names(), expected);
 }
 
 TEST(ExportCommand, FindsPicturesFromTheTreesFolder) {

@@ -4,6 +4,7 @@
 #include <osg/Geometry>
 #include <osg/Material>
 #include <osg/NodeVisitor>
+#include <osg/Notify>
 #include <osg/Texture2D>
 #include <osg/Transform>
 #include <osg/TriangleFunctor>
@@ -81,6 +82,7 @@ private:
 } // namespace
 
 int main(int argc, char** argv) {
+    osg::setNotifyLevel(osg::WARN); // its readers print what they leave out among the numbers
     // Some readers make strips of what they read, which takes more than a minute for a tree and changes no triangle.
     const osg::ref_ptr<osgDB::Options> options = new osgDB::Options("noTriStripPolygons");
     const osg::ref_ptr<osg::Node> node = argc == 2 ? osgDB::readRefNodeFile(argv[1], options.get()) : nullptr;

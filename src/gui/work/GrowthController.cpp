@@ -10,7 +10,8 @@
 namespace stromar {
 
 namespace {
-constexpr const char* kAboutSize = "size";
+constexpr const char *kAboutSize = "size", *kAboutFault = "fault";
+constexpr int kSoundMs = 3000; // that drawing pictures takes before it fails
 }
 
 CGrowthController::CGrowthController(CDocument& document, CMessageBar& bar, const SizeLimits& limits, QObject* parent)
@@ -22,7 +23,10 @@ CGrowthController::CGrowthController(CDocument& document, CMessageBar& bar, cons
     connect(&m_thread, &CTreeCreatorThread::tooLarge, this,
             [this](const std::shared_ptr<const TooLargeTree>& tree) { onTooLarge(*tree); });
     connect(&m_thread, &CTreeCreatorThread::surfaceRead, this, &CGrowthController::surfaceRead);
-    connect(&m_thread, &CTreeCreatorThread::failed, this, &CGrowthController::failed);
+    connect(&m_thread, &CTreeCreatorThread::failed, this, &CGrowthController::onFailed);
+    m_sound.setSingleShot(true);
+    m_sound.setInterval(kSoundMs);
+    connect(&m_sound, &QTimer::timeout, this, [this] { m_bar.dismiss(QLatin1String(kAboutFault)); });
 }
 
 void CGrowthController::follow() {
@@ -94,7 +98,15 @@ void CGrowthController::requestFull() {
 
 void CGrowthController::onCreated(const std::shared_ptr<const ViewModel>& view) {
     if (view->model->params == m_document.params()) m_bar.dismiss(QLatin1String(kAboutSize));
+    m_sound.start();
     emit created(view);
+}
+
+/// It stays to be read, but never in place of a question.
+void CGrowthController::onFailed(const QString& why) {
+    m_sound.stop();
+    if (m_bar.about().isEmpty() || m_bar.about() == QLatin1String(kAboutFault)) m_bar.ask(QLatin1String(kAboutFault), why, {});
+    emit failed(why);
 }
 
 void CGrowthController::onTooLarge(const TooLargeTree& tree) {

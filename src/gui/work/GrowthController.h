@@ -60,12 +60,14 @@ private:
     void request(Model model, bool anew = false);
     void requestFull();
     void onCreated(const std::shared_ptr<const ViewModel>& view);
+    void onFailed(const QString& why);
     void onTooLarge(const TooLargeTree& tree);
 
     CDocument& m_document;
     CMessageBar& m_bar;
     std::function<bool()> m_held = [] { return false; };
     QTimer m_pause; ///< until the full model follows
+    QTimer m_sound; ///< since a tree came: what was wrong before it is not any more
     std::optional<Model> m_only;
     double m_age = 1;
     bool m_playing = false, m_swaying = false;
