@@ -23,6 +23,7 @@ namespace stromar {
 
 namespace {
 constexpr int kMaxRecent = 10;
+constexpr int kWorkshopEdge = 8; // pixels to the window's
 constexpr const char* kRecentKey = "recentFiles";
 constexpr const char* kAboutFile = "file";
 
@@ -203,6 +204,8 @@ void CFileController::openWorkshop(const ParamRef& text) {
         workshop->disconnect(this);
         workshop->close();
     });
+    m_workshop->adjustSize(); // beside the tree that wears it
+    m_workshop->move(m_window->mapToGlobal(QPoint(m_window->width() - m_workshop->width() - kWorkshopEdge, m_window->height() / 3)));
     m_workshop->show();
 }
 
