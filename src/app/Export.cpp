@@ -1,4 +1,5 @@
 #include "stromar/app/Export.h"
+#include "BatchRecord.h"
 #include "ExportPictures.h"
 #include "VertexColours.h"
 #include "wind/WindExport.h"
@@ -15,6 +16,7 @@
 #include <algorithm>
 #include <atomic>
 #include <cmath>
+#include <cstdio>
 #include <mutex>
 #include <optional>
 
@@ -95,12 +97,29 @@ struct Output {
     bool copiesPictures = true; ///< else they are there
 };
 
+/// A copy that other models may have made already.
+fs::path shared(const fs::path& picture, const fs::path& folder) {
+    char name[32];
+    std::snprintf(name, sizeof name, "%016llx", static_cast<unsigned long long>(hashOfFile(picture)));
+    const fs::path copy = folder / (name + picture.extension().string());
+    std::error_code problem; // copying says it better
+    if (fs::exists(copy, problem)) return copy;
+    fs::create_directories(folder, problem);
+    CFileSet files;
+    files.copy(picture, copy);
+    files.commit();
+    return copy;
+}
+
 /// How a model's file refers to a picture, which is copied if that is wanted. Empty: it is embedded.
-std::string placed(const fs::path& picture, const fs::path& copy, ExportedTextures textures, const fs::path& model,
-                   const Output& to, CFileSet& files) {
-    if (textures == ExportedTextures::Refer)
-        return fs::proximate(picture, fs::absolute(model).parent_path()).generic_string();
+std::string placed(const fs::path& picture, const fs::path& copy, ExportedTextures textures, const ExportOptions& options, const Output& to,
+                   CFileSet& files) {
+    const auto fromModel = [&](const fs::path& file) {
+        return fs::proximate(fs::absolute(file), fs::absolute(to.path).parent_path()).generic_string();
+    };
+    if (textures == ExportedTextures::Refer) return fromModel(picture);
     if (textures != ExportedTextures::Copy) return {};
+    if (!options.sharedPictures.empty()) return fromModel(shared(picture, options.sharedPictures));
     if (to.copiesPictures) files.copy(picture, copy);
     return copy.filename().string();
 }
@@ -140,9 +159,9 @@ std::vector<Material> materialsOf(const TreeModel& model, const std::vector<Mesh
         material.picture = preparedPicture(whole, info.cutOut ? PictureUse::CutOutAlbedo : PictureUse::Albedo, options);
         const fs::path copy = pictureBeside(to.named, surface, material.picture);
         const auto place = [&](const fs::path& picture, const char* suffix) {
-            return PictureRef{placed(picture, mapBeside(copy, suffix), textures, to.path, to, files), picture};
+            return PictureRef{placed(picture, mapBeside(copy, suffix), textures, options, to, files), picture};
         };
-        material.texture = placed(material.picture, copy, textures, to.path, to, files);
+        material.texture = placed(material.picture, copy, textures, options, to, files);
         if (format.opacity && info.cutOut && lowerCase(whole.extension().string()) == ".png" && textures != ExportedTextures::Refer)
             material.opacity = place(preparedPicture(whole, PictureUse::Opacity, options), "_opacity");
         if (format.maps) addMaps(material, whole, options, place);

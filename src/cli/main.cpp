@@ -1,3 +1,4 @@
+#include "BatchCommand.h"
 #include "Commands.h"
 #include "Description.h"
 #include "stromar/app/Engines.h"
@@ -34,6 +35,7 @@ std::string joined(std::span<const std::string_view> words) {
 struct Options {
     CommonOptions common;
     ModelOptions model;
+    BatchFlags batch;
     ExportOptions exported;
     std::string ending; ///< of the model to write, where its name has none
     std::string modelName = "full", variation = "on", output, seed;
@@ -51,6 +53,12 @@ struct Options {
     bool lodGiven = false;
 
     ListStyle style() const { return markdown ? ListStyle::Markdown : json ? ListStyle::Json : ListStyle::Text; }
+    BatchFlags batchFlags() const {
+        BatchFlags flags = batch;
+        flags.quiet = common.quiet;
+        flags.limits = common.limits;
+        return flags;
+    }
     void finish() {
         common.varied = variation == "on";
         model.simple = modelName == "simple";
@@ -141,15 +149,7 @@ std::string described(const RecipeBook<Params>& book) {
     return std::string(book.what) + ":" + joined(book.kinds) + " with " + keys;
 }
 
-void addCommon(CLI::App& command, Options& options) {
-    command.add_option("file", options.common.file, "The .tree file")->required()->type_name("FILE.tree");
-    command.add_option("--seed", options.seed, "Short for --set Seed=N")->type_name("N");
-    command.add_option("--set", options.common.settings, "Changes a parameter; may be given often")
-        ->type_name("KEY=VALUE")
-        ->allow_extra_args(false);
-    command.add_option("--variation", options.variation, "off: every random number is its middle value")
-        ->check(CLI::IsMember({"on", "off"}));
-    command.add_option("--age", options.age, "How old the tree is, 0 to 1 of its life; default: 1, grown")->type_name("A");
+void addResources(CLI::App& command, Options& options) {
     command.add_option("--threads", options.common.threads, "How many threads; default: one per processor")
         ->check(CLI::Range(1, 1024));
     command.add_option("--max-vertices", options.common.limits.vertices, "Refuse trees that may be larger")
@@ -160,6 +160,18 @@ void addCommon(CLI::App& command, Options& options) {
                     "Refuse trees that may take more memory while they are made; default: half of what is free")
         ->type_name("SIZE");
     command.add_flag("--quiet", options.common.quiet, "No warnings, no report");
+}
+
+void addCommon(CLI::App& command, Options& options) {
+    command.add_option("file", options.common.file, "The .tree file")->required()->type_name("FILE.tree");
+    command.add_option("--seed", options.seed, "Short for --set Seed=N")->type_name("N");
+    command.add_option("--set", options.common.settings, "Changes a parameter; may be given often")
+        ->type_name("KEY=VALUE")
+        ->allow_extra_args(false);
+    command.add_option("--variation", options.variation, "off: every random number is its middle value")
+        ->check(CLI::IsMember({"on", "off"}));
+    command.add_option("--age", options.age, "How old the tree is, 0 to 1 of its life; default: 1, grown")->type_name("A");
+    addResources(command, options);
 }
 
 void addModel(CLI::App& command, Options& options) {
@@ -242,6 +254,14 @@ void addEngines(CLI::App& command, Options& options) {
         ->excludes(engine);
 }
 
+void addBatch(CLI::App& command, Options& options) {
+    command.add_option("plan", options.batch.plan, "Which trees, seeds, ages, seasons, levels of detail and formats")->required()->type_name("PLAN.json");
+    command.add_option("--jobs", options.batch.jobs, "How many trees are made side by side")->check(CLI::Range(1, 1024))->capture_default_str();
+    command.add_flag("--force", options.batch.force, "Also what is there and unchanged");
+    command.add_flag("--dry-run", options.batch.dryRun, "Writes nothing; lists the models, their sizes and the time");
+    addResources(command, options);
+}
+
 /// Growth or wind in many pictures or files.
 void addMotion(CLI::App& command, Options& options, const std::string& what) {
     command.add_option("--frames", options.motion.frames, "So many " + what + ", numbered: the tree grows up to its age, or sways in the wind")
@@ -322,6 +342,7 @@ int run(const CLI::App& app, Options& options) {
     }
     if (name == "render") renderTree(options.common, options.model, options.rendered, options.motion, options.output, progress);
     if (name == "texture") writeTexture(options.recipe, options.size, options.output, progress);
+    if (name == "batch") sound = runBatchCommand(options.batchFlags(), std::cout, progress);
     if (name == "params") printParams(options.method, options.style(), std::cout);
     if (name == "methods") printMethods(options.style(), std::cout);
     if (name == "formats") printFormats(options.style(), std::cout);
@@ -341,6 +362,7 @@ void setUp(CLI::App& app, Options& options) {
     CLI::App* renderer = app.add_subcommand("render", "Draws a picture of a tree, without a window");
     CLI::App* texture =
         app.add_subcommand("texture", "Draws a bark that can be laid side by side, or a leaf, with their relief");
+    CLI::App* batch = app.add_subcommand("batch", "Writes many models: trees, seeds, ages, seasons, levels of detail, formats");
     CLI::App* params = app.add_subcommand("params", "The table of parameters");
     CLI::App* methods = app.add_subcommand("methods", "The ways to grow a tree");
     CLI::App* formats = app.add_subcommand("formats", "What can be written, and what each format loses");
@@ -354,6 +376,7 @@ void setUp(CLI::App& app, Options& options) {
     addEngines(*exporter, options);
     addExport(*exporter, options.exported);
     addSolid(*checker, options.exported);
+    addBatch(*batch, options);
     addMotion(*exporter, options, "files");
     exporter->add_option("-o,--output", options.output, "The model to write")->required()->type_name("OUT.ext");
     texture

@@ -13,6 +13,7 @@ namespace stromar {
 struct ExportOptions {
     int model = 0, lod = 0, lods = 0, up = 0, textures = 0, wind = 0, bones = 64, watertight = 0, occlusion = 1, textureSize = 0,
         normalMaps = 0, packedMaps = 0, twoSided = 0;
+    std::filesystem::path sharedPictures{}; ///< a folder where copies of pictures lie once, named by their content; empty: beside the model
     double scale = 1, voxelSize = 0.02, displacement = 0, displacementStrength = 3;
 
     bool operator==(const ExportOptions&) const = default;
