@@ -455,16 +455,8 @@
         <translation>Zezadu</translation>
     </message>
     <message>
-        <source>Look against the Y axis</source>
-        <translation>Pohled proti ose Y</translation>
-    </message>
-    <message>
         <source>From the Right</source>
         <translation>Zprava</translation>
-    </message>
-    <message>
-        <source>Look against the X axis</source>
-        <translation>Pohled proti ose X</translation>
     </message>
     <message>
         <source>From the Left</source>
@@ -557,6 +549,14 @@
     <message>
         <source>The ways to begin, as at the first start</source>
         <translation>Způsoby, jak začít, jako při prvním spuštění</translation>
+    </message>
+    <message>
+        <source>Look along the negative Y axis</source>
+        <translation>Pohled proti směru osy Y</translation>
+    </message>
+    <message>
+        <source>Look along the negative X axis</source>
+        <translation>Pohled proti směru osy X</translation>
     </message>
 </context>
 <context>
@@ -2936,14 +2936,6 @@
         <translation>Drsnost</translation>
     </message>
     <message>
-        <source>Drawn pictures</source>
-        <translation>Nakreslené obrázky</translation>
-    </message>
-    <message>
-        <source>The most that textures and thumbnails may take on the disk; at each start the oldest beyond go.</source>
-        <translation>Nejvíce, kolik smějí textury a náhledy zabrat na disku; při každém spuštění se nejstarší nad tuto mez smažou.</translation>
-    </message>
-    <message>
         <source> MB</source>
         <translation> MB</translation>
     </message>
@@ -3004,18 +2996,6 @@
         <translation>Maska pro Unity</translation>
     </message>
     <message>
-        <source>One, which programs show from both sides</source>
-        <translation>Jedna, kterou programy ukazují z obou stran</translation>
-    </message>
-    <message>
-        <source>Two, each with triangles of its own</source>
-        <translation>Dvě, každá s vlastními trojúhelníky</translation>
-    </message>
-    <message>
-        <source>Largest texture</source>
-        <translation>Největší textura</translation>
-    </message>
-    <message>
         <source>Pixels that a picture may be wide or high: larger ones are halved until they are no larger; 0: as they are. PNG pictures only.</source>
         <translation>Kolik pixelů smí být obrázek široký nebo vysoký: větší se půlí, dokud nejsou dost malé; 0: jak jsou. Jen obrázky PNG.</translation>
     </message>
@@ -3034,10 +3014,6 @@
     <message>
         <source>One picture for several maps: occlusion, roughness and metal in red, green and blue, or Unity&apos;s mask map beside the file (metal, occlusion, detail, smoothness in alpha).</source>
         <translation>Jeden obrázek pro několik map: zastínění, drsnost a kov v červené, zelené a modré, nebo maska pro Unity vedle souboru (kov, zastínění, detail, hladkost v kanálu alfa).</translation>
-    </message>
-    <message>
-        <source>Sides of leaves</source>
-        <translation>Strany listů</translation>
     </message>
     <message>
         <source>Whether leaves have triangles of their own for their back, for programs that do not draw what is seen from behind.</source>
@@ -3078,6 +3054,30 @@
     <message>
         <source>Babylon.js shows one level of detail at a time, Blender and Godot all four on top of each other, others the finest alone: choose a file for each</source>
         <translation>Babylon.js ukazuje vždy jednu úroveň detailů, Blender a Godot všechny čtyři přes sebe, ostatní jen nejjemnější: zvolte soubor pro každou</translation>
+    </message>
+    <message>
+        <source>No: single faces</source>
+        <translation>Ne: jednoduché plochy</translation>
+    </message>
+    <message>
+        <source>Yes: faces for both sides</source>
+        <translation>Ano: plochy pro obě strany</translation>
+    </message>
+    <message>
+        <source>Max texture size</source>
+        <translation>Max. velikost textury</translation>
+    </message>
+    <message>
+        <source>Two-sided leaves</source>
+        <translation>Oboustranné listy</translation>
+    </message>
+    <message>
+        <source>Picture cache</source>
+        <translation>Mezipaměť obrázků</translation>
+    </message>
+    <message>
+        <source>The most that cached textures and thumbnails may take on the disk. The oldest beyond it are removed at each start.</source>
+        <translation>Nejvíce, kolik smějí textury a náhledy v mezipaměti zabrat na disku. Nejstarší nad tuto mez se smažou při každém spuštění.</translation>
     </message>
 </context>
 <context>
@@ -3795,8 +3795,8 @@
         <translation>Nastavení</translation>
     </message>
     <message>
-        <source>Remove All Drawn Pictures (%1)</source>
-        <translation>Odstranit všechny nakreslené obrázky (%1)</translation>
+        <source>Clear the Picture Cache (%1)</source>
+        <translation>Vyprázdnit mezipaměť obrázků (%1)</translation>
     </message>
 </context>
 <context>

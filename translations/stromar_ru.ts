@@ -455,16 +455,8 @@
         <translation>Сзади</translation>
     </message>
     <message>
-        <source>Look against the Y axis</source>
-        <translation>Взгляд против оси Y</translation>
-    </message>
-    <message>
         <source>From the Right</source>
         <translation>Справа</translation>
-    </message>
-    <message>
-        <source>Look against the X axis</source>
-        <translation>Взгляд против оси X</translation>
     </message>
     <message>
         <source>From the Left</source>
@@ -557,6 +549,14 @@
     <message>
         <source>The ways to begin, as at the first start</source>
         <translation>Способы начать, как при первом запуске</translation>
+    </message>
+    <message>
+        <source>Look along the negative Y axis</source>
+        <translation>Взгляд в обратном направлении оси Y</translation>
+    </message>
+    <message>
+        <source>Look along the negative X axis</source>
+        <translation>Взгляд в обратном направлении оси X</translation>
     </message>
 </context>
 <context>
@@ -2936,14 +2936,6 @@
         <translation>Шероховатость</translation>
     </message>
     <message>
-        <source>Drawn pictures</source>
-        <translation>Нарисованные изображения</translation>
-    </message>
-    <message>
-        <source>The most that textures and thumbnails may take on the disk; at each start the oldest beyond go.</source>
-        <translation>Сколько места на диске могут занимать текстуры и миниатюры; при каждом запуске самые старые сверх этого удаляются.</translation>
-    </message>
-    <message>
         <source> MB</source>
         <translation> МБ</translation>
     </message>
@@ -3004,18 +2996,6 @@
         <translation>Карта-маска Unity</translation>
     </message>
     <message>
-        <source>One, which programs show from both sides</source>
-        <translation>Одна, которую программы показывают с обеих сторон</translation>
-    </message>
-    <message>
-        <source>Two, each with triangles of its own</source>
-        <translation>Две, у каждой свои треугольники</translation>
-    </message>
-    <message>
-        <source>Largest texture</source>
-        <translation>Наибольшая текстура</translation>
-    </message>
-    <message>
         <source>Pixels that a picture may be wide or high: larger ones are halved until they are no larger; 0: as they are. PNG pictures only.</source>
         <translation>Сколько пикселей может быть в ширину или высоту изображения: большие делятся пополам, пока не подойдут; 0 — как есть. Только PNG.</translation>
     </message>
@@ -3034,10 +3014,6 @@
     <message>
         <source>One picture for several maps: occlusion, roughness and metal in red, green and blue, or Unity&apos;s mask map beside the file (metal, occlusion, detail, smoothness in alpha).</source>
         <translation>Одно изображение для нескольких карт: затенение, шероховатость и металл в красном, зелёном и синем, или карта-маска Unity рядом с файлом (металл, затенение, детали, гладкость в альфа-канале).</translation>
-    </message>
-    <message>
-        <source>Sides of leaves</source>
-        <translation>Стороны листьев</translation>
     </message>
     <message>
         <source>Whether leaves have triangles of their own for their back, for programs that do not draw what is seen from behind.</source>
@@ -3078,6 +3054,30 @@
     <message>
         <source>Babylon.js shows one level of detail at a time, Blender and Godot all four on top of each other, others the finest alone: choose a file for each</source>
         <translation>Babylon.js показывает один уровень детализации, Blender и Godot — все четыре друг на друге, другие — только самый подробный: выберите файл для каждого</translation>
+    </message>
+    <message>
+        <source>No: single faces</source>
+        <translation>Нет: одинарные грани</translation>
+    </message>
+    <message>
+        <source>Yes: faces for both sides</source>
+        <translation>Да: грани для обеих сторон</translation>
+    </message>
+    <message>
+        <source>Max texture size</source>
+        <translation>Макс. размер текстуры</translation>
+    </message>
+    <message>
+        <source>Two-sided leaves</source>
+        <translation>Двусторонние листья</translation>
+    </message>
+    <message>
+        <source>Picture cache</source>
+        <translation>Кэш изображений</translation>
+    </message>
+    <message>
+        <source>The most that cached textures and thumbnails may take on the disk. The oldest beyond it are removed at each start.</source>
+        <translation>Сколько места на диске могут занимать текстуры и миниатюры в кэше. Самые старые сверх этого удаляются при каждом запуске.</translation>
     </message>
 </context>
 <context>
@@ -3795,8 +3795,8 @@
         <translation>Настройки</translation>
     </message>
     <message>
-        <source>Remove All Drawn Pictures (%1)</source>
-        <translation>Удалить все нарисованные изображения (%1)</translation>
+        <source>Clear the Picture Cache (%1)</source>
+        <translation>Очистить кэш изображений (%1)</translation>
     </message>
 </context>
 <context>

@@ -455,16 +455,8 @@
         <translation>Od zadaj</translation>
     </message>
     <message>
-        <source>Look against the Y axis</source>
-        <translation>Pogled proti osi Y</translation>
-    </message>
-    <message>
         <source>From the Right</source>
         <translation>Z desne</translation>
-    </message>
-    <message>
-        <source>Look against the X axis</source>
-        <translation>Pogled proti osi X</translation>
     </message>
     <message>
         <source>From the Left</source>
@@ -557,6 +549,14 @@
     <message>
         <source>The ways to begin, as at the first start</source>
         <translation>Načini za začetek, kot ob prvem zagonu</translation>
+    </message>
+    <message>
+        <source>Look along the negative Y axis</source>
+        <translation>Pogled v nasprotni smeri osi Y</translation>
+    </message>
+    <message>
+        <source>Look along the negative X axis</source>
+        <translation>Pogled v nasprotni smeri osi X</translation>
     </message>
 </context>
 <context>
@@ -2936,14 +2936,6 @@
         <translation>Hrapavost</translation>
     </message>
     <message>
-        <source>Drawn pictures</source>
-        <translation>Narisane slike</translation>
-    </message>
-    <message>
-        <source>The most that textures and thumbnails may take on the disk; at each start the oldest beyond go.</source>
-        <translation>Največ, kolikor smejo teksture in sličice zasesti na disku; ob vsakem zagonu se odvečne najstarejše izbrišejo.</translation>
-    </message>
-    <message>
         <source> MB</source>
         <translation> MB</translation>
     </message>
@@ -3004,18 +2996,6 @@
         <translation>Maska za Unity</translation>
     </message>
     <message>
-        <source>One, which programs show from both sides</source>
-        <translation>Ena, ki jo programi kažejo z obeh strani</translation>
-    </message>
-    <message>
-        <source>Two, each with triangles of its own</source>
-        <translation>Dve, vsaka s svojimi trikotniki</translation>
-    </message>
-    <message>
-        <source>Largest texture</source>
-        <translation>Največja tekstura</translation>
-    </message>
-    <message>
         <source>Pixels that a picture may be wide or high: larger ones are halved until they are no larger; 0: as they are. PNG pictures only.</source>
         <translation>Kolikor pikslov sme biti slika široka ali visoka: večje se razpolavljajo, dokler niso dovolj majhne; 0: kakršne so. Samo slike PNG.</translation>
     </message>
@@ -3034,10 +3014,6 @@
     <message>
         <source>One picture for several maps: occlusion, roughness and metal in red, green and blue, or Unity&apos;s mask map beside the file (metal, occlusion, detail, smoothness in alpha).</source>
         <translation>Ena slika za več map: zasenčenost, hrapavost in kovina v rdeči, zeleni in modri, ali maska za Unity ob datoteki (kovina, zasenčenost, podrobnosti, gladkost v kanalu alfa).</translation>
-    </message>
-    <message>
-        <source>Sides of leaves</source>
-        <translation>Strani listov</translation>
     </message>
     <message>
         <source>Whether leaves have triangles of their own for their back, for programs that do not draw what is seen from behind.</source>
@@ -3078,6 +3054,30 @@
     <message>
         <source>Babylon.js shows one level of detail at a time, Blender and Godot all four on top of each other, others the finest alone: choose a file for each</source>
         <translation>Babylon.js kaže eno stopnjo podrobnosti naenkrat, Blender in Godot vse štiri drugo čez drugo, drugi samo najfinejšo: izberite datoteko za vsako</translation>
+    </message>
+    <message>
+        <source>No: single faces</source>
+        <translation>Ne: enojne ploskve</translation>
+    </message>
+    <message>
+        <source>Yes: faces for both sides</source>
+        <translation>Da: ploskve za obe strani</translation>
+    </message>
+    <message>
+        <source>Max texture size</source>
+        <translation>Največja velikost teksture</translation>
+    </message>
+    <message>
+        <source>Two-sided leaves</source>
+        <translation>Dvostranski listi</translation>
+    </message>
+    <message>
+        <source>Picture cache</source>
+        <translation>Predpomnilnik slik</translation>
+    </message>
+    <message>
+        <source>The most that cached textures and thumbnails may take on the disk. The oldest beyond it are removed at each start.</source>
+        <translation>Največ, kolikor smejo teksture in sličice v predpomnilniku zasesti na disku. Odvečne najstarejše se izbrišejo ob vsakem zagonu.</translation>
     </message>
 </context>
 <context>
@@ -3795,8 +3795,8 @@
         <translation>Nastavitve</translation>
     </message>
     <message>
-        <source>Remove All Drawn Pictures (%1)</source>
-        <translation>Odstrani vse narisane slike (%1)</translation>
+        <source>Clear the Picture Cache (%1)</source>
+        <translation>Izprazni predpomnilnik slik (%1)</translation>
     </message>
 </context>
 <context>

@@ -1,5 +1,6 @@
 #include "stromar/app/Batch.h"
 #include "BatchRecord.h"
+#include "ContentHash.h"
 #include "stromar/app/Export.h"
 #include "stromar/app/Render.h"
 #include "stromar/params/TreeFile.h"
@@ -187,7 +188,11 @@ private:
 
     void readSet(const Json& value) {
         if (!value.is_object()) return fail("\"set\" is an object: {\"LeafScale\": 0.2}");
-        for (const auto& [key, one] : value.items()) m_plan.values.emplace_back(key, one.is_string() ? one.get<std::string>() : one.dump());
+        for (const auto& [key, one] : value.items()) {
+            const auto knows = [&](const ParamBlock* block) { return findParam(key, *block).has_value(); };
+            if (std::ranges::none_of(paramBlocks(), knows)) failAt(placeOf(key), "there is no parameter \"" + key + "\"");
+            m_plan.values.emplace_back(key, one.is_string() ? one.get<std::string>() : one.dump());
+        }
     }
 
     void readTextures(const Json& value) {
@@ -381,7 +386,11 @@ std::vector<BatchFile> filesOf(const BatchPlan& plan) {
     std::vector<BatchFile> files;
     std::set<fs::path> known;
     for (const std::string& ending : plan.endings)
-        if (const std::string conflict = conflictText(plan.options, *formatOf("model" + ending)); !conflict.empty()) throw CError(conflict);
+        for (const int lod : plan.lods) {
+            ExportOptions options = plan.options;
+            options.lod = lod;
+            if (const std::string conflict = conflictText(options, *formatOf("model" + ending)); !conflict.empty()) throw CError(conflict);
+        }
     const double count = double(plan.trees.size()) * double(plan.seeds.size()) * double(plan.ages.size()) * double(plan.months.size()) *
                          double(plan.lods.size()) * double(plan.endings.size());
     if (count > kMaxModels) throw CError("a plan has at most a million models, this one " + numberText(count));

@@ -1,25 +1,12 @@
 #include "BatchRecord.h"
+#include "ContentHash.h"
 #include "stromar/util/Error.h"
 #include "stromar/util/FileSet.h"
-#include "stromar/util/Random.h"
-#include <cstring>
 #include <sstream>
 
 namespace stromar {
 
 namespace fs = std::filesystem;
-
-std::uint64_t hashOfText(std::string_view text) {
-    std::uint64_t hash = text.size();
-    for (std::size_t at = 0; at < text.size(); at += sizeof hash) {
-        std::uint64_t word = 0;
-        std::memcpy(&word, text.data() + at, std::min(sizeof word, text.size() - at));
-        hash = hashCombine(hash, word);
-    }
-    return hash;
-}
-
-std::uint64_t hashOfFile(const fs::path& path) { return hashOfText(readFile(path)); }
 
 CBatchRecord::CBatchRecord(const fs::path& file) : m_folder(file.parent_path()) {
     if (file.empty()) return;

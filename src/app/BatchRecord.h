@@ -8,10 +8,6 @@
 
 namespace stromar {
 
-std::uint64_t hashOfText(std::string_view text);
-/// Of the content. Throws CError.
-std::uint64_t hashOfFile(const std::filesystem::path& path);
-
 /// Which models were written, and what for: a text file with a line for each, added as it is done, so that a run that was killed goes on. All
 /// members: any thread.
 class CBatchRecord {

@@ -1,5 +1,5 @@
 #include "stromar/app/Export.h"
-#include "BatchRecord.h"
+#include "ContentHash.h"
 #include "ExportPictures.h"
 #include "VertexColours.h"
 #include "wind/WindExport.h"
@@ -16,7 +16,6 @@
 #include <algorithm>
 #include <atomic>
 #include <cmath>
-#include <cstdio>
 #include <mutex>
 #include <optional>
 
@@ -99,9 +98,7 @@ struct Output {
 
 /// A copy that other models may have made already.
 fs::path shared(const fs::path& picture, const fs::path& folder) {
-    char name[32];
-    std::snprintf(name, sizeof name, "%016llx", static_cast<unsigned long long>(hashOfFile(picture)));
-    const fs::path copy = folder / (name + picture.extension().string());
+    const fs::path copy = folder / (nameOfHash(hashOfFile(picture)) + picture.extension().string());
     std::error_code problem; // copying says it better
     if (fs::exists(copy, problem)) return copy;
     fs::create_directories(folder, problem);

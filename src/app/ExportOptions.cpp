@@ -35,8 +35,8 @@ constexpr string_view kNormalMapNames[] = {N_("OpenGL: green is up"), N_("Direct
 constexpr string_view kPackedMaps[] = {"none", "orm", "unity"};
 constexpr string_view kPackedMapNames[] = {N_("No"), N_("Occlusion, roughness, metal"), N_("Unity's mask map")};
 constexpr string_view kTwoSided[] = {"format", "no", "yes"};
-constexpr string_view kTwoSidedNames[] = {N_("As usual in the format"), N_("One, which programs show from both sides"),
-                                          N_("Two, each with triangles of its own")};
+constexpr string_view kTwoSidedNames[] = {N_("As usual in the format"), N_("No: single faces"),
+                                          N_("Yes: faces for both sides")};
 constexpr int kMaxBones = 256, kMaxTexture = 8192;
 
 constexpr ExportChoice kChoices[] = {
@@ -75,7 +75,7 @@ constexpr ExportChoice kChoices[] = {
      .names = kTextureNames,
      .field = &ExportOptions::textures},
     {.key = "texture-size",
-     .label = N_("Largest texture"),
+     .label = N_("Max texture size"),
      .help = N_("Pixels that a picture may be wide or high: larger ones are halved until they are no larger; 0: as they are. PNG pictures only."),
      .field = &ExportOptions::textureSize,
      .range = {0, kMaxTexture}},
@@ -93,7 +93,7 @@ constexpr ExportChoice kChoices[] = {
      .names = kPackedMapNames,
      .field = &ExportOptions::packedMaps},
     {.key = "two-sided",
-     .label = N_("Sides of leaves"),
+     .label = N_("Two-sided leaves"),
      .help = N_("Whether leaves have triangles of their own for their back, for programs that do not draw what is seen from behind."),
      .words = kTwoSided,
      .names = kTwoSidedNames,

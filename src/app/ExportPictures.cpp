@@ -1,19 +1,18 @@
 #include "ExportPictures.h"
+#include "ContentHash.h"
 #include "stromar/app/Pictures.h"
 #include "stromar/texture/Opacity.h"
 #include "stromar/texture/TextureMaps.h"
-#include "stromar/util/Random.h"
 #include "stromar/util/Text.h"
 #include <algorithm>
 #include <cmath>
-#include <cstdio>
 
 namespace stromar {
 
 namespace fs = std::filesystem;
 
 namespace {
-constexpr std::uint64_t kVersion = 1; // rises when the same is made differently
+constexpr int kVersion = 1; // rises when the same is made differently
 
 struct Picture {
     Pixels pixels;
@@ -87,15 +86,10 @@ bool changes(const Picture& picture, PictureUse use, const ExportOptions& option
 
 /// By the file, when it was written, and what is made of it.
 fs::path keptFile(const fs::path& source, PictureUse use, const ExportOptions& options) {
-    std::uint64_t hash = kVersion;
-    for (const char c : fs::absolute(source).string()) hash = hashCombine(hash, static_cast<unsigned char>(c));
-    hash = hashCombine(hash, static_cast<std::uint64_t>(fs::last_write_time(source).time_since_epoch().count()));
-    hash = hashCombine(hash, fs::file_size(source));
-    for (const int choice : {static_cast<int>(use), options.textureSize, options.normalMaps, options.packedMaps})
-        hash = hashCombine(hash, static_cast<std::uint64_t>(choice));
-    char name[32];
-    std::snprintf(name, sizeof name, "%016llx.png", static_cast<unsigned long long>(hash));
-    return pictureCache() / "exports" / name;
+    std::string all = fs::absolute(source).string() + ' ' + std::to_string(fs::last_write_time(source).time_since_epoch().count()) + ' ' +
+                      std::to_string(fs::file_size(source)) + ' ' + std::to_string(kVersion);
+    for (const int choice : {static_cast<int>(use), options.textureSize, options.normalMaps, options.packedMaps}) all += ' ' + std::to_string(choice);
+    return pictureCache() / "exports" / (nameOfHash(hashOfText(all)) + ".png");
 }
 } // namespace
 

@@ -1,4 +1,5 @@
 #include "stromar/app/Pictures.h"
+#include "ContentHash.h"
 #include "TwigPicture.h"
 #include "stromar/params/ParamTable.h"
 #include "stromar/texture/Draw.h"
@@ -31,11 +32,7 @@ std::string seasonWords(const CParams& params) {
     return g.evergreen || summer ? std::string() : " season=" + numberText(month);
 }
 
-std::string nameOf(std::uint64_t hash) {
-    char name[32];
-    std::snprintf(name, sizeof name, "%016llx.png", static_cast<unsigned long long>(hash));
-    return name;
-}
+std::string nameOf(std::uint64_t hash) { return nameOfHash(hash) + ".png"; }
 
 /// By the recipe's letters: the same recipe written otherwise is drawn again.
 fs::path recipeFile(std::string_view recipe, int size) {

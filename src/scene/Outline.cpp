@@ -25,9 +25,9 @@ std::vector<osg::Vec3f> outlineOf(const std::vector<ViewPart>& parts, std::size_
     return points;
 }
 
-std::pair<double, double> reachOf(const std::vector<ViewPart>& parts, const osg::Vec3d& along) {
+std::pair<double, double> reachOf(const std::vector<ViewPart>& parts, const osg::Vec3d& along, std::size_t most) {
     double left = 0, right = 0;
-    for (const osg::Vec3f& point : outlineOf(parts)) {
+    for (const osg::Vec3f& point : outlineOf(parts, most)) {
         left = std::max(left, -(osg::Vec3d(point) * along));
         right = std::max(right, osg::Vec3d(point) * along);
     }

@@ -87,6 +87,7 @@ TEST_F(Batch, NamesThatCollideAreRefused) {
     EXPECT_THROW(filesOf(plan(R"({"trees": "*.tree", "output": "out/{seed}.{format}"})")), CError);
     EXPECT_THROW(filesOf(plan(R"({"trees": "*.tree", "seeds": {"from": 1, "to": 600000}, "output": "{tree}_{seed}.{format}"})")), CError) << "too many";
     EXPECT_THROW(filesOf(plan(R"({"trees": "oak.tree", "formats": ["glb", "obj"], "output": "{tree}.glb"})")), CError);
+    EXPECT_THROW(filesOf(plan(R"({"trees": "oak.tree", "lods": [0, 1], "choices": {"displacement": 0.05}, "output": "{lod}.{format}"})")), CError);
     EXPECT_THROW(filesOf(plan(R"({"trees": "oak.tree", "formats": ["stl"], "choices": {"wind": "bones"}, "output": "{tree}.{format}"})")), CError);
 }
 
@@ -144,9 +145,11 @@ TEST_F(Batch, ValuesAreSet) {
     const double tall = heightOf(R"({"trees": "oak.tree", "formats": "gltf", "set": {"Scale": 20, "ScaleV": 0}, "output": "a.{format}"})");
     const double small = heightOf(R"({"trees": "oak.tree", "formats": "gltf", "set": {"Scale": 5, "ScaleV": 0}, "output": "b.{format}"})");
     EXPECT_NEAR(tall / small, 4, 0.2);
-    const BatchResult wrong = run(plan(R"({"trees": "oak.tree", "set": {"Scael": 5}, "output": "c.{format}"})"));
-    ASSERT_EQ(wrong.failures.size(), 1u);
-    EXPECT_NE(wrong.failures[0].find("Scael"), std::string::npos);
+    EXPECT_EQ(errorsOf(R"({"trees": "oak.tree", "set": {"Scael": 5}, "output": "c.{format}"})"),
+              (std::vector<std::string>{"plan.json:1:31: error: there is no parameter \"Scael\""}));
+    const BatchResult wrong = run(plan(R"({"trees": "oak.tree", "set": {"Derivations": 3}, "output": "c.{format}"})"));
+    ASSERT_EQ(wrong.failures.size(), 1u) << "of another method";
+    EXPECT_NE(wrong.failures[0].find("Derivations"), std::string::npos);
     EXPECT_FALSE(fs::exists(m_folder / "c.glb"));
 }
 

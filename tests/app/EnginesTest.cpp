@@ -182,7 +182,9 @@ TEST_F(EngineExport, NamesHaveNoBlanks) {
 TEST(ExportChoices, LevelsThatProgramsStackAreAdvisedAgainst) {
     const ExportOptions stacked = chosen({{"lods", "one-file"}});
     EXPECT_NE(adviceOn(stacked, *formatOf("a.glb")), "");
-    if (const Format* osg = formatOf("a.osgb")) EXPECT_EQ(adviceOn(stacked, *osg), "") << "its readers switch";
+    if (const Format* osg = formatOf("a.osgb")) {
+        EXPECT_EQ(adviceOn(stacked, *osg), "") << "its readers switch";
+    }
     EXPECT_EQ(adviceOn(chosen({{"lods", "file-each"}}), *formatOf("a.glb")), "");
     EXPECT_NE(conflictOf(chosen({{"textures", "refer"}, {"texture-size", "256"}}), *formatOf("a.gltf")), "");
 }

@@ -72,6 +72,16 @@ TEST_F(WorkshopTest, TheTreeWearsWhatIsMadeAsOneStep) {
     EXPECT_EQ(window.document().history().count(), 0) << "as if nothing had been";
 }
 
+TEST_F(WorkshopTest, AnotherOneKeepsWhatTheFirstMade) {
+    CTextureWorkshop* first = open();
+    first->findChild<QDoubleSpinBox*>(QStringLiteral("depth"))->setValue(2.2);
+    const std::string made = first->recipe().text();
+    window.files().openWorkshop(paramRef("LeafTexture"));
+    EXPECT_EQ(bark(), made);
+    QTest::qWait(100);
+    EXPECT_EQ(bark(), made) << "not the leaf's";
+}
+
 TEST_F(WorkshopTest, IsClosedWithItsTree) {
     QPointer<CTextureWorkshop> workshop = open();
     ASSERT_TRUE(workshop);

@@ -158,6 +158,16 @@ TEST_F(ViewsTest, TreesStandSideBySide) {
     EXPECT_EQ(view().scene().bounds().xMax(), alone.xMax());
 }
 
+TEST_F(ViewsTest, ARowThatIsGivenUpIsOver) {
+    const osg::BoundingBox alone = view().scene().bounds();
+    action("seeds")->trigger();
+    EXPECT_TRUE(window.sideBySide().busy());
+    action("alone")->trigger();
+    EXPECT_FALSE(window.sideBySide().busy());
+    QTest::qWait(500);
+    EXPECT_EQ(view().scene().bounds().xMax(), alone.xMax()) << "nobody comes late";
+}
+
 TEST_F(ViewsTest, ANarrowWindowGivesHalfToThePicture) {
     window.resize(1024, 700);
     ASSERT_TRUE(waitFor([&] { return view().width() >= 512; })) << view().width();

@@ -188,7 +188,7 @@ void CFileController::setFile(const ParamRef& text, const QString& path) {
 void CFileController::openWorkshop(const ParamRef& text) {
     const std::string own = text.text(m_document.params());
     const std::string start = isRecipe(own) ? own : plainRecipes(text.info->recipes).front();
-    if (m_workshop) m_workshop->close();
+    if (m_workshop) m_workshop->accept(); // what was made there stays
     try {
         m_workshop = new CTextureWorkshop(CRecipe(start), aspectOf(text), m_window);
     } catch (const CError& e) {
@@ -196,7 +196,7 @@ void CFileController::openWorkshop(const ParamRef& text) {
     }
     m_workshop->setAttribute(Qt::WA_DeleteOnClose);
     const auto wear = [this, text, gesture = nextGesture()](const std::string& value) { m_document.setValue(text, value, gesture); };
-    const auto wearRecipe = [this, wear] { wear(m_workshop->recipe().text()); };
+    const auto wearRecipe = [workshop = m_workshop.data(), wear] { wear(workshop->recipe().text()); };
     connect(m_workshop, &CTextureWorkshop::changed, this, wearRecipe);
     connect(m_workshop, &QDialog::accepted, this, wearRecipe);
     connect(m_workshop, &QDialog::rejected, this, [wear, own] { wear(own); });

@@ -99,7 +99,7 @@ void CThumbnails::work(const std::stop_token& stop) {
             progress = m_progress;
         }
         try {
-            emit grown(task.number, grownView(task.params, task.folder, task.age, detailFor(task.params), progress), {});
+            emit grown(task.number, grownView(task.params, task.folder, task.age, detailFor(task.params), {}, progress), {});
         } catch (const CCancelled&) {
             // Dropped, or the end.
         } catch (const std::exception& e) {

@@ -11,6 +11,7 @@ namespace stromar {
 
 namespace {
 constexpr double kVertices = 1.2e6; // of each of the others, at most; coarse levels of detail save what is beyond
+constexpr std::size_t kPoints = 2000; // of a part, which tell how far a tree reaches
 constexpr std::size_t kOthers = 8;  // of other seeds
 constexpr double kAges[] = {0.2, 0.4, 0.6, 0.8, 1};
 constexpr double kMonths[] = {1, 4.5, 7, 10};
@@ -44,14 +45,17 @@ void CSideBySide::cancel() {
 
 void CSideBySide::setRow(Row row) {
     if (row == std::exchange(m_row, row)) return;
+    cancel();
     m_frameNext = true;
     m_trees.clear();
-    if (m_view) follow(m_view, m_folder);
+    m_toCome = 0;
+    if (m_view) follow(m_view, m_folder, m_limits);
 }
 
-void CSideBySide::follow(const std::shared_ptr<const ViewModel>& view, const std::filesystem::path& folder) {
+void CSideBySide::follow(const std::shared_ptr<const ViewModel>& view, const std::filesystem::path& folder, const SizeLimits& limits) {
     m_view = view;
     m_folder = folder;
+    m_limits = limits;
     const bool wasAlone = std::exchange(m_showsOthers, m_row != Row::Alone) == false;
     if (m_row == Row::Alone && wasAlone) return;
     if (view->model->detail->model != Model::Full && m_row != Row::Alone) return; // a value is being dragged
@@ -59,7 +63,7 @@ void CSideBySide::follow(const std::shared_ptr<const ViewModel>& view, const std
     if (wanted != m_trees) {
         cancel();
         m_trees = std::move(wanted);
-        request(folder);
+        request();
     }
     arrange();
 }
@@ -118,14 +122,16 @@ std::vector<CSideBySide::Tree> CSideBySide::seasons(const TreeModel& model) cons
 }
 
 /// All but the tree in the window, which has grown.
-void CSideBySide::request(const std::filesystem::path& folder) {
+void CSideBySide::request() {
     ++m_number;
     m_toCome = 0;
     const Tree shown{m_view->model->params, m_view->model->age, {}, {}};
     m_own = static_cast<std::size_t>(std::ranges::find(m_trees, shown) - m_trees.begin());
+    SizeLimits each = m_limits;
+    each.bytes = std::min(each.bytes, SizeLimits::defaultMemory()) / double(std::max<std::size_t>(1, m_trees.size()));
     std::vector<Task> tasks;
     for (std::size_t i = 0; i < m_trees.size(); ++i)
-        if (i != m_own) tasks.push_back({m_number, i, m_trees[i].params, m_trees[i].age, folder});
+        if (i != m_own) tasks.push_back({m_number, i, m_trees[i].params, m_trees[i].age, m_folder, each});
     m_toCome = tasks.size();
     {
         const std::lock_guard lock(m_mutex);
@@ -147,16 +153,16 @@ void CSideBySide::arrange() {
     auto& labels = m_viewport.overlay().model().labels;
     labels.clear();
     const auto label = [&](const Tree& tree, const ViewModel& view, const osg::Vec3& foot) {
-        labels.emplace_back(osg::Vec3d(foot) + osg::Vec3d(0, 0, reachOf(view.parts, osg::Vec3d(0, 0, 1)).second), tree.label);
+        labels.emplace_back(osg::Vec3d(foot) + osg::Vec3d(0, 0, reachOf(view.parts, osg::Vec3d(0, 0, 1), kPoints).second), tree.label);
     };
     if (m_own < m_trees.size()) label(m_trees[m_own], *m_view, {});
-    const auto [ownLeft, ownRight] = reachOf(m_view->parts, kAlong);
+    const auto [ownLeft, ownRight] = reachOf(m_view->parts, kAlong, kPoints);
     for (const int side : {-1, 1}) {
         double edge = side < 0 ? ownLeft : ownRight, foot = 0;
         for (std::size_t i = m_own + static_cast<std::size_t>(side); i < m_trees.size(); i += static_cast<std::size_t>(side)) {
             const Tree& tree = m_trees[i];
             if (!tree.view) continue;
-            const auto [left, right] = reachOf(tree.view->parts, kAlong);
+            const auto [left, right] = reachOf(tree.view->parts, kAlong, kPoints);
             foot += distanceInRow(edge, side < 0 ? right : left, std::max(tree.view->model->tree->height(), left + right));
             edge = side < 0 ? left : right;
             others.push_back({tree.view->parts, tree.view->surfaces, osg::Vec3(kAlong * (side * foot))});
@@ -182,7 +188,7 @@ void CSideBySide::work(const std::stop_token& stop) {
         }
         std::shared_ptr<const ViewModel> view;
         try {
-            view = grownView(task.params, task.folder, task.age, detailFor(task.params, progress), progress);
+            view = grownView(task.params, task.folder, task.age, detailFor(task.params, progress), task.limits, progress);
         } catch (const CCancelled&) {
             continue;
         } catch (const std::exception&) { // too large, or not to be read: its place stays empty

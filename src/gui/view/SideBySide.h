@@ -26,8 +26,8 @@ public:
     Row row() const { return m_row; }
     /// The seeds of a row, without the tree's own.
     void setSeeds(std::span<const int> seeds) { m_seeds.assign(seeds.begin(), seeds.end()); }
-    /// After the viewport got a model of the tree. Others follow a full one.
-    void follow(const std::shared_ptr<const ViewModel>& view, const std::filesystem::path& folder);
+    /// After the viewport got a model of the tree. Others follow a full one; all together keep to the limits.
+    void follow(const std::shared_ptr<const ViewModel>& view, const std::filesystem::path& folder, const SizeLimits& limits);
     /// Whether some are still to come.
     bool busy() const { return m_toCome > 0; }
 
@@ -48,12 +48,13 @@ private:
         CParams params;
         double age;
         std::filesystem::path folder;
+        SizeLimits limits;
     };
     std::vector<Tree> treesOf(const TreeModel& model) const;
     std::vector<Tree> seeds(const TreeModel& model) const;
     std::vector<Tree> ages(const TreeModel& model) const;
     std::vector<Tree> seasons(const TreeModel& model) const;
-    void request(const std::filesystem::path& folder);
+    void request();
     void onGrown(quint64 row, quint64 place, const std::shared_ptr<const ViewModel>& view);
     void arrange();
     void work(const std::stop_token& stop);
@@ -64,6 +65,7 @@ private:
     std::vector<int> m_seeds;
     std::shared_ptr<const ViewModel> m_view;
     std::filesystem::path m_folder;
+    SizeLimits m_limits;
     std::vector<Tree> m_trees; ///< from left to right
     std::size_t m_own = 0;     ///< the place of the tree in the window
     bool m_frameNext = false, m_showsOthers = false;

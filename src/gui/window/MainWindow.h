@@ -127,6 +127,7 @@ private:
     void onChanged();
     void onCreated(const std::shared_ptr<const ViewModel>& view);
     void showNow();
+    void showNothing();
     void onRefused();
     void onFailed(const QString& why);
     std::shared_ptr<const TreeModel> shownModel() const;

@@ -37,7 +37,7 @@ QWidget* makeNumber(const Setting& setting) {
 }
 
 QString emptyCacheText() {
-    return CPreferencesDialog::tr("Remove All Drawn Pictures (%1)").arg(QLocale().formattedDataSize(qint64(pictureCacheSize())));
+    return CPreferencesDialog::tr("Clear the Picture Cache (%1)").arg(QLocale().formattedDataSize(qint64(pictureCacheSize())));
 }
 
 /// They are drawn again when a tree needs them.

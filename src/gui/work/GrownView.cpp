@@ -3,8 +3,8 @@
 namespace stromar {
 
 std::shared_ptr<const ViewModel> grownView(const CParams& params, const std::filesystem::path& folder, double age, const Detail& detail,
-                                           const CProgress& progress) {
-    CTreeCreator creator;
+                                           const SizeLimits& limits, const CProgress& progress) {
+    CTreeCreator creator(true, limits);
     creator.setAge(age);
     auto view = std::make_shared<ViewModel>();
     view->model = creator.create(params, detail, progress);
