@@ -188,7 +188,9 @@ private:
 
     void readSet(const Json& value) {
         if (!value.is_object()) return fail("\"set\" is an object: {\"LeafScale\": 0.2}");
-        for (const auto& [key, one] : value.items()) {
+        for (const auto& item : value.items()) {
+            const std::string& key = item.key();
+            const Json& one = item.value();
             const auto knows = [&](const ParamBlock* block) { return findParam(key, *block).has_value(); };
             if (std::ranges::none_of(paramBlocks(), knows)) failAt(placeOf(key), "there is no parameter \"" + key + "\"");
             m_plan.values.emplace_back(key, one.is_string() ? one.get<std::string>() : one.dump());
