@@ -3079,6 +3079,30 @@
         <source>The most that cached textures and thumbnails may take on the disk. The oldest beyond it are removed at each start.</source>
         <translation>Nejvíce, kolik smějí textury a náhledy v mezipaměti zabrat na disku. Nejstarší nad tuto mez se smažou při každém spuštění.</translation>
     </message>
+    <message>
+        <source>%1 holds colours and pivots of the wind, neither attributes nor bones; choose glTF</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>%1 files have their pictures inside</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>FBX, binary, centimetres</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>occlusion as an attribute; roughness is not connected: its maps lie beside the file</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>USD, text</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>USD, a package with its pictures</source>
+        <translation type="unfinished"></translation>
+    </message>
 </context>
 <context>
     <name>stromar::CComparison</name>

@@ -16,6 +16,7 @@
 #include <algorithm>
 #include <atomic>
 #include <cmath>
+#include <glm/geometric.hpp>
 #include <mutex>
 #include <optional>
 
@@ -46,9 +47,24 @@ Arrangement arrangementFor(const ExportOptions& options, const Format& format) {
     return {static_cast<float>(options.scale), turn, up == ExportedUp::Y ? 1.0f : -1.0f};
 }
 
-/// A leaf's triangles once more, turned round.
-std::shared_ptr<const CMesh> withBacks(const CMesh& mesh) {
+/// Towards the back of the triangles at each vertex, unit; nothing where they are flat.
+std::vector<glm::vec3> backwardsOf(const CMesh& mesh) {
+    std::vector<glm::vec3> sums(mesh.vertexCount(), glm::vec3(0));
+    for (std::size_t i = 0; i + 2 < mesh.indices.size(); i += 3) {
+        const auto corner = [&](std::size_t c) { return mesh.positions[mesh.indices[i + c]]; };
+        const glm::vec3 across = glm::cross(corner(2) - corner(0), corner(1) - corner(0));
+        for (std::size_t c = 0; c < 3; ++c) sums[mesh.indices[i + c]] += across;
+    }
+    for (glm::vec3& sum : sums)
+        if (const float length = glm::length(sum); length > 0) sum /= length;
+    return sums;
+}
+
+/// A leaf's triangles once more, turned round, as far behind as a leaf is thick: faces at the same place would shade each other.
+std::shared_ptr<const CMesh> withBacks(const CMesh& mesh, float metre) {
+    const float thickness = 3e-4f * metre;
     auto both = std::make_shared<CMesh>(mesh);
+    const std::vector<glm::vec3> backwards = backwardsOf(mesh);
     const auto twice = [](auto& values, const auto& turned) {
         const std::size_t count = values.size();
         values.reserve(2 * count);
@@ -59,16 +75,25 @@ std::shared_ptr<const CMesh> withBacks(const CMesh& mesh) {
     twice(both->normals, [](const glm::vec3& n) { return -n; });
     twice(both->texCoords, [](const glm::vec2& t) { return t; });
     twice(both->looks, [](const VertexLook& look) { return look; });
+    for (std::size_t v = 0; v < mesh.vertexCount(); ++v) both->positions[first + v] += thickness * backwards[v];
     for (std::size_t i = 0; i + 2 < mesh.indices.size(); i += 3)
         for (const std::size_t corner : {i, i + 2, i + 1}) both->indices.push_back(first + mesh.indices[corner]);
     return both;
 }
 
-Meshes twoSided(Meshes meshes, const ExportOptions& options, const Format& format) {
-    if (isTwoSided(options, format))
-        for (auto& mesh : meshes)
-            if (surfaceOf(mesh->surface).cutOut) mesh = withBacks(*mesh);
-    return meshes;
+/// The backs of leaves, with what their vertices carry.
+void addBacks(Meshes& meshes, std::vector<VertexChannels>& channels, float metre) {
+    for (std::size_t i = 0; i < meshes.size(); ++i) {
+        if (!surfaceOf(meshes[i]->surface).cutOut) continue;
+        meshes[i] = withBacks(*meshes[i], metre);
+        if (channels.empty()) continue;
+        for (VertexChannel& channel : channels[i]) channel.bytes += std::string(channel.bytes);
+    }
+}
+void addBacks(ExportModel& model, float metre) {
+    addBacks(model.meshes, model.channels, metre);
+    model.coarserChannels.resize(model.coarser.size());
+    for (std::size_t lod = 0; lod < model.coarser.size(); ++lod) addBacks(model.coarser[lod], model.coarserChannels[lod], metre);
 }
 
 Meshes arranged(const Meshes& meshes, const Arrangement& to) {
@@ -145,7 +170,7 @@ std::vector<Material> materialsOf(const TreeModel& model, const std::vector<Mesh
     std::vector<Material> materials;
     auto textures = static_cast<ExportedTextures>(options.textures);
     if (textures == ExportedTextures::Format)
-        textures = format.pictures == Pictures::Inside ? ExportedTextures::Embed : ExportedTextures::Copy;
+        textures = format.pictures >= Pictures::Inside ? ExportedTextures::Embed : ExportedTextures::Copy;
     for (const Surface surface : kSurfaces) {
         const SurfaceInfo& info = surfaceOf(surface);
         const bool shown = shownSurface(model.params, surface) == surface && isUsed(lods, surface);
@@ -205,12 +230,12 @@ void writePose(const Pose& pose, const ExportOptions& options, const fs::path& t
     CFileSet files(progress, static_cast<std::uint64_t>(format.bytesPerVertex * double(pose.vertexCount())));
     const auto materials = materialsOf(coarsest, pose.meshes, options, format, treeFolder, to, files);
     const Arrangement arrangement = arrangementFor(options, format);
-    const auto sided = [&](const Meshes& meshes) { return twoSided(meshes, options, format); };
     const auto write = [&](const std::string& suffix, std::size_t first, std::size_t count) {
-        ExportModel model{plainName(to.path) + suffix, arranged(sided(pose.meshes[first]), arrangement), {}, materials};
-        for (std::size_t i = first + 1; i < first + count; ++i) model.coarser.push_back(arranged(sided(pose.meshes[i]), arrangement));
+        ExportModel model{plainName(to.path) + suffix, arranged(pose.meshes[first], arrangement), {}, materials};
+        for (std::size_t i = first + 1; i < first + count; ++i) model.coarser.push_back(arranged(pose.meshes[i], arrangement));
         if (!pose.sways.empty()) addWind(model, std::span(pose.sways).subspan(first, count), options, motion, arrangement);
-        if (format.wind) addColours(model, isSolid(options) ? std::span<const std::shared_ptr<const TreeModel>>() : std::span(pose.lods).subspan(first, count), options);
+        if (format.channels != Channels::None) addColours(model, isSolid(options) ? std::span<const std::shared_ptr<const TreeModel>>() : std::span(pose.lods).subspan(first, count), options);
+        if (isTwoSided(options, format)) addBacks(model, arrangement.scale);
         format.write(model, withSuffix(to.path, suffix), files);
     };
     if (options.lods == static_cast<int>(ExportedLods::FileEach))

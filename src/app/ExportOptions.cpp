@@ -150,7 +150,7 @@ bool isSolid(const ExportOptions& options) { return options.watertight == static
 
 bool isTwoSided(const ExportOptions& options, const Format& format) {
     const auto wanted = static_cast<ExportedTwoSided>(options.twoSided);
-    return wanted == ExportedTwoSided::Yes || (wanted == ExportedTwoSided::Format && format.twoSided);
+    return wanted == ExportedTwoSided::Yes || (wanted == ExportedTwoSided::Format && format.sides == Sides::Triangles);
 }
 
 std::string choiceText(const ExportOptions& options, const ExportChoice& choice) {
@@ -203,9 +203,12 @@ string_view conflictOf(const ExportOptions& options, const Format& format) {
     const auto lods = static_cast<ExportedLods>(options.lods);
     if (lods == ExportedLods::InOneFile && !format.lods)
         return N_("%1 cannot hold levels of detail; choose a file for each");
-    if (options.wind != static_cast<int>(ExportedWind::None) && !format.wind)
+    const auto wind = static_cast<ExportedWind>(options.wind);
+    if (wind != ExportedWind::None && format.channels == Channels::None)
         return N_("%1 cannot hold what moves in the wind; choose glTF");
-    if (options.twoSided == static_cast<int>(ExportedTwoSided::Yes) && format.wind)
+    if ((wind == ExportedWind::Attributes || wind == ExportedWind::Bones) && format.channels != Channels::All)
+        return N_("%1 holds colours and pivots of the wind, neither attributes nor bones; choose glTF");
+    if (options.twoSided == static_cast<int>(ExportedTwoSided::Yes) && format.sides == Sides::Material)
         return N_("%1 shows leaves from both sides by itself");
     const bool simple = options.model == static_cast<int>(ExportedModel::Simple);
     if (simple && (lods != ExportedLods::None || options.lod > 0))
@@ -216,7 +219,7 @@ string_view conflictOf(const ExportOptions& options, const Format& format) {
     if (options.displacement > 0 && (isSolid(options) || simple || (lods == ExportedLods::None && options.lod > 0)))
         return N_("only the full model's level of detail 0 has displaced bark");
     if (options.occlusion == static_cast<int>(ExportedOcclusion::InColours)) {
-        if (!format.wind) return N_("%1 cannot hold vertex colours; choose glTF");
+        if (format.channels == Channels::None) return N_("%1 cannot hold vertex colours; choose glTF");
         if (options.wind == static_cast<int>(ExportedWind::CryEngine) || options.wind == static_cast<int>(ExportedWind::Unity))
             return N_("the colours of this wind hold the occlusion already");
     }
@@ -227,7 +230,10 @@ string_view conflictOf(const ExportOptions& options, const Format& format) {
     const auto textures = static_cast<ExportedTextures>(options.textures);
     if (textures == ExportedTextures::Refer && changesPictures(options))
         return N_("pictures that stay where they are cannot be changed; choose copies");
-    if (textures == ExportedTextures::Embed && format.pictures != Pictures::Inside)
+    const bool inside = textures == ExportedTextures::Embed;
+    if (textures != ExportedTextures::Format && !inside && format.pictures == Pictures::AlwaysInside)
+        return N_("%1 files have their pictures inside");
+    if (inside && format.pictures < Pictures::Inside && !format.embeds)
         return N_("%1 cannot hold pictures; choose copies");
     return {};
 }

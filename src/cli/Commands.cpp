@@ -465,7 +465,17 @@ std::string picturesOf(const Format& format) {
     switch (format.pictures) {
     case Pictures::None: return "none";
     case Pictures::Beside: return "beside";
-    case Pictures::Inside: return "inside";
+    case Pictures::Inside:
+    case Pictures::AlwaysInside: return "inside";
+    }
+    return {};
+}
+
+std::string windOf(const Format& format) {
+    switch (format.channels) {
+    case Channels::None: return "none";
+    case Channels::ColoursAndUvs: return "colours and pivots";
+    case Channels::All: return "all";
     }
     return {};
 }
@@ -476,8 +486,8 @@ void printFormatsPage(std::ostream& out) {
     for (const Format& format : formatTable())
         out << "| `" << format.ending << "` | " << format.name << " | " << format.upAxis
             << (format.anyUp ? ", or the other" : "") << " | " << picturesOf(format) << " | "
-            << (format.lods ? "in one file" : "a file for each") << " | " << (format.wind ? "yes" : "no") << " | " << format.losses << " |\n";
-    out << "\nWind: whether it can hold `--wind`. Attributes give the exact pose, colours what their engine makes of them; bones are stiff pieces in\n"
+            << (format.lods ? "in one file" : "a file for each") << " | " << windOf(format) << " | " << format.losses << " |\n";
+    out << "\nWind: what of `--wind` it can hold. Attributes give the exact pose, colours what their engine makes of them; bones are stiff pieces in\n"
            "place of arcs, and stems without one follow the nearest: [time and wind](time-and-wind.md#into-engines).\n";
 }
 } // namespace
@@ -492,7 +502,7 @@ void printFormats(ListStyle style, std::ostream& out) {
                             {"up_axis", format.upAxis},
                             {"pictures", picturesOf(format)},
                             {"lods_in_one_file", format.lods},
-                            {"wind", format.wind},
+                            {"wind", windOf(format)},
                             {"loses", format.losses}});
         else
             out << format.ending << std::string(7 - format.ending.size(), ' ') << format.name << ", " << format.upAxis

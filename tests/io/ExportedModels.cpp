@@ -15,6 +15,7 @@ const ForeignReader kAssimp{"assimp", {".obj", ".3ds", ".lwo", ".glb", ".gltf"}}
 const ForeignReader kOsg{"osgDB in another process",
                          {".osg", ".osgt", ".osgb", ".obj", ".3ds", ".dae", ".ply", ".stl"}};
 const ForeignReader kPovRay{"POV-Ray", {".pov"}};
+const ForeignReader kThree{"three.js", {".fbx", ".usda", ".usdz"}};
 
 namespace {
 /// With one bark for all stems; with its wood in one piece, as files have it.

@@ -14,7 +14,7 @@ struct ForeignReader {
     const char* program;
     std::vector<std::string> endings;
 };
-extern const ForeignReader kAssimp, kOsg, kPovRay;
+extern const ForeignReader kAssimp, kOsg, kPovRay, kThree;
 
 struct SampleModel {
     std::string name;

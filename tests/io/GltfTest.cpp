@@ -141,7 +141,7 @@ TEST(Shading, TheCrownsInsideAndForksAreDarker) {
 class BlenderReads : public testing::TestWithParam<const char*> {
     void SetUp() override { needTool(runProcess({"blender", "--version"}).status == 0, "Blender"); }
 };
-INSTANTIATE_TEST_SUITE_P(Slow, BlenderReads, testing::Values(".glb", ".gltf", ".obj", ".dae"),
+INSTANTIATE_TEST_SUITE_P(Slow, BlenderReads, testing::Values(".glb", ".gltf", ".obj", ".dae", ".fbx"),
                          [](const auto& one) { return std::string(one.param + 1); });
 
 TEST_P(BlenderReads, TheWholeModel) {

@@ -10,7 +10,7 @@ TEST(Readers, EveryFormatIsReadBackByAForeignProgram) {
         const auto reads = [&](const ForeignReader& reader) {
             return std::ranges::find(reader.endings, format.ending) != reader.endings.end();
         };
-        EXPECT_TRUE(reads(kAssimp) || reads(kOsg) || reads(kPovRay)) << "no test reads " << format.ending << " back";
+        EXPECT_TRUE(reads(kAssimp) || reads(kOsg) || reads(kPovRay) || reads(kThree)) << "no test reads " << format.ending << " back";
     }
 }
 

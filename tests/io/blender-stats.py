@@ -12,6 +12,8 @@ path = sys.argv[sys.argv.index("--") + 1]
 bpy.ops.wm.read_factory_settings(use_empty=True)
 if path.endswith((".glb", ".gltf")):
     bpy.ops.import_scene.gltf(filepath=path)
+elif path.endswith(".fbx"):
+    bpy.ops.import_scene.fbx(filepath=path)
 elif path.endswith(".dae"):
     bpy.ops.wm.collada_import(filepath=path)
 elif hasattr(bpy.ops.wm, "obj_import"):

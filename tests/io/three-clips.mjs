@@ -29,7 +29,7 @@ function points() {
     const count = mesh.geometry.attributes.position.count, step = Math.max(1, Math.floor(count / 500));
     for (let i = 0; i < count; i += step) {
       const point = new THREE.Vector3().fromBufferAttribute(mesh.geometry.attributes.position, i);
-      all.push(mesh.boneTransform(i, point).applyMatrix4(mesh.matrixWorld));
+      all.push(mesh.applyBoneTransform(i, point).applyMatrix4(mesh.matrixWorld));
     }
   }
   return all;

@@ -8,7 +8,11 @@
 
 namespace stromar {
 
-enum class Pictures { None, Beside, Inside }; ///< what a format does with them by itself
+enum class Pictures { None, Beside, Inside, AlwaysInside }; ///< what a format does with them by itself
+enum class Channels { None, ColoursAndUvs, All }; ///< what vertices carry besides: vertex colours and a second UV; any attribute, bones and tables
+/// Leaves are seen from both sides: not unless that is asked for; by triangles of their own for the back, as readers do not draw what is
+/// seen from behind; as the material says so.
+enum class Sides { One, Triangles, Material };
 
 /// One row of the table of model files that can be written. Command line, window, manual and tests are loops over it.
 struct Format {
@@ -22,9 +26,10 @@ struct Format {
     bool lods = false;  ///< holds levels of detail in one file
     bool anyUp = false; ///< readers do not mind which axis is up
     bool maps = false;  ///< holds pictures of the relief
-    bool twoSided = false; ///< leaves have triangles for their back, as readers do not draw what is seen from behind
     bool opacity = false;  ///< opacity is a picture of its own
-    bool wind = false;  ///< holds what ExportOptions::wind and ::occlusion add to vertices
+    bool embeds = false;   ///< can hold pictures, too
+    Sides sides = Sides::One;
+    Channels channels = Channels::None;
 };
 
 std::span<const Format> formatTable();

@@ -25,6 +25,14 @@ void writePov(const ExportModel& model, const std::filesystem::path& path, CFile
 void writeGlb(const ExportModel& model, const std::filesystem::path& path, CFileSet& files);
 void writeGltf(const ExportModel& model, const std::filesystem::path& path, CFileSet& files);
 
+/// FBX 7.4, binary. Centimetres, y up. Normals, tangents, colours, a second UV, levels of detail as an LOD group; pictures are embedded
+/// where `Material::texture` is empty.
+void writeFbx(const ExportModel& model, const std::filesystem::path& path, CFileSet& files);
+
+/// USD as text, and as a package with its pictures. Metres, y up. Normals, texture coordinates, UsdPreviewSurface.
+void writeUsda(const ExportModel& model, const std::filesystem::path& path, CFileSet& files);
+void writeUsdz(const ExportModel& model, const std::filesystem::path& path, CFileSet& files);
+
 /// STL and PLY, binary, and COLLADA. Metres, z up. Through assimp, which needs a copy of the model in memory.
 void writeStl(const ExportModel& model, const std::filesystem::path& path, CFileSet& files);
 void writePly(const ExportModel& model, const std::filesystem::path& path, CFileSet& files);

@@ -1,0 +1,173 @@
+#include "TextOut.h"
+#include "ZipOut.h"
+#include "stromar/io/Writers.h"
+#include "stromar/texture/Opacity.h"
+#include <glm/common.hpp>
+
+namespace stromar {
+
+namespace {
+glm::vec3 yUp(const glm::vec3& v) { return {v.x, v.z, -v.y}; }
+
+/// What a prim may be called: letters, digits and underscores, no digit in front.
+std::string identifier(const std::string& name) {
+    std::string plain;
+    for (const char c : name) plain += (c >= 'a' && c <= 'z') || (c >= 'A' && c <= 'Z') || (c >= '0' && c <= '9') ? c : '_';
+    return plain.empty() || (plain[0] >= '0' && plain[0] <= '9') ? "_" + plain : plain;
+}
+
+CTextOut& operator<<(CTextOut& out, const glm::vec3& v) { return out << "(" << v.x << ", " << v.y << ", " << v.z << ")"; }
+CTextOut& operator<<(CTextOut& out, const glm::vec2& v) { return out << "(" << v.x << ", " << v.y << ")"; }
+
+/// A picture that the file refers to.
+struct Picture {
+    std::string name; ///< of its shader
+    std::string file; ///< as the file names it
+    std::filesystem::path source;
+};
+
+/// One model as a layer of text.
+class CUsdWriter {
+public:
+    /// `packed`: pictures lie in the same package.
+    CUsdWriter(const ExportModel& model, bool packed) : m_model(model), m_packed(packed), m_root(identifier(model.name)) {}
+
+    void write(std::ostream& stream) const {
+        CTextOut out(stream);
+        out << "#usda 1.0\n(\n    defaultPrim = \"" << m_root << "\"\n    doc = \"Stromar\"\n    metersPerUnit = 1\n    upAxis = \"Y\"\n)\n\n"
+            << "def Xform \"" << m_root << "\" (\n    kind = \"component\"\n)\n{\n";
+        for (const auto& mesh : m_model.meshes) writeMesh(*mesh, out);
+        out << "    def Scope \"Looks\"\n    {\n";
+        for (const Material& look : m_model.materials) writeMaterial(look, out);
+        out << "    }\n}\n";
+        out.flush();
+    }
+
+    std::vector<Picture> pictures() const {
+        std::vector<Picture> all;
+        for (const Material& look : m_model.materials)
+            for (const Picture& picture : picturesOf(look)) all.push_back(picture);
+        return all;
+    }
+
+private:
+    std::string place(const Material& look) const { return "/" + m_root + "/Looks/" + identifier(look.name); }
+
+    template <typename Values, typename Show>
+    void writeArray(const char* name, const Values& values, Show&& show, const char* behind, CTextOut& out) const {
+        out << "        " << name << " = [";
+        const char* between = "";
+        for (const auto& value : values) {
+            out << between << show(value);
+            out.endRecord();
+            between = ", ";
+        }
+        out << "]" << behind << "\n";
+    }
+
+    void writeMesh(const CMesh& mesh, CTextOut& out) const {
+        constexpr const char* kByVertex = " (\n            interpolation = \"vertex\"\n        )";
+        const Material& look = m_model.materialOf(mesh);
+        const Bounds bounds = mesh.bounds();
+        const glm::vec3 a = yUp(bounds.min), b = yUp(bounds.max);
+        out << "    def Mesh \"" << identifier(mesh.name) << "\" (\n        prepend apiSchemas = [\"MaterialBindingAPI\"]\n    )\n    {\n"
+            << "        uniform bool doubleSided = " << (look.cutOut ? "1" : "0") << "\n        float3[] extent = [" << glm::min(a, b) << ", "
+            << glm::max(a, b) << "]\n        int[] faceVertexCounts = [";
+        for (std::size_t t = 0; t < mesh.triangleCount(); ++t) {
+            out << (t == 0 ? "3" : ", 3");
+            out.endRecord();
+        }
+        out << "]\n";
+        writeArray("int[] faceVertexIndices", mesh.indices, [](std::uint32_t v) { return std::size_t{v}; }, "", out);
+        writeArray("normal3f[] normals", mesh.normals, yUp, kByVertex, out);
+        writeArray("point3f[] points", mesh.positions, yUp, "", out);
+        writeArray("texCoord2f[] primvars:st", mesh.texCoords, [](const glm::vec2& t) { return t; }, kByVertex, out);
+        out << "        rel material:binding = <" << place(look) << ">\n        uniform token subdivisionScheme = \"none\"\n    }\n\n";
+    }
+
+    std::vector<Picture> picturesOf(const Material& look) const {
+        std::vector<Picture> all;
+        const auto add = [&](const char* name, const PictureRef& ref) {
+            if (ref.picture.empty()) return;
+            const std::string inside = "textures/" + look.name + "_" + name + ref.picture.extension().string();
+            all.push_back({name, m_packed ? inside : ref.texture, ref.picture});
+        };
+        add("diffuse", {look.texture, look.picture});
+        add("normal", look.normal);
+        add(look.packed ? "orm" : "roughness", look.roughness);
+        return all;
+    }
+
+    static bool has(const std::vector<Picture>& pictures, std::string_view name) {
+        return std::ranges::find(pictures, name, &Picture::name) != pictures.end();
+    }
+
+    void writeMaterial(const Material& look, CTextOut& out) const {
+        const std::string own = place(look);
+        const std::vector<Picture> pictures = picturesOf(look);
+        const auto connected = [&](const char* input, const char* picture, const char* output) {
+            out << "                " << input << ".connect = <" << own << "/" << picture << ".outputs:" << output << ">\n";
+        };
+        out << "        def Material \"" << identifier(look.name) << "\"\n        {\n            token outputs:surface.connect = <" << own
+            << "/surface.outputs:surface>\n\n            def Shader \"surface\"\n            {\n"
+            << "                uniform token info:id = \"UsdPreviewSurface\"\n";
+        if (has(pictures, "diffuse"))
+            connected("color3f inputs:diffuseColor", "diffuse", "rgb");
+        else
+            out << "                color3f inputs:diffuseColor = " << look.colour << "\n";
+        if (has(pictures, "normal")) connected("normal3f inputs:normal", "normal", "rgb");
+        if (look.cutOut && has(pictures, "diffuse")) {
+            connected("float inputs:opacity", "diffuse", "a");
+            out << "                float inputs:opacityThreshold = " << float(kAlphaCut) << "\n";
+        }
+        if (has(pictures, "orm")) {
+            connected("float inputs:occlusion", "orm", "r");
+            connected("float inputs:roughness", "orm", "g");
+            connected("float inputs:metallic", "orm", "b");
+        } else {
+            if (has(pictures, "roughness"))
+                connected("float inputs:roughness", "roughness", "r");
+            else
+                out << "                float inputs:roughness = " << (look.cutOut ? 0.7f : 0.9f) << "\n";
+            out << "                float inputs:metallic = 0\n";
+        }
+        out << "                token outputs:surface\n            }\n\n";
+        if (!pictures.empty())
+            out << "            def Shader \"st\"\n            {\n                uniform token info:id = \"UsdPrimvarReader_float2\"\n"
+                << "                string inputs:varname = \"st\"\n                float2 outputs:result\n            }\n\n";
+        for (const Picture& picture : pictures) writePicture(picture, own, out);
+        out << "        }\n\n";
+    }
+
+    static void writePicture(const Picture& picture, const std::string& material, CTextOut& out) {
+        out << "            def Shader \"" << picture.name << "\"\n            {\n                uniform token info:id = \"UsdUVTexture\"\n"
+            << "                asset inputs:file = @" << picture.file << "@\n                float2 inputs:st.connect = <" << material
+            << "/st.outputs:result>\n                token inputs:sourceColorSpace = \"" << (picture.name == "diffuse" ? "sRGB" : "raw") << "\"\n"
+            << "                token inputs:wrapS = \"repeat\"\n                token inputs:wrapT = \"repeat\"\n";
+        if (picture.name == "normal")
+            out << "                float4 inputs:scale = (2, 2, 2, 1)\n                float4 inputs:bias = (-1, -1, -1, 0)\n";
+        for (const char* output : {"float outputs:r", "float outputs:g", "float outputs:b", "float outputs:a", "float3 outputs:rgb"})
+            out << "                " << output << "\n";
+        out << "            }\n\n";
+    }
+
+    const ExportModel& m_model;
+    bool m_packed;
+    std::string m_root;
+};
+} // namespace
+
+void writeUsda(const ExportModel& model, const std::filesystem::path& path, CFileSet& files) {
+    CUsdWriter(model, false).write(files.create(path));
+}
+
+void writeUsdz(const ExportModel& model, const std::filesystem::path& path, CFileSet& files) {
+    const CUsdWriter writer(model, true);
+    CZipOut package(files.create(path));
+    package.add(model.name + ".usda", [&](std::ostream& stream) { writer.write(stream); });
+    for (const Picture& picture : writer.pictures())
+        package.add(picture.file, [&](std::ostream& stream) { stream << readFile(picture.source); });
+    package.finish();
+}
+
+} // namespace stromar

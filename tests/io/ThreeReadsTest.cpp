@@ -1,0 +1,135 @@
+// FBX and USD by three.js; what its readers do not look at, by the bytes.
+#include "cli/Process.h"
+#include "io/ExportedModels.h"
+#include "io/Tools.h"
+#include "stromar/app/Export.h"
+#include "stromar/util/FileSet.h"
+#include <filesystem>
+#include <gtest/gtest.h>
+#include <nlohmann/json.hpp>
+
+namespace stromar::test {
+
+namespace fs = std::filesystem;
+using Json = nlohmann::json;
+
+namespace {
+Json readByThree(const fs::path& path) {
+    const ProcessResult run = runProcess({"node", STROMAR_SOURCE "/tests/io/three-stats.mjs", path.string()}, {.folder = STROMAR_BIN "/.."});
+    EXPECT_EQ(run.status, 0) << run.err;
+    return Json::parse(run.out.substr(run.out.find('{')));
+}
+
+std::uint64_t numberAt(const std::string& bytes, std::size_t at, std::size_t size) {
+    std::uint64_t number = 0;
+    for (std::size_t i = 0; i < size; ++i) number |= std::uint64_t(static_cast<unsigned char>(bytes.at(at + i))) << (8 * i);
+    return number;
+}
+} // namespace
+
+class ThreeReads : public testing::TestWithParam<const char*> {
+    void SetUp() override { needTool(fs::exists(STROMAR_BIN "/../node_modules/three"), "three.js (npm)"); }
+};
+INSTANTIATE_TEST_SUITE_P(All, ThreeReads, testing::Values(".fbx", ".usda", ".usdz"), [](const auto& one) { return std::string(one.param + 1); });
+
+TEST_P(ThreeReads, TheWholeModel) {
+    const TreeModel& model = sampleModel("aspen");
+    const CExported file(model, GetParam());
+    const Json stats = readByThree(file.path());
+    EXPECT_EQ(stats.at("triangles"), model.triangleCount());
+    EXPECT_EQ(stats.at("objects"), (Json{"branches_1", "branches_2", "leaves", "trunk"}));
+    EXPECT_EQ(stats.at("scale"), 1);
+    EXPECT_EQ(stats.at("opaque"), 3) << "leaves are cut out";
+    const bool fbx = std::string(GetParam()) == ".fbx";
+    const Bounds box = boundsOf(model, yUp);
+    const double unit = fbx ? 100 : 1;
+    for (int i = 0; i < 3; ++i) {
+        EXPECT_NEAR(stats.at("min").at(std::size_t(i)), unit * box.min[i], 1e-3 * unit);
+        EXPECT_NEAR(stats.at("max").at(std::size_t(i)), unit * box.max[i], 1e-3 * unit);
+    }
+    EXPECT_EQ(stats.at("pictures").size(), fbx ? 5u : 6u) << "roughness is not connected in FBX, opacity is a picture of its own";
+    for (const std::string picture : stats.at("pictures")) EXPECT_TRUE(picture.starts_with("blob:") || fs::exists(picture)) << picture;
+}
+
+TEST(FbxFiles, InMetresAndInCentimetresAsTheScaleSays) {
+    needTool(fs::exists(STROMAR_BIN "/../node_modules/three"), "three.js (npm)");
+    if (::testing::Test::HasFailure() || ::testing::Test::IsSkipped()) return;
+    const CTemporaryFolder folder;
+    const TreeModel& model = sampleModel("small");
+    const double height = boundsOf(model, yUp).max.y;
+    for (const double scale : {1.0, 0.01}) {
+        ExportOptions options;
+        options.scale = scale;
+        exportModels({std::shared_ptr<const TreeModel>(std::shared_ptr<void>(), &model)}, options, {}, folder / "x.fbx", CProgress(2));
+        EXPECT_NEAR(readByThree(folder / "x.fbx").at("max").at(1).get<double>(), 100 * scale * height, 1e-3 * 100 * scale * height);
+    }
+}
+
+TEST(FbxFiles, HoldLevelsOfDetailColoursAndASecondUv) {
+    needTool(fs::exists(STROMAR_BIN "/../node_modules/three"), "three.js (npm)");
+    if (::testing::Test::HasFailure() || ::testing::Test::IsSkipped()) return;
+    const CTemporaryFolder folder;
+    ExportOptions options;
+    options.lods = static_cast<int>(ExportedLods::InOneFile);
+    options.wind = static_cast<int>(ExportedWind::Unity);
+    CTreeCreator creator;
+    exportTree(creator, sampleModel("small").params, options, {}, folder / "oak.fbx", CProgress(2));
+    const Json stats = readByThree(folder / "oak.fbx");
+    EXPECT_EQ(stats.at("objects"), (Json{"oak_LOD0", "oak_LOD1", "oak_LOD2", "oak_LOD3"}));
+    EXPECT_NE(readFile(folder / "oak.fbx").find("LodGroup"), std::string::npos) << "three.js does not look at it";
+    EXPECT_EQ(stats.at("colours"), 4);
+    EXPECT_EQ(stats.at("uv2"), 4);
+}
+
+TEST(FbxFiles, HoldTheirPicturesWhenThatIsWanted) {
+    const CTemporaryFolder folder;
+    ExportOptions options;
+    options.textures = static_cast<int>(ExportedTextures::Embed);
+    CTreeCreator creator;
+    exportTree(creator, sampleModel("small").params, options, {}, folder / "oak.fbx", CProgress(2));
+    EXPECT_EQ(folder.names().size(), 1u) << "nothing beside it";
+    const std::string bytes = readFile(folder / "oak.fbx");
+    std::size_t pictures = 0;
+    for (std::size_t at = bytes.find("\x89PNG\r\n"); at != std::string::npos; at = bytes.find("\x89PNG\r\n", at + 1)) ++pictures;
+    EXPECT_EQ(pictures, 5u);
+}
+
+TEST(FbxFiles, EveryRecordEndsWhereItSays) {
+    const CExported file(sampleModel("small"), ".fbx");
+    const std::string bytes = readFile(file.path());
+    ASSERT_TRUE(bytes.starts_with("Kaydara FBX Binary  "));
+    std::size_t at = 27, records = 0;
+    while (const std::size_t end = numberAt(bytes, at, 4)) {
+        ASSERT_GT(end, at);
+        ASSERT_LT(end, bytes.size());
+        at = end;
+        ++records;
+    }
+    EXPECT_GE(records, 9u) << "header, settings, documents, definitions, objects, connections …";
+}
+
+TEST(UsdPackages, AreStoredAtMultiplesOf64Bytes) {
+    const CExported file(sampleModel("small"), ".usdz");
+    const std::string bytes = readFile(file.path());
+    std::vector<std::string> names;
+    for (std::size_t at = 0; numberAt(bytes, at, 4) == 0x04034b50;) {
+        const std::size_t nameSize = numberAt(bytes, at + 26, 2), extra = numberAt(bytes, at + 28, 2), data = at + 30 + nameSize + extra;
+        EXPECT_EQ(numberAt(bytes, at + 8, 2), 0u) << "stored";
+        EXPECT_EQ(data % 64, 0u);
+        names.push_back(bytes.substr(at + 30, nameSize));
+        at = data + numberAt(bytes, at + 18, 4);
+    }
+    ASSERT_EQ(names.size(), 7u) << "the tree and six pictures";
+    EXPECT_TRUE(names.front().ends_with(".usda")) << "the first file is the scene";
+    EXPECT_EQ(runProcess({"unzip", "-tq", file.path()}).status, 0);
+}
+
+TEST(UsdFiles, SayWhatAStageIs) {
+    const CExported file(sampleModel("small"), ".usda");
+    const std::string text = readFile(file.path());
+    for (const char* said : {"#usda 1.0", "defaultPrim = \"tree\"", "metersPerUnit = 1", "upAxis = \"Y\"", "uniform bool doubleSided = 1", "inputs:opacityThreshold = 0.4",
+                             "subdivisionScheme = \"none\"", "\"UsdPreviewSurface\""})
+        EXPECT_NE(text.find(said), std::string::npos) << said;
+}
+
+} // namespace stromar::test

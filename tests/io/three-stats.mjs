@@ -1,0 +1,45 @@
+// Reads a model file with a loader of three.js and prints what it found as JSON.
+import { readFileSync } from 'fs';
+import { dirname, extname, join } from 'path';
+import { pathToFileURL } from 'url';
+
+const from = name => pathToFileURL(join(process.cwd(), 'node_modules', 'three', name)).href;
+globalThis.self = globalThis.window = globalThis;
+const asked = [];
+// Pictures are there at once; what matters is which are asked for.
+globalThis.document = {
+  createElementNS: () => {
+    const image = { listeners: {}, addEventListener: (kind, call) => { image.listeners[kind] = call; }, removeEventListener: () => {} };
+    Object.defineProperty(image, 'src', { set: url => { asked.push(url); setTimeout(() => image.listeners.load.call(image), 0); } });
+    return image;
+  },
+};
+const THREE = await import(from('build/three.module.js'));
+const file = process.argv[2];
+const data = readFileSync(file);
+const bytes = data.buffer.slice(data.byteOffset, data.byteOffset + data.byteLength);
+const usd = async () => new (await import(from('examples/jsm/loaders/USDLoader.js'))).USDLoader().parse(extname(file) === '.usda' ? data.toString() : bytes, dirname(file) + '/');
+const readers = {
+  '.fbx': async () => new (await import(from('examples/jsm/loaders/FBXLoader.js'))).FBXLoader().parse(bytes, dirname(file) + '/'),
+  '.usda': usd,
+  '.usdz': usd,
+};
+const root = await readers[extname(file)]();
+root.updateMatrixWorld(true);
+const box = new THREE.Box3().setFromObject(root);
+const stats = { triangles: 0, opaque: 0, objects: [], materials: {}, groups: 0, scale: 0, colours: 0, uv2: 0, min: box.min.toArray(), max: box.max.toArray() };
+root.traverse(object => {
+  stats.scale = Math.max(stats.scale, ...object.scale.toArray());
+  if (!object.isMesh) return;
+  const { index, attributes, groups } = object.geometry;
+  stats.opaque += [object.material].flat().every(material => material.alphaTest === 0 && !material.alphaMap) ? 1 : 0;
+  stats.triangles += (index ? index.count : attributes.position.count) / 3;
+  stats.objects.push(object.name);
+  stats.groups += groups.length;
+  stats.colours += attributes.color ? 1 : 0;
+  stats.uv2 += attributes.uv1 ? 1 : 0;
+  for (const material of [object.material].flat()) stats.materials[material.name] = ['map', 'alphaMap', 'normalMap', 'roughnessMap'].filter(map => material[map]);
+});
+stats.objects.sort();
+stats.pictures = asked;
+console.log(JSON.stringify(stats));
