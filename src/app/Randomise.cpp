@@ -39,17 +39,17 @@ struct Extent {
     double stems = 0, leaves = 0, height = 0;
 };
 
-Extent extentOf(const CParams& params, const SizeLimits& limits) {
-    const auto model = CTreeCreator(true, limits).create(params, detailOf(Model::Simple), CProgress(2));
+Extent extentOf(const CParams& params, const SizeLimits& limits, const CProgress& progress) {
+    const auto model = CTreeCreator(true, limits).create(params, detailOf(Model::Simple), progress);
     const auto bounds = model->bounds();
     return {double(model->tree->stemCount()), double(model->tree->organs(Organ::Leaf)->total), bounds ? double(bounds->max.z) : 0};
 }
 
 bool isLike(double value, double before, double times) { return value >= before / times && value <= before * times; }
 
-bool isLike(const CParams& params, const Extent& before, const SizeLimits& limits) {
+bool isLike(const CParams& params, const Extent& before, const SizeLimits& limits, const CProgress& progress) {
     try {
-        const Extent now = extentOf(params, limits);
+        const Extent now = extentOf(params, limits, progress);
         return isLike(now.stems, before.stems, 5) && isLike(now.leaves, before.leaves, 5) && isLike(now.height, before.height, 3);
     } catch (const CError&) {
         return false; // too large
@@ -66,18 +66,18 @@ ParamValues randomised(const CParams& params, std::span<const ParamRef> refs, do
     return values;
 }
 
-ParamValues randomisedTree(const CParams& params, std::span<const ParamRef> refs, double amount, std::uint64_t seed, const SizeLimits& limits) {
+ParamValues randomisedTree(const CParams& params, std::span<const ParamRef> refs, double amount, std::uint64_t seed, const SizeLimits& limits, const CProgress& progress) {
     constexpr int kThrows = 8;
     constexpr double kLess = 0.85; // of the amount with every throw
-    const Extent before = extentOf(params, limits);
+    const Extent before = extentOf(params, limits, progress);
     ParamValues values;
     for (int i = 0; i < kThrows; ++i, amount *= kLess) {
         values = randomised(params, refs, amount, i == 0 ? seed : hashCombine(seed, static_cast<std::uint64_t>(i)));
         CParams moved = params;
         for (const auto& [ref, value] : values) ref.setValue(moved, value);
-        if (isLike(moved, before, limits)) break;
+        if (isLike(moved, before, limits, progress)) return values;
     }
-    return values;
+    return {};
 }
 
 } // namespace stromar

@@ -8,7 +8,6 @@
 #include "window/Settings.h"
 #include "window/Theme.h"
 #include "window/WindowKeeper.h"
-#include "stromar/app/Pictures.h"
 #include <QAction>
 #include <QApplication>
 #include <QCommandLineParser>
@@ -21,8 +20,6 @@
 
 namespace {
 using namespace stromar;
-
-constexpr std::uintmax_t kMegabyte = 1'000'000;
 
 /// What the command line asks for.
 struct Options {
@@ -146,7 +143,6 @@ int main(int argc, char** argv) {
     try {
         if (!options.helpPictures.isEmpty()) return writeHelpPictures(options.helpPictures) ? 0 : 1;
         applyTheme(CSettings::instance().text("theme"));
-        trimPictureCache(kMegabyte * static_cast<std::uintmax_t>(CSettings::instance().number("pictureCache")));
         CWindowKeeper keeper(options.limits);
         CMainWindow& window = keeper.window();
         if (options.size.isValid()) window.resize(options.size);

@@ -258,6 +258,7 @@ TEST_F(DeskTest, RandomiseMovesWhatIsNotLocked) {
     level->setCurrentText(QStringLiteral("Branches 1"));
     const CParams before = window.document().params();
     window.variants().findChild<QPushButton*>(QStringLiteral("randomise"))->click();
+    ASSERT_TRUE(waitFor([&] { return window.document().history().count() > 0; })) << "it is looked for beside the window's work";
     const CParams after = window.document().params();
     EXPECT_NE(weberPenn(before).level[1], weberPenn(after).level[1]);
     EXPECT_EQ(weberPenn(before).level[2], weberPenn(after).level[2]);

@@ -42,6 +42,7 @@ TEST_F(PresetTest, KeysOfTheSearchActOnWhatIsFound) {
     EXPECT_EQ(window.presets().list().currentItem(), item("Black Tupelo"));
     QTest::keyClick(&filter, Qt::Key_Return);
     EXPECT_EQ(value("Scale"), 23);
+    EXPECT_FALSE(filter.hasFocus()) << "the next key is one of the view";
     filter.setText(QStringLiteral("weeping"));
     QTest::keyClick(&filter, Qt::Key_Down);
     EXPECT_EQ(window.presets().list().currentItem(), item("Weeping Willow"));

@@ -139,6 +139,58 @@ TEST_F(ViewsTest, BeforeIsShownUntilSomethingChanges) {
     EXPECT_TRUE(view().overlay().model().badge.isEmpty());
 }
 
+/// Pixels that differ much in a part of the width.
+double differenceOf(const QImage& a, const QImage& b, double from, double to) {
+    int count = 0, all = 0;
+    for (int y = 0; y < a.height(); y += 3)
+        for (int x = static_cast<int>(from * a.width()); x < static_cast<int>(to * a.width()); x += 3, ++all)
+            count += std::abs(qGray(a.pixel(x, y)) - qGray(b.pixel(x, y))) > 12 ? 1 : 0;
+    return double(count) / std::max(1, all);
+}
+
+TEST_F(ViewsTest, ALineWipesBetweenBeforeAndNow) {
+    action("wipe")->trigger();
+    EXPECT_FALSE(action("wipe")->isChecked()) << "nothing was kept";
+    const auto grab = [&] {
+        EXPECT_TRUE(waitFor([&] { return !view().settling() && !view().refining(); }, 60000));
+        return window.grab(QRect(view().mapTo(&window, QPoint(0, 0)), view().size())).toImage();
+    };
+    const QImage before = grab();
+    QTest::keyClick(&view(), Qt::Key_A, Qt::ShiftModifier);
+    window.document().setValue(paramRef("Seed"), 99, 0);
+    ASSERT_TRUE(showsNow(Model::Full));
+    const QImage now = grab();
+    action("wipe")->trigger();
+    ASSERT_TRUE(action("wipe")->isChecked());
+    ASSERT_TRUE(waitFor([&] { return view().overlay().hasBefore(); }, 60000));
+    const QImage both = grab();
+    EXPECT_GT(differenceOf(before, now, 0.2, 0.45), 0.02) << "another seed";
+    EXPECT_LT(differenceOf(both, before, 0.05, 0.45), 0.5 * differenceOf(both, now, 0.05, 0.45)) << "before at the left";
+    EXPECT_LT(differenceOf(both, now, 0.55, 0.9), 0.5 * differenceOf(both, before, 0.55, 0.9)) << "now at the right";
+    const CCamera camera = view().camera();
+    const QPoint line(view().width() / 2, view().height() / 2);
+    drag(line, QPoint(view().width() / 4, line.y()));
+    EXPECT_NEAR(*view().overlay().wipe(), 0.25, 0.02);
+    EXPECT_EQ(view().camera().eye(), camera.eye()) << "the view does not turn";
+    EXPECT_LT(differenceOf(grab(), now, 0.3, 0.45), differenceOf(both, now, 0.3, 0.45));
+    action("wipe")->trigger();
+    EXPECT_FALSE(view().overlay().wipe());
+}
+
+TEST_F(ViewsTest, LevelsOfDetailStandSideBySideWithTheirTriangles) {
+    action("levels")->trigger();
+    ASSERT_TRUE(waitFor([&] { return !window.sideBySide().busy(); }, 120000));
+    const auto& labels = view().overlay().model().labels;
+    ASSERT_EQ(labels.size(), 5u) << "four levels and the simple model";
+    EXPECT_TRUE(std::ranges::any_of(labels, [&](const auto& label) {
+        return label.second.contains(QLocale().toString(qulonglong(window.shown()->model->triangleCount())));
+    }));
+    action("lodSimple")->trigger();
+    EXPECT_TRUE(showsNow(Model::Simple));
+    action("lod0")->trigger();
+    EXPECT_TRUE(showsNow(Model::Full));
+}
+
 TEST_F(ViewsTest, TreesStandSideBySide) {
     const osg::BoundingBox alone = view().scene().bounds();
     for (const auto& [name, count] : {std::pair{"ages", 5}, {"seasons", 4}, {"seeds", 9}}) {

@@ -3,6 +3,7 @@
 #include "document/FileController.h"
 #include "window/MainWindow.h"
 #include "Support.h"
+#include "WatchedApplication.h"
 #include <QApplication>
 #include <QDir>
 #include <QTemporaryDir>
@@ -47,7 +48,7 @@ int main(int argc, char** argv) {
     QCoreApplication::setApplicationName(QStringLiteral("Test"));
     QCoreApplication::setAttribute(Qt::AA_ShareOpenGLContexts);
     QSurfaceFormat::setDefaultFormat(stromar::display::surfaceFormat(0));
-    QApplication app(argc, argv);
+    stromar::test::CWatchedApplication app(argc, argv);
     if (app.arguments().contains(QStringLiteral("--be-killed"))) return waitToBeKilled();
     return RUN_ALL_TESTS();
 }

@@ -1,6 +1,7 @@
 #pragma once
 #include "stromar/app/Prediction.h"
 #include "stromar/params/ParamTable.h"
+#include "stromar/util/Progress.h"
 #include <cstdint>
 #include <span>
 
@@ -13,9 +14,9 @@ namespace stromar {
 ParamValues randomised(const CParams& params, std::span<const ParamRef> refs, double amount, std::uint64_t seed);
 
 /// The same, and still a tree: with a fifth of its stems and leaves at least, five times as many at most, a third to three
-/// times as high. What is none is thrown again, somewhat less far, a few times; the last throw counts in any case. Cost: the
-/// simple model of every throw.
+/// times as high. What is none is thrown again, somewhat less far, a few times; where none is a tree, nothing moves. Cost: the
+/// simple model of every throw. Throws CTooLarge where the tree itself is too large, CCancelled.
 ParamValues randomisedTree(const CParams& params, std::span<const ParamRef> refs, double amount, std::uint64_t seed,
-                           const SizeLimits& limits);
+                           const SizeLimits& limits, const CProgress& progress = CProgress(2));
 
 } // namespace stromar

@@ -76,7 +76,10 @@ CPresetBrowser::CPresetBrowser(CThumbnails& thumbnails, QWidget* parent)
     m_list->setMouseTracking(true); // the one under the mouse is marked
     connect(m_list, &QListWidget::itemClicked, this, &CPresetBrowser::choose);
     m_list->installEventFilter(this);
-    connect(m_filter, &QLineEdit::returnPressed, this, [this] { choose(firstShown()); });
+    connect(m_filter, &QLineEdit::returnPressed, this, [this] {
+        choose(firstShown());
+        m_list->setFocus(); // where the keys of the view act
+    });
     m_filter->installEventFilter(this);
     connect(m_list, &QListWidget::customContextMenuRequested, this, &CPresetBrowser::showMenu);
     connect(&m_thumbnails, &CThumbnails::ready, this, &CPresetBrowser::showThumbnail);

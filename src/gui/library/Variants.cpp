@@ -1,5 +1,4 @@
 #include "library/Variants.h"
-#include "params/WheelGuard.h"
 #include "document/Gesture.h"
 #include "window/QtText.h"
 #include "library/Thumbnails.h"
@@ -53,7 +52,6 @@ CVariants::CVariants(CThumbnails& thumbnails, QWidget* parent) : QWidget(parent)
     });
     connect(&m_thumbnails, &CThumbnails::ready, this, &CVariants::showThumbnail);
     throwSheet();
-    (new CWheelGuard(this))->guardAll(*this);
 }
 
 QToolButton* CVariants::makeCell(const QString& name) {
@@ -161,7 +159,7 @@ QWidget* CVariants::makeRandomiser() {
     go->setObjectName(QStringLiteral("randomise"));
     go->setToolTip(tr("Move the values by chance; locked ones stay (right click a parameter to lock it)"));
     form->addRow(new QLabel(QStringLiteral("<b>%1</b>").arg(tr("Random values"))));
-    form->addRow(tr("&Values of"), m_level);
+    form->addRow(tr("Values of"), m_level);
     form->addRow(tr("&At most"), m_amount);
     form->addRow(go);
     connect(go, &QPushButton::clicked, this, &CVariants::randomise);

@@ -1,5 +1,4 @@
 #include "motion/Timeline.h"
-#include "params/WheelGuard.h"
 #include "params/ParamSlider.h"
 #include <QComboBox>
 #include <QHBoxLayout>
@@ -69,7 +68,6 @@ CTimeline::CTimeline(QWidget* parent)
     });
     connect(m_slider, &QSlider::sliderReleased, this, &CTimeline::released);
     tell();
-    (new CWheelGuard(this))->guardAll(*this);
 }
 
 QToolButton* CTimeline::addButton(const char* name, const QIcon& icon, const QString& help) {

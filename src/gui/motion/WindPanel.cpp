@@ -1,5 +1,4 @@
 #include "motion/WindPanel.h"
-#include "params/WheelGuard.h"
 #include "document/Gesture.h"
 #include "params/ParamSlider.h"
 #include "stromar/app/Motion.h"
@@ -74,7 +73,6 @@ CWindPanel::CWindPanel(QWidget* parent) : QWidget(parent), m_switch(new QCheckBo
     addFlexibility();
     column->addStretch(1);
     connect(m_switch, &QCheckBox::toggled, this, &CWindPanel::switched);
-    (new CWheelGuard(this))->guardAll(*this);
 }
 
 void CWindPanel::addRow(const Row& row) {

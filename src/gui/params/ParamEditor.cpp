@@ -201,7 +201,7 @@ void CParamEditor::setNarrow(bool narrow) {
 void CParamEditor::guardWheel(QWidget* editor) {
     editor->setFocusPolicy(Qt::StrongFocus);
     editor->installEventFilter(this);
-    m_wheel.guard(editor);
+    editor->installEventFilter(&m_wheel);
 }
 
 bool CParamEditor::eventFilter(QObject* watched, QEvent* event) {

@@ -1,6 +1,6 @@
 #pragma once
 #include "stromar/params/ParamTable.h"
-#include "params/WheelGuard.h"
+#include "window/WheelGuard.h"
 #include <QElapsedTimer>
 #include <QWidget>
 

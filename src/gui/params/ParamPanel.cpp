@@ -455,6 +455,12 @@ void CParamPanel::showLocksOf(const QString& tree) {
 
 void CParamPanel::setLocked(const ParamRef& ref, bool locked) {
     row(ref)->setLocked(locked);
+    keepLocksFor(m_locksOf);
+}
+
+void CParamPanel::keepLocksFor(const QString& tree) {
+    m_locksOf = tree;
+    if (tree.isEmpty()) return; // until it is saved
     QStringList keys;
     for (const CParamRow* one : m_rows)
         if (one->locked()) keys << toQString(one->ref().key());

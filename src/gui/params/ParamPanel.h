@@ -39,6 +39,8 @@ public:
     bool locked(const ParamRef& ref) const;
     /// Of this tree, by a name that stays the same; kept between runs. After its values are shown.
     void showLocksOf(const QString& tree);
+    /// The locks as they are belong to this tree from now on; without a name they are forgotten with it.
+    void keepLocksFor(const QString& tree);
     /// The tab of a group; `level` counts for Branches.
     int tabOf(Group group, int level = 1) const;
     /// Opens the tab of a generation of stems, or of the leaves.

@@ -36,8 +36,9 @@ void tell(QWidget* parent, const std::exception& e) {
 
 void pasteText(const ValueSet& set, const ParamBlock& block, const std::string& text, const Assign& assign, QWidget* parent) {
     try {
-        if (const ParamValues values = valuesFor(set, block, text); !values.empty())
-            assign(QCoreApplication::translate("Values", "Paste %1").arg(set.title), values);
+        const ParamValues values = valuesFor(set, block, text);
+        if (values.empty()) throw CError(QCoreApplication::translate("Values", "There is no value for %1 among these lines.").arg(set.title).toStdString());
+        assign(QCoreApplication::translate("Values", "Paste %1").arg(set.title), values);
     } catch (const CError& e) {
         tell(parent, e);
     }
@@ -50,9 +51,14 @@ void saveSet(const ValueSet& set, const CParams& params, QWidget* parent) {
                              .trimmed();
     if (!wanted || name.isEmpty()) return;
     const QDir folder = folderOf(set, params.block());
+    const QString file = folder.filePath(fileName(name) + QStringLiteral(".tree"));
+    if (QFileInfo::exists(file) &&
+        QMessageBox::question(parent, QCoreApplication::translate("Values", "Save Values"),
+                              QCoreApplication::translate("Values", "There are values called “%1” already. Replace them?").arg(name)) != QMessageBox::Yes)
+        return;
     try {
         folder.mkpath(QStringLiteral("."));
-        writeFile(toPath(folder.filePath(fileName(name) + QStringLiteral(".tree"))), linesOf(set, params));
+        writeFile(toPath(file), linesOf(set, params));
     } catch (const std::exception& e) {
         tell(parent, e);
     }

@@ -1,6 +1,7 @@
 #pragma once
 #include "work/TreeCreatorThread.h"
 #include <QObject>
+#include <QTimer>
 #include <array>
 
 namespace stromar {
@@ -19,8 +20,11 @@ public:
     void keep();
     /// What was kept, or again the tree as it is now: who shows that listens to shownChanged().
     void show(bool before);
+    /// Both, with a line between them that can be dragged: before at its left. It is drawn anew when the view rests.
+    void setWiping(bool on);
 
 signals:
+    void wipingChanged(bool on);
     void shownChanged(bool before);
     void notice(const QString& text);
 
@@ -30,10 +34,13 @@ private:
         std::array<std::shared_ptr<const SurfaceMaps>, kSurfaces.size()> surfaces;
     };
     void showSurfaces(const State& state, const State& instead);
+    void renewWipe();
+    void drawWipe();
 
     CViewport& m_viewport;
     State m_now, m_before;
     bool m_showsBefore = false;
+    QTimer m_wipeTimer; ///< until the view rests
 };
 
 } // namespace stromar

@@ -1,5 +1,4 @@
 #include "view/LightPanel.h"
-#include "params/WheelGuard.h"
 #include "params/ParamSlider.h"
 #include "window/QtText.h"
 #include <QLabel>
@@ -70,7 +69,6 @@ CLightPanel::CLightPanel(QWidget* parent) : QWidget(parent) {
     });
     column->addWidget(reset);
     column->addStretch(1);
-    (new CWheelGuard(this))->guardAll(*this);
 }
 
 void CLightPanel::applyTo(ViewLook& look) const {

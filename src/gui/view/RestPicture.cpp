@@ -14,7 +14,7 @@ void writeMean(const CPictureMean& mean, QImage& image) {
 } // namespace
 
 CRestPicture::CRestPicture(std::function<QImage(const ViewPass&)> draw, QObject* parent)
-    : QObject(parent), m_draw(std::move(draw)) {
+    : QObject(parent), m_draw(std::move(draw)), m_timer(this) {
     m_timer.setSingleShot(true);
     connect(&m_timer, &QTimer::timeout, this, &CRestPicture::addPass);
 }

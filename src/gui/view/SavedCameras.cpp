@@ -2,6 +2,7 @@
 #include "view/Viewport.h"
 #include <QInputDialog>
 #include <QMenu>
+#include <QMessageBox>
 #include <QSettings>
 
 namespace stromar {
@@ -51,7 +52,10 @@ void CSavedCameras::save(QWidget* parent) {
     bool wanted = false;
     const QString suggestion = tr("Camera %1").arg(names().size() + 1);
     const QString name = QInputDialog::getText(parent, tr("Save Camera"), tr("Name of the view"), QLineEdit::Normal, suggestion, &wanted).trimmed();
-    if (wanted && !name.isEmpty()) saveAs(name);
+    if (!wanted || name.isEmpty()) return;
+    const bool taken = QSettings().contains(keyOf(name));
+    if (taken && QMessageBox::question(parent, tr("Save Camera"), tr("There is a view called “%1” already. Replace it?").arg(name)) != QMessageBox::Yes) return;
+    saveAs(name);
 }
 
 void CSavedCameras::saveAs(const QString& name) {

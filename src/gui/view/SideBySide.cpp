@@ -60,7 +60,8 @@ void CSideBySide::follow(const std::shared_ptr<const ViewModel>& view, const std
     if (m_row == Row::Alone && wasAlone) return;
     if (view->model->detail->model != Model::Full && m_row != Row::Alone) return; // a value is being dragged
     std::vector<Tree> wanted = treesOf(*view->model);
-    if (wanted != m_trees) {
+    const bool other = m_row == Row::Levels && m_own < m_trees.size() && m_trees[m_own].detail != view->model->detail;
+    if (wanted != m_trees || other) {
         cancel();
         m_trees = std::move(wanted);
         request();
@@ -75,6 +76,7 @@ std::vector<CSideBySide::Tree> CSideBySide::treesOf(const TreeModel& model) cons
     case Row::Seeds: return seeds(model);
     case Row::Ages: return ages(model);
     case Row::Seasons: return seasons(model);
+    case Row::Levels: return levels(model);
     }
     return {};
 }
@@ -121,17 +123,24 @@ std::vector<CSideBySide::Tree> CSideBySide::seasons(const TreeModel& model) cons
     return trees;
 }
 
+std::vector<CSideBySide::Tree> CSideBySide::levels(const TreeModel& model) {
+    std::vector<Tree> trees;
+    for (const Detail& detail : detailTable()) trees.push_back({model.params, model.age, detailTitle(detail), &detail});
+    std::ranges::stable_sort(trees, std::greater(), [](const Tree& tree) { return tree.detail->model == Model::Full; });
+    return trees;
+}
+
 /// All but the tree in the window, which has grown.
 void CSideBySide::request() {
     ++m_number;
     m_toCome = 0;
-    const Tree shown{m_view->model->params, m_view->model->age, {}, {}};
+    const Tree shown{m_view->model->params, m_view->model->age, {}, m_row == Row::Levels ? m_view->model->detail : nullptr};
     m_own = static_cast<std::size_t>(std::ranges::find(m_trees, shown) - m_trees.begin());
     SizeLimits each = m_limits;
     each.bytes = std::min(each.bytes, SizeLimits::defaultMemory()) / double(std::max<std::size_t>(1, m_trees.size()));
     std::vector<Task> tasks;
     for (std::size_t i = 0; i < m_trees.size(); ++i)
-        if (i != m_own) tasks.push_back({m_number, i, m_trees[i].params, m_trees[i].age, m_folder, each});
+        if (i != m_own) tasks.push_back({m_number, i, m_trees[i].params, m_trees[i].age, m_trees[i].detail, m_folder, each});
     m_toCome = tasks.size();
     {
         const std::lock_guard lock(m_mutex);
@@ -153,7 +162,8 @@ void CSideBySide::arrange() {
     auto& labels = m_viewport.overlay().model().labels;
     labels.clear();
     const auto label = [&](const Tree& tree, const ViewModel& view, const osg::Vec3& foot) {
-        labels.emplace_back(osg::Vec3d(foot) + osg::Vec3d(0, 0, reachOf(view.parts, osg::Vec3d(0, 0, 1), kPoints).second), tree.label);
+        const QString text = m_row == Row::Levels ? tr("%1: %2 triangles").arg(tree.label, QLocale().toString(qulonglong(view.model->triangleCount()))) : tree.label;
+        labels.emplace_back(osg::Vec3d(foot) + osg::Vec3d(0, 0, reachOf(view.parts, osg::Vec3d(0, 0, 1), kPoints).second), text);
     };
     if (m_own < m_trees.size()) label(m_trees[m_own], *m_view, {});
     const auto [ownLeft, ownRight] = reachOf(m_view->parts, kAlong, kPoints);
@@ -188,7 +198,7 @@ void CSideBySide::work(const std::stop_token& stop) {
         }
         std::shared_ptr<const ViewModel> view;
         try {
-            view = grownView(task.params, task.folder, task.age, detailFor(task.params, progress), task.limits, progress);
+            view = grownView(task.params, task.folder, task.age, task.detail ? *task.detail : detailFor(task.params, progress), task.limits, progress);
         } catch (const CCancelled&) {
             continue;
         } catch (const std::exception&) { // too large, or not to be read: its place stays empty

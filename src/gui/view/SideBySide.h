@@ -11,12 +11,12 @@ namespace stromar {
 
 class CViewport;
 
-/// Trees of one kind in a row: the one in the window among others that differ in seed, age or season. The others grow on a thread
+/// Trees of one kind in a row: the one in the window among others that differ in seed, age, season or level of detail. The others grow on a thread
 /// of their own after the full model and stand still in the wind.
 class CSideBySide : public QObject {
     Q_OBJECT
 public:
-    enum class Row { Alone, Seeds, Ages, Seasons };
+    enum class Row { Alone, Seeds, Ages, Seasons, Levels };
 
     explicit CSideBySide(CViewport& viewport, QObject* parent);
     /// Cancels and waits.
@@ -40,13 +40,15 @@ private:
         CParams params;
         double age = 1;
         QString label;
+        const Detail* detail = nullptr; ///< null: what keeps it small
         std::shared_ptr<const ViewModel> view{};
-        bool operator==(const Tree& other) const { return params == other.params && age == other.age; }
+        bool operator==(const Tree& other) const { return params == other.params && age == other.age && detail == other.detail; }
     };
     struct Task {
         quint64 row, place;
         CParams params;
         double age;
+        const Detail* detail;
         std::filesystem::path folder;
         SizeLimits limits;
     };
@@ -54,6 +56,7 @@ private:
     std::vector<Tree> seeds(const TreeModel& model) const;
     std::vector<Tree> ages(const TreeModel& model) const;
     std::vector<Tree> seasons(const TreeModel& model) const;
+    static std::vector<Tree> levels(const TreeModel& model);
     void request();
     void onGrown(quint64 row, quint64 place, const std::shared_ptr<const ViewModel>& view);
     void arrange();

@@ -123,6 +123,37 @@ void CViewOverlay::showBelow(const QImage& picture) {
     update();
 }
 
+void CViewOverlay::setWipe(std::optional<double> share) {
+    m_wipe = share ? std::optional(std::clamp(*share, 0.02, 0.98)) : std::nullopt;
+    update();
+}
+
+void CViewOverlay::showBefore(const QImage& picture) {
+    m_before = picture;
+    update();
+}
+
+bool CViewOverlay::isOnWipe(const QPointF& at) const { return m_wipe && std::abs(at.x() - *m_wipe * width()) < kGrip; }
+
+void CViewOverlay::paintWipe(QPainter& painter) const {
+    const double line = *m_wipe * width();
+    if (!m_before.isNull()) {
+        painter.save();
+        painter.setClipRect(QRectF(0, 0, line, height()));
+        painter.drawImage(rect(), m_before);
+        painter.restore();
+    }
+    painter.setPen(QPen(QColor(0, 0, 0, 120), 4));
+    painter.drawLine(QPointF(line, 0), QPointF(line, height()));
+    painter.setPen(QPen(Qt::white, 2));
+    painter.drawLine(QPointF(line, 0), QPointF(line, height()));
+    painter.setBrush(Qt::white);
+    painter.drawEllipse(QPointF(line, height() / 2.0), kHandleRadius, kHandleRadius);
+    const double foot = height() - 12.0;
+    drawPlate(painter, {line - 10, foot}, Qt::BottomRightCorner, {m_before.isNull() ? tr("Before …") : tr("Before")});
+    drawPlate(painter, {line + 10, foot}, Qt::BottomLeftCorner, {tr("Now")});
+}
+
 void CViewOverlay::setHotHandle(std::optional<std::size_t> handle) {
     if (handle == m_hot) return;
     m_hot = handle;
@@ -325,6 +356,7 @@ void CViewOverlay::paintEvent(QPaintEvent*) {
     QPainter painter(this);
     if (!m_below.isNull()) painter.drawImage(rect(), m_below);
     painter.setRenderHint(QPainter::Antialiasing);
+    if (m_wipe) paintWipe(painter);
     paintSelection(painter);
     paintGuide(painter);
     paintHandles(painter);

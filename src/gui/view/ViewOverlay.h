@@ -60,6 +60,13 @@ public:
     /// A picture in place of what the viewport draws below; null: none.
     void showBelow(const QImage& picture);
     void setHotHandle(std::optional<std::size_t> handle);
+    /// A line between before, at its left, and now: at a part of the width, 0..1; nothing: there is none.
+    void setWipe(std::optional<double> share);
+    const std::optional<double>& wipe() const { return m_wipe; }
+    /// What is at the left of the line; null: it is still to come.
+    void showBefore(const QImage& picture);
+    bool hasBefore() const { return !m_before.isNull(); }
+    bool isOnWipe(const QPointF& at) const;
     /// Yaw and pitch of the axis under a place of the widget.
     std::optional<std::pair<double, double>> axisAt(const QPointF& at) const;
 
@@ -84,6 +91,7 @@ private:
     std::optional<std::pair<QPointF, QPointF>> windArrow() const;
     void paintRuler(QPainter& painter) const;
     void paintWords(QPainter& painter) const;
+    void paintWipe(QPainter& painter) const;
     void drawLine(QPainter& painter, const std::vector<osg::Vec3d>& points) const;
     std::vector<std::vector<osg::Vec3d>> selectedLines() const;
 
@@ -92,7 +100,8 @@ private:
     std::shared_ptr<const CWindTable> m_table;
     std::shared_ptr<const WindPose> m_pose;
     std::optional<std::size_t> m_hot;
-    QImage m_below;
+    QImage m_below, m_before;
+    std::optional<double> m_wipe;
 };
 
 } // namespace stromar

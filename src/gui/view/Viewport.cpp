@@ -1,7 +1,6 @@
 #include "view/Viewport.h"
 #include "window/Display.h"
 #include "document/Gesture.h"
-#include <QElapsedTimer>
 #include <QMouseEvent>
 #include <QOpenGLContext>
 #include <QOpenGLFramebufferObject>
@@ -11,9 +10,11 @@
 namespace stromar {
 
 namespace {
-constexpr std::chrono::milliseconds kSettle{200};
+constexpr std::chrono::milliseconds kSettle{200}, kMoving{1000};
 constexpr double kClickPixels = 4; // a drag is longer
 constexpr std::size_t kMovingVertices = 4'000'000, kMovingVerticesInSoftware = 160'000; // of all leaves
+constexpr std::size_t kFewestVertices = 20'000;
+constexpr qint64 kSlowNs = 90'000'000, kSmoothNs = 35'000'000; // a moving picture that wants fewer leaves, or may have more
 constexpr qint64 kQuickNs = 12'000'000; // a picture with its shadows
 constexpr int kShadowEvery = 6;         // poses, where it is slower
 constexpr double kAir = 1.12; // about a tree that fills the view
@@ -29,6 +30,7 @@ CViewport::CViewport(QWidget* parent)
     m_camera.lookFrom(0, 5);
     setFocusPolicy(Qt::StrongFocus);
     setMouseTracking(true);
+    m_organVertices = display::bestSamples() > 0 ? kMovingVertices : kMovingVerticesInSoftware;
     setMinimumSize(160, 160);
     setAccessibleName(tr("Picture of the tree"));
     connect(&m_rest, &CRestPicture::refined, this, [this] { m_overlay->showBelow(m_rest.image()); });
@@ -73,11 +75,21 @@ void CViewport::paintGL() {
     clock.start();
     const QSize pixels = (QSizeF(size()) * devicePixelRatioF()).toSize();
     ViewPass plain;
-    plain.organVertices = display::bestSamples() > 0 ? kMovingVertices : kMovingVerticesInSoftware; // a view that rests has all
+    plain.organVertices = m_organVertices; // a view that rests has all
     m_renderer.draw(defaultFramebufferObject(), pixels.width(), pixels.height(), m_camera, plain);
     m_frameNs = clock.nsecsElapsed();
+    adaptLeaves();
     ++m_frames;
     emit drawn();
+}
+
+/// A view that moves too slowly gets fewer leaves, larger ones; a quick one more.
+void CViewport::adaptLeaves() {
+    const bool moves = m_sinceMoved.isValid() && m_sinceMoved.elapsed() < kMoving.count();
+    if (!moves) return;
+    const std::size_t most = display::bestSamples() > 0 ? kMovingVertices : kMovingVerticesInSoftware;
+    if (m_frameNs > kSlowNs) m_organVertices = std::max(kFewestVertices, m_organVertices / 2);
+    if (m_frameNs < kSmoothNs) m_organVertices = std::min(most, 2 * m_organVertices);
 }
 
 /// Where the view has changed; paintGL() is called for a window that was covered, too.
@@ -88,6 +100,7 @@ void CViewport::redraw() {
 }
 
 void CViewport::changed() {
+    emit viewChanged();
     m_overlay->update();
     redraw();
 }
@@ -249,9 +262,26 @@ QImage CViewport::picture(const QSize& pixels, const ViewLook& look, const CCame
     return image;
 }
 
+QImage CViewport::pictureOf(const TreeLook& tree, const TreeLook& instead) {
+    if (!m_renderer.attached()) return {};
+    const auto put = [this](const TreeLook& look, CViewScene::Shadows shadows) {
+        m_scene.show(*look.parts, shadows);
+        for (const auto& [surface, maps] : look.surfaces) m_scene.setSurface(surface, *maps);
+    };
+    makeCurrent(); // before anything of the scene goes
+    put(tree, CViewScene::Shadows::New);
+    const QImage image = picture((QSizeF(size()) * devicePixelRatioF()).toSize(), look(), m_camera, CRestPicture::kFramePasses);
+    put(instead, CViewScene::Shadows::New);
+    return image;
+}
+
 void CViewport::mousePressEvent(QMouseEvent* event) {
     if (m_handle) return; // another button does not let go of it
     const QPointF at = event->position();
+    if (event->buttons() == Qt::LeftButton && m_overlay->isOnWipe(at)) {
+        m_wipeHeld = true;
+        return;
+    }
     m_pressed = m_last = at;
     m_click = event->buttons() == Qt::LeftButton;
     m_windHeld = m_click && m_overlay->isOnWindArrow(at);
@@ -264,8 +294,10 @@ void CViewport::mouseMoveEvent(QMouseEvent* event) {
     const QPointF at = event->position();
     if (event->buttons() == Qt::NoButton) {
         m_overlay->setHotHandle(m_overlay->handleAt(at));
+        setCursor(m_overlay->isOnWipe(at) ? Qt::SplitHCursor : m_measuring ? Qt::CrossCursor : Qt::ArrowCursor);
         return;
     }
+    if (m_wipeHeld) return m_overlay->setWipe(at.x() / std::max(1, width()));
     if (m_windHeld) {
         if (const auto degrees = m_overlay->windDirectionAt(at)) emit windDragged(*degrees);
         return;
@@ -287,7 +319,9 @@ void CViewport::mouseMoveEvent(QMouseEvent* event) {
 
 void CViewport::mouseReleaseEvent(QMouseEvent* event) {
     if (event->button() != Qt::LeftButton) return;
-    if (m_windHeld) {
+    if (m_wipeHeld) {
+        m_wipeHeld = false;
+    } else if (m_windHeld) {
         m_windHeld = false;
     } else if (m_handle) {
         m_handle.reset();
@@ -316,7 +350,9 @@ void CViewport::moveView(ViewMotion motion, const QPointF& from, const QPointF& 
         m_camera.pan(m_overlay->toView(to) - m_overlay->toView(from), m_overlay->aspect());
     else if (motion == ViewMotion::Zoom)
         m_camera.zoom(std::exp(by.y() * kZoomPerPixel));
-    if (motion != ViewMotion::None) changed();
+    if (motion == ViewMotion::None) return;
+    m_sinceMoved.start();
+    changed();
 }
 
 /// Towards what lies under the mouse.

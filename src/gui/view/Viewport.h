@@ -4,6 +4,7 @@
 #include "view/ViewOverlay.h"
 #include "stromar/scene/SceneRenderer.h"
 #include <QOpenGLFramebufferObject>
+#include <QElapsedTimer>
 #include <QOpenGLWidget>
 #include <QTimer>
 
@@ -58,6 +59,13 @@ public:
     /// The tree with its backdrop, without the overlay, as smooth as so many passes make it. Null when there is no
     /// OpenGL, or no room for it.
     QImage picture(const QSize& pixels, const ViewLook& look, const CCamera& camera, int passes = 1);
+    /// A tree and its pictures.
+    struct TreeLook {
+        const std::vector<ViewPart>* parts;
+        std::vector<std::pair<Surface, const SurfaceMaps*>> surfaces;
+    };
+    /// The view with another tree, as large as the widget; `instead` is the one that it shows, which is there again after it.
+    QImage pictureOf(const TreeLook& tree, const TreeLook& instead);
     int framesDrawn() const { return m_frames; }
     /// Whether shadows still have to follow the tree.
     bool settling() const { return m_settle.isActive(); }
@@ -66,6 +74,8 @@ public:
 
 signals:
     void drawn();
+    /// Camera, tree or light.
+    void viewChanged();
     void contextLost();
     void picked(const std::optional<stromar::ViewHit>& hit);
     /// A handle was dragged; all changes of one drag have the same gesture.
@@ -93,6 +103,7 @@ private:
     void measureTo(const QPointF& at);
     void changed();
     void redraw();
+    void adaptLeaves();
     QImage restPass(const ViewPass& pass);
     std::unique_ptr<QOpenGLFramebufferObject> makeBuffer(const QSize& pixels);
     QImage draw(QOpenGLFramebufferObject& buffer, const CCamera& camera, const ViewPass& pass);
@@ -110,6 +121,9 @@ private:
     std::optional<std::size_t> m_handle; ///< that is being dragged
     int m_gesture = 0;
     bool m_windHeld = false; ///< the arrow is being dragged
+    bool m_wipeHeld = false; ///< the line between before and after
+    std::size_t m_organVertices = 0; ///< of leaves in a picture that moves
+    QElapsedTimer m_sinceMoved;
     bool m_measuring = false;
     int m_posesSinceShadows = 0;
     qint64 m_frameNs = 0; ///< how long the last picture took

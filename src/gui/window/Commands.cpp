@@ -125,6 +125,8 @@ constexpr Command kCommands[] = {
      QT_TRANSLATE_NOOP("Commands", "The full model from afar, with cards of whole twigs"), [](W& w, bool) { w.growth().setLod(2); }, false, false, Kind::Switch, "lod"},
     {"lod3", Menu::View, QT_TRANSLATE_NOOP("Commands", "Level of Detail &3"), "Alt+8", "",
      QT_TRANSLATE_NOOP("Commands", "The coarsest full model, for trees on the horizon"), [](W& w, bool) { w.growth().setLod(3); }, false, false, Kind::Switch, "lod"},
+    {"lodSimple", Menu::View, QT_TRANSLATE_NOOP("Commands", "Simple Model"), "Alt+0", "",
+     QT_TRANSLATE_NOOP("Commands", "The model that follows a slider, instead of the full one"), [](W& w, bool) { w.growth().showOnly(Model::Simple); }, false, false, Kind::Switch, "lod"},
     {"lodDistance", Menu::View, QT_TRANSLATE_NOOP("Commands", "At Its Distance"), "Alt+9", "",
      QT_TRANSLATE_NOOP("Commands", "Move to where a program would begin to show this level of detail"), [](W& w, bool) { w.view().goToLod(); }},
 
@@ -132,6 +134,8 @@ constexpr Command kCommands[] = {
      QT_TRANSLATE_NOOP("Commands", "Keep the tree as it is now, to compare with what you make of it"), [](W& w, bool) { w.comparison().keep(); }, false, true},
     {"showBefore", Menu::View, QT_TRANSLATE_NOOP("Commands", "Show “Before”"), "A", "",
      QT_TRANSLATE_NOOP("Commands", "The tree as it was kept, until this is switched off or a value changes"), [](W& w, bool on) { w.comparison().show(on); }, false, false, Kind::Switch},
+    {"wipe", Menu::View, QT_TRANSLATE_NOOP("Commands", "Wipe between “Before” and Now"), "Ctrl+Shift+A", "",
+     QT_TRANSLATE_NOOP("Commands", "Both trees with a line between them, which can be dragged"), [](W& w, bool on) { w.comparison().setWiping(on); }, false, false, Kind::Switch},
     {"alone", Menu::View, QT_TRANSLATE_NOOP("Commands", "One Tree"), "Ctrl+6", "",
      QT_TRANSLATE_NOOP("Commands", "The tree alone"), [](W& w, bool) { w.setRow(CSideBySide::Row::Alone); }, false, true, Kind::Switch, "row"},
     {"seeds", Menu::View, QT_TRANSLATE_NOOP("Commands", "Nine Seeds Side by Side"), "Ctrl+7", "",
@@ -140,6 +144,8 @@ constexpr Command kCommands[] = {
      QT_TRANSLATE_NOOP("Commands", "The tree from its youth to its full age"), [](W& w, bool) { w.setRow(CSideBySide::Row::Ages); }, false, false, Kind::Switch, "row"},
     {"seasons", Menu::View, QT_TRANSLATE_NOOP("Commands", "Four Seasons Side by Side"), "Ctrl+9", "",
      QT_TRANSLATE_NOOP("Commands", "The tree in winter, spring, summer and autumn"), [](W& w, bool) { w.setRow(CSideBySide::Row::Seasons); }, false, false, Kind::Switch, "row"},
+    {"levels", Menu::View, QT_TRANSLATE_NOOP("Commands", "Levels of Detail Side by Side"), "Ctrl+0", "",
+     QT_TRANSLATE_NOOP("Commands", "The four levels of detail and the simple model, with their triangles"), [](W& w, bool) { w.setRow(CSideBySide::Row::Levels); }, false, false, Kind::Switch, "row"},
 
     {"resetLayout", Menu::Window, QT_TRANSLATE_NOOP("Commands", "&Reset Layout"), "Ctrl+Shift+R", "",
      QT_TRANSLATE_NOOP("Commands", "Put all docks back to where they were at first"), [](W& w, bool) { w.resetLayout(); }, false, true},

@@ -23,8 +23,10 @@
 #include "window/Settings.h"
 #include "window/ShortcutsDialog.h"
 #include "window/Theme.h"
+#include "window/WheelGuard.h"
 #include "library/Thumbnails.h"
 #include "library/Variants.h"
+#include "work/Randomiser.h"
 #include "library/WelcomeCard.h"
 #include "stromar/app/Methods.h"
 #include "stromar/app/Pictures.h"
@@ -65,7 +67,7 @@ CMainWindow::CMainWindow(const SizeLimits& limits, std::shared_ptr<CDocument> do
     : QMainWindow(parent), m_document(document ? std::move(document) : std::make_shared<CDocument>()),
       m_thumbnails(new CThumbnails(this)), m_viewport(new CViewport), m_panel(new CParamPanel),
       m_presets(new CPresetBrowser(*m_thumbnails)), m_variants(new CVariants(*m_thumbnails)), m_bar(new CMessageBar),
-      m_timeline(new CTimeline), m_wind(new CWindPanel), m_recorder(new CRecorder(*this)),
+      m_timeline(new CTimeline), m_wind(new CWindPanel), m_recorder(new CRecorder(*this)), m_randomiser(new CRandomiser(this)),
       m_comparison(new CComparison(*m_viewport, this)),
       m_cameras(new CSavedCameras(*m_viewport, this)), m_sideBySide(new CSideBySide(*m_viewport, this)),
       m_viewController(new CViewController(*m_viewport, *m_panel, *m_document, this)),
@@ -76,6 +78,7 @@ CMainWindow::CMainWindow(const SizeLimits& limits, std::shared_ptr<CDocument> do
     initResources();
     setAcceptDrops(true);
     qApp->installEventFilter(this);
+    qApp->installEventFilter(new CWheelGuard(this));
     setWindowIcon(QIcon(QStringLiteral(":/icons/stromar.svg")));
     makeCentre();
     makeDocks();
@@ -96,7 +99,7 @@ CMainWindow::CMainWindow(const SizeLimits& limits, std::shared_ptr<CDocument> do
 CMainWindow::~CMainWindow() { m_panel->disconnect(); }
 
 bool CMainWindow::busy() const {
-    return !m_started || m_thumbnails->busy() || m_sideBySide->busy() || m_growth->progress() || m_viewport->settling();
+    return !m_started || m_thumbnails->busy() || m_sideBySide->busy() || m_randomiser->busy() || m_growth->progress() || m_viewport->settling();
 }
 
 void CMainWindow::connectParts() {
@@ -113,6 +116,10 @@ void CMainWindow::connectParts() {
             showNow();
         else
             showNothing();
+    });
+    connect(m_comparison, &CComparison::wipingChanged, this, [this](bool on) {
+        findChild<QAction*>(QStringLiteral("wipe"))->setChecked(on);
+        m_windController->setPaused(on || m_fall->felling().has_value());
     });
     connect(m_cameras, &CSavedCameras::orthographicWanted, findChild<QAction*>(QStringLiteral("orthographic")), &QAction::setChecked);
     connect(m_comparison, &CComparison::notice, m_notice, &QLabel::setText);
@@ -140,7 +147,10 @@ void CMainWindow::connectControllers() {
     connect(m_files, &CFileController::presetSaved, m_presets, &CPresetBrowser::refresh);
     connect(m_files, &CFileController::recentChanged, this, [this] { m_files->fillRecentMenu(*m_recentMenu); });
     connect(m_files, &CFileController::saved, this,
-            [this] { m_panel->showParams(m_document->params(), m_document->savedParams()); });
+            [this] {
+                m_panel->keepLocksFor(m_document->path());
+                m_panel->showParams(m_document->params(), m_document->savedParams());
+            });
     connect(m_exporter, &CExportController::notice, m_notice, &QLabel::setText);
     connect(m_exporter, &CExportController::started, &m_progressTimer, qOverload<>(&QTimer::start));
 }
@@ -178,12 +188,14 @@ void CMainWindow::connectDocument() {
     });
     connect(m_variants, &CVariants::randomiseWanted, this, [this](std::vector<ParamRef> refs, double amount) {
         std::erase_if(refs, [this](const ParamRef& ref) { return m_panel->locked(ref); });
-        const quint64 seed = QRandomGenerator::global()->generate64();
-        try {
-            m_document->setValues(tr("Randomise"), randomisedTree(m_document->params(), refs, amount, seed, m_growth->limits()));
-        } catch (const CError&) { // this tree does not grow as it is
-            m_document->setValues(tr("Randomise"), randomised(m_document->params(), refs, amount, seed));
-        }
+        m_randomiser->start({m_document->params(), std::move(refs), amount, QRandomGenerator::global()->generate64(), m_growth->limits()});
+    });
+    connect(m_randomiser, &CRandomiser::found, this, [this](const CParams& from, const ParamValues& values) {
+        if (from != m_document->params()) return; // the hand was quicker
+        if (values.empty())
+            m_notice->setText(tr("No tree was found among these random values; a smaller amount finds some"));
+        else
+            m_document->setValues(tr("Randomise"), values);
     });
     connect(document, &CDocument::replaced, this, &CMainWindow::onReplaced);
     connect(document, &CDocument::changed, this, &CMainWindow::onChanged);
@@ -273,7 +285,7 @@ void CMainWindow::onReplaced() {
     updateTitle();
     updateMessages();
     onChanged();
-    m_panel->showLocksOf(m_document->path().isEmpty() ? m_document->displayName() : m_document->path());
+    m_panel->showLocksOf(m_document->path());
 }
 
 void CMainWindow::onChanged() {
@@ -367,6 +379,7 @@ void CMainWindow::onSetting(const QString& key) {
     if (key == QLatin1String("threads")) m_growth->setThreads(settings.number("threads"));
     if (key == QLatin1String("fullModelDelay")) m_growth->setFullModelDelay(settings.number("fullModelDelay"));
     if (key == QLatin1String("maxMemory")) m_growth->setMaxMemory(settings.number("maxMemory"));
+    if (key == QLatin1String("pictureCache")) m_growth->setPictureCache(settings.number("pictureCache"));
     if (key == QLatin1String("autosave")) m_files->autosave().setInterval(settings.number("autosave"));
     if (key == QLatin1String("theme")) applyTheme(settings.text("theme"));
     if (key != QLatin1String("language") && key != QLatin1String("units")) return;

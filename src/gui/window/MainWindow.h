@@ -29,6 +29,7 @@ class CParamPanel;
 class CPresetBrowser;
 class CThumbnails;
 class CFallController;
+class CRandomiser;
 class CRecorder;
 class CTimeline;
 class CVariants;
@@ -153,6 +154,7 @@ private:
     CTimeline* m_timeline;
     CWindPanel* m_wind;
     CRecorder* m_recorder;
+    CRandomiser* m_randomiser;
     CComparison* m_comparison;
     CSavedCameras* m_cameras;
     CSideBySide* m_sideBySide;

@@ -3,17 +3,21 @@
 #include <QLabel>
 #include <QPushButton>
 #include <QToolButton>
+#include <QVBoxLayout>
 
 namespace stromar {
 
-CMessageBar::CMessageBar(QWidget* parent) : QFrame(parent), m_text(new QLabel), m_row(new QHBoxLayout(this)) {
+CMessageBar::CMessageBar(QWidget* parent) : QFrame(parent), m_text(new QLabel), m_row(new QHBoxLayout) {
     setFrameShape(QFrame::StyledPanel);
     setAutoFillBackground(true);
     setBackgroundRole(QPalette::ToolTipBase);
     m_text->setForegroundRole(QPalette::ToolTipText);
     m_text->setWordWrap(true);
     m_text->setTextInteractionFlags(Qt::TextSelectableByMouse);
-    m_row->addWidget(m_text, 1);
+    auto* column = new QVBoxLayout(this);
+    column->addWidget(m_text);
+    column->addLayout(m_row);
+    m_row->addStretch(1);
     hide();
 }
 
@@ -26,11 +30,14 @@ void CMessageBar::ask(const QString& about, const QString& text, const std::vect
     m_text->setText(text);
     for (const Choice& choice : choices) {
         auto* button = new QPushButton(choice.text);
+        button->setSizePolicy(QSizePolicy::Ignored, QSizePolicy::Fixed); // the window is as wide as the user wants it
+        button->setMaximumWidth(button->sizeHint().width());
+        button->setToolTip(choice.text);
         connect(button, &QPushButton::clicked, this, [this, run = choice.run, about] {
             dismiss(about);
             run();
         });
-        m_row->addWidget(button);
+        m_row->addWidget(button, 1);
         m_buttons.push_back(button);
     }
     auto* close = new QToolButton;

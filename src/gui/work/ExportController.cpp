@@ -11,6 +11,10 @@
 
 namespace stromar {
 
+namespace {
+constexpr int kStill = 10; // times without progress after which the bar says only that there is work
+}
+
 CExportController::CExportController(CDocument& document, Shown shown, Limits limits, Moving moving, QWidget* window)
     : QObject(window), m_document(document), m_shown(std::move(shown)), m_limits(std::move(limits)), m_moving(std::move(moving)), m_window(window) {}
 
@@ -70,8 +74,12 @@ QProgressDialog* CExportController::showProgress(const QString& path) {
     dialog->setMinimumDuration(300);
     dialog->setAttribute(Qt::WA_DeleteOnClose);
     auto* poll = new QTimer(dialog);
-    connect(poll, &QTimer::timeout, this, [this, dialog] {
-        if (m_job) dialog->setValue(std::min(999, static_cast<int>(m_job->progress() * 1000)));
+    connect(poll, &QTimer::timeout, this, [this, dialog, last = -1, still = 0]() mutable {
+        if (!m_job) return;
+        const int done = std::min(999, static_cast<int>(m_job->progress() * 1000));
+        still = done == std::exchange(last, done) ? still + 1 : 0;
+        dialog->setMaximum(still < kStill ? 1000 : 0); // no maximum: it is at work, nobody knows how long
+        if (still < kStill) dialog->setValue(done);
     });
     poll->start(100);
     connect(dialog, &QProgressDialog::canceled, this, [this] {

@@ -75,7 +75,7 @@ void CGrowthController::showOnly(Model model) {
 }
 
 void CGrowthController::setLod(int lod) {
-    if (lod == std::exchange(m_lod, lod)) return;
+    if (lod == std::exchange(m_lod, lod) && !m_only) return;
     growFull();
 }
 

@@ -44,6 +44,7 @@ public:
     void setFullModelDelay(int milliseconds) { m_pause.setInterval(milliseconds); }
     /// Gigabytes; 0 is what the controller was made with.
     void setMaxMemory(int gigabytes);
+    void setPictureCache(int megabytes) { m_thread.setPictureCache(1'000'000 * static_cast<std::uintmax_t>(megabytes)); }
     /// For the tree as it is: none where the user let a large one grow.
     SizeLimits limits() const;
     /// Share of the running work that is done, 0..1; nothing when idle.

@@ -104,6 +104,7 @@ TooLargeTree CTreeCreatorThread::refusedTree(const Request& request, const Predi
 /// While the hand rests, only what is shown is kept.
 void CTreeCreatorThread::freeMemory() {
     if (m_shown) m_creator->forgetOthers(*m_shown);
+    if (const std::uintmax_t most = m_pictureCache) trimPictureCache(most);
     returnFreedMemory();
 }
 
@@ -119,6 +120,8 @@ void CTreeCreatorThread::run() {
             {
                 const std::lock_guard lock(m_mutex);
                 m_lastResult = Clock::now();
+                m_runningSimple = false; // what follows may be cancelled, at once where a request waits
+                if (m_wanted) m_running->cancel();
             }
             emit created(view);
             // The tree does not wait for its bark. Leaves in small follow a dragged month: no newer step cancels them.

@@ -3,6 +3,7 @@
 #include "stromar/app/TreeCreator.h"
 #include "stromar/scene/ViewScene.h"
 #include <QThread>
+#include <atomic>
 #include <chrono>
 #include <condition_variable>
 #include <mutex>
@@ -49,6 +50,8 @@ public:
     void cancel();
     /// Processors for the next trees; 0 takes all.
     void setThreads(int threads);
+    /// Bytes that drawn pictures may take on the disk: the oldest go when there is nothing to do. 0: as many as they like.
+    void setPictureCache(std::uintmax_t bytes) { m_pictureCache = bytes; }
     /// Share of the running work that is done, 0..1; nothing when idle.
     std::optional<double> progress() const;
 
@@ -79,6 +82,7 @@ private:
     const Detail* m_shown = nullptr; ///< of the last model
     CParams m_fitting;               ///< the last values that were not too large
     SurfaceTextures m_read;        ///< the pictures that were told of last
+    std::atomic<std::uintmax_t> m_pictureCache = 0;
 
     mutable std::mutex m_mutex; // std: ThreadSanitizer cannot see QMutex. Guards all below.
     std::condition_variable m_wake;

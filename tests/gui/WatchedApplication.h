@@ -1,0 +1,65 @@
+#pragma once
+#include "library/Thumbnails.h"
+#include "view/RestPicture.h"
+#include <QApplication>
+#include <QEvent>
+#include <QString>
+#include <ctime>
+
+namespace stromar::test {
+
+/// Tells how long the event loop was busy with one event at most, drawing apart: in time of the thread's processor, so that what else
+/// runs on the machine does not count.
+class CWatchedApplication : public QApplication {
+public:
+    using QApplication::QApplication;
+
+    void restart() {
+        m_worst = 0;
+        m_what.clear();
+    }
+    double worstMilliseconds() const { return m_worst; }
+    const QString& what() const { return m_what; }
+
+    bool notify(QObject* receiver, QEvent* event) override {
+        if (m_depth > 0) {
+            if (!draws(*receiver, *event)) return QApplication::notify(receiver, event);
+            const double start = now(); // inside another event
+            const bool done = QApplication::notify(receiver, event);
+            m_drawn += now() - start;
+            return done;
+        }
+        const QEvent::Type type = event->type();
+        const QString name = QString::fromLatin1(receiver->metaObject()->className()) + QLatin1Char(' ') + receiver->objectName();
+        const bool drawing = draws(*receiver, *event), nested = type == QEvent::DeferredDelete;
+        m_drawn = 0;
+        ++m_depth;
+        const double start = now();
+        const bool done = QApplication::notify(receiver, event);
+        const double took = now() - start - m_drawn;
+        --m_depth;
+        if (!drawing && !nested && took > m_worst) {
+            m_worst = took;
+            m_what = QStringLiteral("%1, event %2").arg(name).arg(type);
+        }
+        return done;
+    }
+
+private:
+    static bool draws(const QObject& receiver, const QEvent& event) {
+        return event.type() == QEvent::Paint || event.type() == QEvent::UpdateRequest || event.type() == QEvent::Expose ||
+               (event.type() == QEvent::Timer && qobject_cast<const CRestPicture*>(receiver.parent())) ||
+               (event.type() == QEvent::MetaCall && qobject_cast<const CThumbnails*>(&receiver)); // which has been grown on a thread
+    }
+    static double now() {
+        timespec time{};
+        clock_gettime(CLOCK_THREAD_CPUTIME_ID, &time);
+        return double(time.tv_sec) * 1e3 + double(time.tv_nsec) * 1e-6;
+    }
+
+    double m_worst = 0, m_drawn = 0;
+    QString m_what;
+    int m_depth = 0;
+};
+
+} // namespace stromar::test
