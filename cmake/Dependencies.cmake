@@ -6,6 +6,7 @@ find_package(nlohmann_json REQUIRED)
 find_package(TinyGLTF REQUIRED)
 find_package(assimp REQUIRED)
 find_package(PNG REQUIRED)
+find_package(pugixml REQUIRED)
 find_package(ZLIB REQUIRED)
 find_package(OpenEXR 3.1 REQUIRED)
 

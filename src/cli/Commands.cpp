@@ -1,6 +1,7 @@
 #include "Commands.h"
 #include "stromar/app/Export.h"
 #include "stromar/app/Formats.h"
+#include "stromar/app/Import.h"
 #include "stromar/app/LeafMesh.h"
 #include "stromar/app/Methods.h"
 #include "stromar/app/Prediction.h"
@@ -509,6 +510,38 @@ void printFormats(ListStyle style, std::ostream& out) {
                 << " up; loses: " << format.losses << "\n";
     }
     if (style == ListStyle::Json) out << rows.dump(2) << "\n";
+}
+
+void importForeign(const std::string& foreign, const std::string& output, bool quiet, std::ostream& messages) {
+    const ImportedTree tree = importTree(foreign);
+    static_cast<void>(CTreeFile(tree.params.block()).write(output, tree.params));
+    if (quiet) return;
+    for (const Message& note : tree.notes) messages << note.toString() << "\n";
+    messages << output << ": " << tree.params.text.species << ", of " << tree.format->name << "\n";
+}
+
+namespace {
+std::string fateOf(const ImportRow& row) {
+    if (!row.ours.empty()) return "`" + std::string(row.ours) + "`" + (row.note.empty() ? "" : "; " + std::string(row.note));
+    return row.note.empty() ? "nothing of the form of a tree, or it decides how others are read" : "cannot be had: " + std::string(row.note);
+}
+} // namespace
+
+void printImports(ListStyle style, std::ostream& out) {
+    auto all = nlohmann::ordered_json::array();
+    if (style == ListStyle::Markdown) out << "# Import\n\nWritten by `stromar-cli imports --markdown`. `n` stands for each level.\n";
+    for (const ImportFormat& format : importTable()) {
+        if (style == ListStyle::Markdown) out << "\n## " << format.name << " (`" << format.endings << "`)\n\n| there | here |\n|---|---|\n";
+        for (const ImportRow& row : format.rows) {
+            if (style == ListStyle::Json)
+                all.push_back({{"program", format.key}, {"foreign", row.foreign}, {"parameter", row.ours}, {"note", row.note}});
+            else if (style == ListStyle::Markdown)
+                out << "| `" << row.foreign << "` | " << fateOf(row) << " |\n";
+            else
+                out << format.key << "  " << row.foreign << "  " << fateOf(row) << "\n";
+        }
+    }
+    if (style == ListStyle::Json) out << all.dump(1) << "\n";
 }
 
 } // namespace stromar

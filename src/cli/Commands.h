@@ -54,4 +54,8 @@ void printParams(const std::string& method, ListStyle style, std::ostream& out);
 void printMethods(ListStyle style, std::ostream& out);
 void printFormats(ListStyle style, std::ostream& out);
 
+/// Reads a tree of another program and writes it as a .tree file; what changed on the way goes to `messages`. Throws CError.
+void importForeign(const std::string& foreign, const std::string& output, bool quiet, std::ostream& messages);
+void printImports(ListStyle style, std::ostream& out);
+
 } // namespace stromar

@@ -36,6 +36,7 @@ struct Options {
     CommonOptions common;
     ModelOptions model;
     BatchFlags batch;
+    std::string foreign; ///< to import
     ExportOptions exported;
     std::string ending; ///< of the model to write, where its name has none
     std::string modelName = "full", variation = "on", output, seed;
@@ -342,6 +343,8 @@ int run(const CLI::App& app, Options& options) {
     }
     if (name == "render") renderTree(options.common, options.model, options.rendered, options.motion, options.output, progress);
     if (name == "texture") writeTexture(options.recipe, options.size, options.output, progress);
+    if (name == "import") importForeign(options.foreign, options.output, options.common.quiet, std::cerr);
+    if (name == "imports") printImports(options.style(), std::cout);
     if (name == "batch") sound = runBatchCommand(options.batchFlags(), std::cout, progress);
     if (name == "params") printParams(options.method, options.style(), std::cout);
     if (name == "methods") printMethods(options.style(), std::cout);
@@ -363,6 +366,8 @@ void setUp(CLI::App& app, Options& options) {
     CLI::App* texture =
         app.add_subcommand("texture", "Draws a bark that can be laid side by side, or a leaf, with their relief");
     CLI::App* batch = app.add_subcommand("batch", "Writes many models: trees, seeds, ages, seasons, levels of detail, formats");
+    CLI::App* import = app.add_subcommand("import", "Makes a .tree file of one of another program, and tells what changed");
+    CLI::App* imports = app.add_subcommand("imports", "What can be imported, and what becomes of each value");
     CLI::App* params = app.add_subcommand("params", "The table of parameters");
     CLI::App* methods = app.add_subcommand("methods", "The ways to grow a tree");
     CLI::App* formats = app.add_subcommand("formats", "What can be written, and what each format loses");
@@ -389,7 +394,10 @@ void setUp(CLI::App& app, Options& options) {
     texture->add_option("-o,--output", options.output, "The picture; its relief goes beside it")
         ->required()
         ->type_name("OUT.png");
-    for (CLI::App* list : {params, formats}) {
+    import->add_option("file", options.foreign, "A tree of Arbaro (.xml), Sapling (.py) or tree-gen (.py, .json)")->required()->type_name("FOREIGN");
+    import->add_option("-o,--output", options.output, "The file to write")->required()->type_name("OUT.tree");
+    import->add_flag("--quiet", options.common.quiet, "No messages but errors");
+    for (CLI::App* list : {params, formats, imports}) {
         CLI::Option* markdown = list->add_flag("--markdown", options.markdown, "As a page of the manual");
         list->add_flag("--json", options.json, "As JSON")->excludes(markdown);
     }

@@ -35,6 +35,26 @@ TEST(FormatsCommand, MarkdownIsThePageOfTheManual) {
     EXPECT_GE(rows, formatTable().size());
 }
 
+TEST(ImportsCommand, MarkdownIsThePageOfTheManual) {
+    const ProcessResult run = cli({"imports", "--markdown"});
+    EXPECT_EQ(run.status, 0);
+    EXPECT_EQ(run.out, readFile(STROMAR_SOURCE "/docs/import.md")) << "write it anew with: stromar-cli imports --markdown";
+}
+
+TEST(ImportCommand, WritesATreeAndTellsWhatChanged) {
+    const CTemporaryFolder folder;
+    writeFile(folder / "a.py", "{'g_scale': 17,\n 'gadget': 1}");
+    const ProcessResult run = cli({"import", (folder / "a.py").string(), "-o", (folder / "a.tree").string()});
+    EXPECT_EQ(run.status, 0) << run.err;
+    EXPECT_NE(run.err.find("a.py:2:2: warning: 'gadget' is not known"), std::string::npos) << run.err;
+    EXPECT_NE(readFile(folder / "a.tree").find("\nScale = 17\n"), std::string::npos);
+    writeFile(folder / "b.py", "import os");
+    const ProcessResult broken = cli({"import", (folder / "b.py").string(), "-o", (folder / "a.tree").string()});
+    EXPECT_EQ(broken.status, 1);
+    EXPECT_NE(broken.err.find("b.py:1:8: error: "), std::string::npos) << broken.err;
+    EXPECT_NE(readFile(folder / "a.tree").find("\nScale = 17\n"), std::string::npos) << "the file is as it was";
+}
+
 TEST(ParamsCommand, MarkdownTablesAreWhole) {
     std::istringstream page(cli({"params", "--markdown"}).out);
     std::size_t rows = 0;

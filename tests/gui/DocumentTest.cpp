@@ -181,5 +181,21 @@ TEST(Document, WhatACrashLeftIsRestoredEvenWhenItsFileIsGone) {
     EXPECT_TRUE(document.isModified());
 }
 
+TEST(Document, ATreeOfAnotherProgramIsNewAndTellsWhatChanged) {
+    QTemporaryDir folder;
+    QFile file(folder.filePath(QStringLiteral("small_birch.py")));
+    ASSERT_TRUE(file.open(QIODevice::WriteOnly));
+    file.write("params = {'g_scale': 17, 'levels': 2,\n 'gadget': 1}");
+    file.close();
+    CDocument document;
+    document.import(file.fileName());
+    EXPECT_EQ(valueOf(document, "Scale"), 17);
+    EXPECT_TRUE(document.path().isEmpty()) << "saving asks for a name";
+    EXPECT_EQ(document.displayName(), QStringLiteral("small_birch.tree"));
+    EXPECT_TRUE(document.isModified());
+    ASSERT_EQ(document.warnings().size(), 1u);
+    EXPECT_EQ(document.warnings()[0].line, 2);
+}
+
 } // namespace
 } // namespace stromar

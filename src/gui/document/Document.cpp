@@ -1,6 +1,7 @@
 #include "document/Document.h"
 #include "window/QtText.h"
 #include "window/Settings.h"
+#include "stromar/app/Import.h"
 #include "stromar/params/BuiltInMesh.h"
 #include "stromar/texture/Draw.h"
 #include <QFileInfo>
@@ -172,6 +173,18 @@ void CDocument::restore(const QString& path, const CParams& params) {
         if (absolute) wanted = withWholePaths(params, toPath(QFileInfo(path).absolutePath()));
     }
     edit(tr("Restore"), [&](CParams& p) { p = wanted; });
+}
+
+void CDocument::import(const QString& path) {
+    const ImportedTree tree = importTree(toPath(path));
+    const PlacePtr place = newPlace(CTreeFile(tree.params.block()), {}, QFileInfo(path).completeBaseName() + QStringLiteral(".tree"));
+    place->notes = tree.notes;
+    replace(place);
+    edit(tr("Import %1").arg(QFileInfo(path).fileName()), [&](CParams& params) {
+        const fs::path folder = params.folder;
+        params = tree.params;
+        params.folder = folder;
+    });
 }
 
 void CDocument::keepAgainstFile() {

@@ -22,7 +22,7 @@ public:
     /// The folder that texture paths start at.
     std::filesystem::path folder() const;
     QString displayName() const;
-    const Messages& warnings() const { return m_place->file->warnings(); }
+    const Messages& warnings() const { return m_place->notes.empty() ? m_place->file->warnings() : m_place->notes; }
     /// The values as they are in the file; of a new document the defaults.
     const CParams& savedParams() const { return m_place->file->params(); }
     bool isModified() const { return m_params != savedParams() || m_place->diverged; }
@@ -63,6 +63,8 @@ public:
     void startWith(const QString& path);
     /// What a crash left: values on top of the file at `path` (empty: of a new document). They count as changes.
     void restore(const QString& path, const CParams& params);
+    /// A tree of another program, which is no file yet; what was lost on the way is told as warnings. Throws CError.
+    void import(const QString& path);
 
 signals:
     void changed();  ///< the values
@@ -78,6 +80,7 @@ private:
         std::shared_ptr<const CTreeFile> file;
         QString path, name;    ///< the name is shown while there is no path
         bool diverged = false; ///< the file on the disk is another one
+        Messages notes{};      ///< in place of the file's, of a tree of another program
         std::filesystem::path folder() const;
     };
     using PlacePtr = std::shared_ptr<Place>;

@@ -4,6 +4,7 @@
 #include "library/TextureWorkshop.h"
 #include "window/MessageBar.h"
 #include "window/QtText.h"
+#include "stromar/app/Import.h"
 #include "stromar/app/Pictures.h"
 #include "stromar/texture/Draw.h"
 #include <QDir>
@@ -47,11 +48,38 @@ QString CFileController::droppedFile(const QMimeData& data) {
     const QList<QUrl> urls = data.urls();
     if (urls.size() != 1 || !urls.front().isLocalFile()) return {};
     const QString path = urls.front().toLocalFile();
-    return path.endsWith(QLatin1String(".tree"), Qt::CaseInsensitive) || isPicture(path) ? path : QString();
+    return path.endsWith(QLatin1String(".tree"), Qt::CaseInsensitive) || isPicture(path) || mayImport(toPath(path)) ? path : QString();
 }
 
 void CFileController::tellError(const QString& title, const QString& text) {
     QMessageBox::critical(m_window, title, text);
+}
+
+bool CFileController::import(const QString& path) {
+    try {
+        m_document.import(path);
+        m_changesBehind = false;
+        return true;
+    } catch (const std::exception& e) {
+        tellError(tr("Cannot import the tree"), QString::fromUtf8(e.what()));
+        return false;
+    }
+}
+
+void CFileController::chooseAndImport() {
+    if (!mayLoseChanges()) return;
+    QStringList kinds, all;
+    for (const ImportFormat& format : importTable()) {
+        const QStringList endings = toQString(format.endings).split(QLatin1Char(' '));
+        QStringList patterns;
+        for (const QString& ending : endings) patterns << QLatin1Char('*') + ending;
+        all << patterns;
+        kinds << QStringLiteral("%1 (%2)").arg(trText(format.name), patterns.join(QLatin1Char(' ')));
+    }
+    all.removeDuplicates();
+    kinds.prepend(QStringLiteral("%1 (%2)").arg(tr("Trees of other programs"), all.join(QLatin1Char(' '))));
+    const QString path = QFileDialog::getOpenFileName(m_window, tr("Import a tree"), {}, kinds.join(QStringLiteral(";;")));
+    if (!path.isEmpty()) import(path);
 }
 
 bool CFileController::open(const QString& path) {
@@ -218,7 +246,7 @@ double CFileController::aspectOf(const ParamRef& text) const {
 
 void CFileController::drop(const QString& path, const QPoint& at) {
     if (!isPicture(path)) {
-        if (mayLoseChanges()) open(path);
+        if (mayLoseChanges()) mayImport(toPath(path)) ? import(path) : open(path);
         return;
     }
     QMenu menu;

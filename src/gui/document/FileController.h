@@ -25,6 +25,9 @@ public:
     ~CFileController() override;
 
     /// False, with a message shown, when the file cannot be read; then nothing has changed.
+    /// Of another program. False when it cannot be read, which was told.
+    bool import(const QString& path);
+    void chooseAndImport();
     bool open(const QString& path);
     bool save(const QString& path);
     /// Puts the tree of a preset into the document, which can be undone. False, with a message, when it cannot be read.

@@ -20,6 +20,8 @@ constexpr Command kCommands[] = {
      QT_TRANSLATE_NOOP("Commands", "Start with a plain tree"), [](W& w, bool) { w.files().startNew(weberPennBlock()); }, true},
     {"open", Menu::File, QT_TRANSLATE_NOOP("Commands", "&Open…"), "Ctrl+O", "open",
      QT_TRANSLATE_NOOP("Commands", "Open a .tree file"), [](W& w, bool) { w.files().chooseAndOpen(); }, true},
+    {"import", Menu::File, QT_TRANSLATE_NOOP("Commands", "I&mport…"), "Ctrl+I", "",
+     QT_TRANSLATE_NOOP("Commands", "Read a tree of Arbaro, Sapling or tree-gen"), [](W& w, bool) { w.files().chooseAndImport(); }},
     {"save", Menu::File, QT_TRANSLATE_NOOP("Commands", "&Save"), "Ctrl+S", "save",
      QT_TRANSLATE_NOOP("Commands", "Save the tree"), [](W& w, bool) { w.files().saveOrChoose(); }, true},
     {"saveAs", Menu::File, QT_TRANSLATE_NOOP("Commands", "Save &As…"), "Ctrl+Shift+S", "",
