@@ -1,4 +1,5 @@
 #include "stromar/app/Batch.h"
+#include "BatchManifest.h"
 #include "BatchRecord.h"
 #include "ContentHash.h"
 #include "stromar/app/Export.h"
@@ -7,7 +8,7 @@
 #include "stromar/util/Parallel.h"
 #include "stromar/util/Text.h"
 #include <algorithm>
-#include <atomic>
+#include <chrono>
 #include <cmath>
 #include <glob.h>
 #include <map>
@@ -268,16 +269,11 @@ fs::path outputOf(const BatchPlan& plan, const BatchFile& file, const std::strin
     return (plan.folder / name).lexically_normal();
 }
 
-/// Shared pictures lie in the deepest folder that all models have in common.
-fs::path sharedFolder(const BatchPlan& plan) {
-    const std::string fixed = plan.output.substr(0, plan.output.find('{'));
-    return (plan.folder / fixed.substr(0, fixed.rfind('/') == std::string::npos ? 0 : fixed.rfind('/')) / "textures").lexically_normal();
-}
 
 ExportOptions optionsOf(const BatchPlan& plan, const BatchFile& file) {
     ExportOptions options = plan.options;
     options.lod = file.lod;
-    if (plan.sharesPictures) options.sharedPictures = sharedFolder(plan);
+    if (plan.sharesPictures) options.sharedPictures = outputFolder(plan) / "textures";
     return options;
 }
 
@@ -317,16 +313,23 @@ std::vector<FilesOfTree> groupsOf(const std::vector<BatchFile>& files) {
 class CBatchRun {
 public:
     CBatchRun(const BatchPlan& plan, const BatchOptions& options, const BatchReport& report)
-        : m_plan(plan), m_options(options), m_report(report), m_record(options.record) {}
+        : m_plan(plan), m_options(options), m_report(report), m_record(options.record) {
+        if (options.manifest) m_manifest.emplace(plan, options.part, options.parts);
+    }
 
     void write(const FilesOfTree& group, const CProgress& progress) {
         std::unique_ptr<CTreeCreator> creator;
         for (const BatchFile* file : group) {
             progress.poll();
+            const auto start = std::chrono::steady_clock::now();
+            const auto list = [&] {
+                if (m_manifest) m_manifest->add(*file, std::chrono::duration<double>(std::chrono::steady_clock::now() - start).count());
+            };
             try {
                 const CParams params = paramsOf(m_plan, *file);
                 const std::uint64_t wanted = wantedHash(*file, params);
                 if (!m_options.force && m_record.has(file->output, wanted)) {
+                    list();
                     tell(*file, BatchOutcome::Skipped);
                     continue;
                 }
@@ -335,6 +338,7 @@ public:
                 fs::create_directories(file->output.parent_path());
                 exportTree(*creator, params, optionsOf(m_plan, *file), file->tree.parent_path(), file->output, progress);
                 m_record.add(file->output, wanted);
+                list();
                 tell(*file, BatchOutcome::Written);
             } catch (const CCancelled&) {
                 throw;
@@ -374,6 +378,7 @@ private:
     const BatchOptions& m_options;
     const BatchReport& m_report;
     CBatchRecord m_record;
+    std::optional<CBatchManifest> m_manifest;
     std::mutex m_mutex; ///< guards what follows
     std::size_t m_done = 0;
     BatchResult m_result;
@@ -383,6 +388,12 @@ private:
 BatchPlan parsePlan(const std::string& text, const std::string& name, const fs::path& folder) { return CPlanParser(text, name, folder).parse(); }
 
 BatchPlan readPlan(const fs::path& path) { return parsePlan(readFile(path), path.string(), path.parent_path()); }
+
+fs::path outputFolder(const BatchPlan& plan) {
+    const std::string fixed = plan.output.substr(0, plan.output.find('{'));
+    const fs::path folder = (plan.folder / fixed.substr(0, fixed.rfind('/') == std::string::npos ? 0 : fixed.rfind('/'))).lexically_normal();
+    return folder.empty() ? fs::path(".") : folder;
+}
 
 std::vector<BatchFile> filesOf(const BatchPlan& plan) {
     std::vector<BatchFile> files;
@@ -415,7 +426,10 @@ std::vector<BatchFile> filesOf(const BatchPlan& plan) {
 
 BatchResult runBatch(const BatchPlan& plan, const BatchOptions& options, const BatchReport& report, const CProgress& progress) {
     const std::vector<BatchFile> files = filesOf(plan);
-    const std::vector<FilesOfTree> groups = groupsOf(files);
+    std::vector<FilesOfTree> groups;
+    int number = 0;
+    for (const FilesOfTree& group : groupsOf(files)) // neighbours cost about the same: each part gets some of all
+        if (number++ % options.parts == options.part - 1) groups.push_back(group);
     const int jobs = std::clamp(options.jobs, 1, std::max(1, static_cast<int>(groups.size())));
     BatchOptions shared = options;
     shared.limits.bytes /= jobs;

@@ -42,6 +42,14 @@ void list(const BatchPlan& plan, const std::vector<BatchFile>& files, const Batc
         << timeText(all.vertices / kVerticesPerSecond / std::max(flags.jobs, progress.threads())) << "\n";
 }
 
+/// False when models are missing.
+bool merge(const BatchPlan& plan, bool quiet) {
+    const BatchManifest manifest = mergeManifests(plan);
+    if (!quiet) std::cerr << manifest.file.string() << ": " << manifest.models << " models, " << manifest.missing.size() << " missing\n";
+    for (const std::string& missing : manifest.missing) std::cerr << missing << ": no part has made it, or it is not as it was made\n";
+    return manifest.missing.empty();
+}
+
 /// A line for each file, with the time that is left by those that were written.
 class CTeller {
 public:
@@ -77,12 +85,16 @@ bool runBatchCommand(const BatchFlags& flags, std::ostream& out, const CProgress
         list(plan, files, flags, out, progress);
         return true;
     }
-    const BatchOptions options{flags.jobs, flags.force, flags.limits, flags.plan + ".done", STROMAR_VERSION};
-    CTeller tell(files.size(), flags.quiet);
+    if (flags.merge) return merge(plan, flags.quiet);
+    const bool whole = flags.parts == 1;
+    const std::string suffix = whole ? "" : "." + std::to_string(flags.part) + "-of-" + std::to_string(flags.parts);
+    const BatchOptions options{flags.jobs, flags.force, flags.limits, flags.plan + suffix + ".done", STROMAR_VERSION, flags.part, flags.parts, true};
+    CTeller tell(files.size() / static_cast<std::size_t>(flags.parts), flags.quiet);
     const BatchResult result = runBatch(plan, options, [&](const BatchFile& file, BatchOutcome outcome, std::size_t done) { tell(file, outcome, done); }, progress);
     if (!flags.quiet)
         std::cerr << result.written << " written, " << result.skipped << " unchanged, " << result.failures.size() << " failed\n";
     for (const std::string& failure : result.failures) std::cerr << failure << "\n";
+    if (whole) static_cast<void>(mergeManifests(plan));
     return result.failures.empty();
 }
 

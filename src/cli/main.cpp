@@ -37,6 +37,7 @@ struct Options {
     ModelOptions model;
     BatchFlags batch;
     std::string foreign; ///< to import
+    std::string part;    ///< of a batch
     ExportOptions exported;
     std::string ending; ///< of the model to write, where its name has none
     std::string modelName = "full", variation = "on", output, seed;
@@ -58,7 +59,17 @@ struct Options {
         BatchFlags flags = batch;
         flags.quiet = common.quiet;
         flags.limits = common.limits;
+        if (!part.empty()) readPart(flags);
         return flags;
+    }
+    void readPart(BatchFlags& flags) const {
+        const std::size_t slash = part.find('/');
+        const auto own = parseNumber(part.substr(0, slash)), all = slash == std::string::npos ? std::nullopt : parseNumber(part.substr(slash + 1));
+        constexpr double kMostParts = 100'000;
+        const bool right = own && all && *own >= 1 && *own <= *all && *all <= kMostParts && std::floor(*own) == *own && std::floor(*all) == *all;
+        if (!right) throw CUsageError("--part wants I/N, 1/8 to 8/8 for eight parts, not '" + part + "'");
+        flags.part = static_cast<int>(*own);
+        flags.parts = static_cast<int>(*all);
     }
     void finish() {
         common.varied = variation == "on";
@@ -260,6 +271,8 @@ void addBatch(CLI::App& command, Options& options) {
     command.add_option("--jobs", options.batch.jobs, "How many trees are made side by side")->check(CLI::Range(1, 1024))->capture_default_str();
     command.add_flag("--force", options.batch.force, "Also what is there and unchanged");
     command.add_flag("--dry-run", options.batch.dryRun, "Writes nothing; lists the models, their sizes and the time");
+    command.add_option("--part", options.part, "Of the trees every N-th, from the I-th on: parts run side by side, on several machines")->type_name("I/N");
+    command.add_flag("--merge", options.batch.merge, "Writes nothing but manifest.json, of what all parts have made; fails when a model is missing");
     addResources(command, options);
 }
 

@@ -169,4 +169,44 @@ TEST_F(Batch, SharedPicturesLieThereOnce) {
     EXPECT_TRUE(fs::exists(m_folder / "out/oak" / named)) << named;
 }
 
+TEST_F(Batch, PartsMakeTheSameAsOneRun) {
+    const BatchPlan small = plan(kSmall);
+    const auto runPart = [&](int part, int parts) {
+        return runBatch(small, {1, false, {}, m_folder / ("plan." + std::to_string(part)), "1", part, parts, true}, [](const BatchFile&, BatchOutcome, std::size_t) {}, CProgress(1));
+    };
+    EXPECT_EQ(outputFolder(small), m_folder / "out");
+    std::size_t written = 0;
+    for (int part = 1; part <= 3; ++part) {
+        EXPECT_EQ(mergeManifests(small).missing.size(), 16u - written);
+        written += runPart(part, 3).written;
+        EXPECT_TRUE(fs::exists(m_folder / "out" / ("manifest." + std::to_string(part) + "-of-3.jsonl")));
+    }
+    EXPECT_EQ(written, 16u);
+    EXPECT_EQ(mergeManifests(small).models, 16u);
+    const std::string merged = readFile(m_folder / "out/manifest.json");
+    fs::remove_all(m_folder / "out");
+    EXPECT_EQ(runPart(1, 1).written, 16u);
+    EXPECT_TRUE(mergeManifests(small).missing.empty());
+    EXPECT_EQ(readFile(m_folder / "out/manifest.json"), merged) << "byte for byte";
+    const auto list = nlohmann::json::parse(merged);
+    ASSERT_EQ(list.size(), 16u);
+    EXPECT_EQ(list[0]["file"], "elm/1_lod0.glb");
+    EXPECT_EQ(list[0]["bytes"], fs::file_size(m_folder / "out/elm/1_lod0.glb"));
+    EXPECT_FALSE(list[0].contains("seconds"));
+    writeFile(m_folder / "out/elm/1_lod0.glb", "broken");
+    EXPECT_EQ(mergeManifests(small).missing, std::vector<std::string>{(m_folder / "out/elm/1_lod0.glb").string()});
+}
+
+TEST_F(Batch, APartThatWasKilledGoesOnAndTellsOfEachModel) {
+    const BatchPlan small = plan(kSmall);
+    const BatchOptions options{1, false, {}, m_folder / "plan.done", "1", 1, 2, true};
+    const auto go = [&] { return runBatch(small, options, [](const BatchFile&, BatchOutcome, std::size_t) {}, CProgress(1)); };
+    EXPECT_EQ(go().written, 8u);
+    const fs::path lines = m_folder / "out/manifest.1-of-2.jsonl";
+    const std::string text = readFile(lines);
+    writeFile(lines, text.substr(0, text.size() / 2));
+    EXPECT_EQ(go().skipped, 8u);
+    EXPECT_EQ(mergeManifests(small).models, 8u);
+}
+
 } // namespace stromar::test

@@ -46,4 +46,23 @@ TEST(BatchCommand, AWrongPlanIsRefusedBeforeTheFirstTree) {
     EXPECT_EQ(cli({"batch", (folder / "none.json").string()}).status, 1);
 }
 
+TEST(BatchCommand, PartsAreMerged) {
+    const CTemporaryFolder folder;
+    writeFile(folder / "plan.json", planFor("out/{tree}_{seed}.{format}"));
+    const std::string plan = (folder / "plan.json").string();
+    EXPECT_EQ(cli({"batch", plan, "--part", "2/2", "--quiet"}).status, 0);
+    EXPECT_FALSE(std::filesystem::exists(folder / "out/quaking_aspen_1.glb"));
+    ProcessResult run = cli({"batch", plan, "--merge"});
+    EXPECT_EQ(run.status, 1);
+    EXPECT_NE(run.err.find("1 models, 1 missing"), std::string::npos) << run.err;
+    EXPECT_EQ(cli({"batch", plan, "--part", "1/2", "--quiet"}).status, 0);
+    run = cli({"batch", plan, "--merge"});
+    EXPECT_EQ(run.status, 0) << run.err;
+    const std::string merged = readFile(folder / "out/manifest.json");
+    std::filesystem::remove_all(folder / "out");
+    EXPECT_EQ(cli({"batch", plan, "--quiet"}).status, 0);
+    EXPECT_EQ(readFile(folder / "out/manifest.json"), merged);
+    for (const char* wrong : {"0/2", "3/2", "1", "1/2/3", "a/b", "1.5/2"}) EXPECT_EQ(cli({"batch", plan, "--part", wrong}).status, 2) << wrong;
+}
+
 } // namespace stromar::test

@@ -45,6 +45,8 @@ struct BatchOptions {
     SizeLimits limits{}; ///< of all jobs together
     std::filesystem::path record; ///< of what was done: a file that this run reads and adds to
     std::string version;          ///< of the program: another one writes anew
+    int part = 1, parts = 1;      ///< of the trees every so many-th one, from 1 on: parts run side by side on several machines
+    bool manifest = false;        ///< adds to manifest.I-of-N.jsonl in outputFolder()
 };
 
 struct BatchResult {
@@ -59,6 +61,19 @@ using BatchReport = std::function<void(const BatchFile& file, BatchOutcome outco
 /// Writes all files of a plan that are not there yet as they should be; a tree that fails does not stop the others. Folders are made. Throws
 /// CCancelled; what was written stays, and is known to the next run.
 BatchResult runBatch(const BatchPlan& plan, const BatchOptions& options, const BatchReport& report, const CProgress& progress);
+
+/// The deepest folder that all models of a plan have in common.
+std::filesystem::path outputFolder(const BatchPlan& plan);
+
+/// What all parts together have made.
+struct BatchManifest {
+    std::filesystem::path file; ///< manifest.json in outputFolder()
+    std::size_t models = 0;
+    std::vector<std::string> missing; ///< models of the plan that no part has made, or that are not as it made them
+};
+/// Writes the models of the plan, in its order, with bytes and hashes, as a list in JSON. The same bytes for any number of parts. Reads all
+/// models. Throws CError.
+BatchManifest mergeManifests(const BatchPlan& plan);
 
 /// About how many bytes the models take, without pictures, and how many vertices are made for them. Throws CError for a tree that cannot be
 /// read.
