@@ -12,9 +12,9 @@ namespace stromar {
 namespace {
 constexpr std::string_view kEngineKey = "for", kFormatKey = "format";
 
-constexpr ChosenValue kUnreal[] = {{"lods", "file-each"}, {"packed-maps", "orm"}, {"occlusion", "none"}, {"wind", "pivot-painter"}};
+constexpr ChosenValue kUnreal[] = {{"lods", "file-each"}, {"packed-maps", "orm"}, {"occlusion", "none"}, {"wind", "pivot-painter"}, {"collision", "unreal"}};
 constexpr ChosenValue kUnity[] = {{"lods", "file-each"}, {"packed-maps", "unity"}, {"occlusion", "none"}};
-constexpr ChosenValue kGodot[] = {{"lods", "file-each"}, {"packed-maps", "orm"}, {"occlusion", "none"}};
+constexpr ChosenValue kGodot[] = {{"lods", "file-each"}, {"packed-maps", "orm"}, {"occlusion", "none"}, {"collision", "godot"}};
 constexpr ChosenValue kThree[] = {{"lods", "file-each"}, {"texture-size", "512"}, {"occlusion", "none"}};
 
 constexpr Engine kEngines[] = {

@@ -37,6 +37,9 @@ constexpr string_view kPackedMapNames[] = {N_("No"), N_("Occlusion, roughness, m
 constexpr string_view kTwoSided[] = {"format", "no", "yes"};
 constexpr string_view kTwoSidedNames[] = {N_("As usual in the format"), N_("No: single faces"),
                                           N_("Yes: faces for both sides")};
+constexpr string_view kCollisions[] = {"none", "json", "unreal", "godot"};
+constexpr string_view kCollisionNames[] = {N_("No"), N_("As a list of capsules beside the file"), N_("As Unreal looks for it: UCX_…"),
+                                           N_("As Godot looks for it: …-colonly")};
 constexpr int kMaxBones = 256, kMaxTexture = 8192;
 
 constexpr ExportChoice kChoices[] = {
@@ -113,6 +116,13 @@ constexpr ExportChoice kChoices[] = {
      .words = kWinds,
      .names = kWindNames,
      .field = &ExportOptions::wind},
+    {.key = "collision",
+     .label = N_("Collision"),
+     .help = N_("What things bump into: a capsule for each thick stem, as a list beside the file (JSON), or also as meshes with the names that an "
+                "engine looks for."),
+     .words = kCollisions,
+     .names = kCollisionNames,
+     .field = &ExportOptions::collision},
     {.key = "bones",
      .label = N_("Bones"),
      .help = N_("How many of the thickest stems get a bone of their own; the others follow theirs. Only with bones."),
@@ -222,6 +232,11 @@ string_view conflictOf(const ExportOptions& options, const Format& format) {
         if (format.channels == Channels::None) return N_("%1 cannot hold vertex colours; choose glTF");
         if (options.wind == static_cast<int>(ExportedWind::CryEngine) || options.wind == static_cast<int>(ExportedWind::Unity))
             return N_("the colours of this wind hold the occlusion already");
+    }
+    if (options.collision != static_cast<int>(ExportedCollision::None)) {
+        if (!format.objects) return N_("%1 has no objects whose names an engine looks for; choose glTF or FBX");
+        if (lods == ExportedLods::InOneFile) return N_("collision belongs to one level of detail; choose a file for each");
+        if (isSolid(options)) return N_("one solid is its own collision");
     }
     const auto up = static_cast<ExportedUp>(options.up);
     const bool usual = up == ExportedUp::Format || (up == ExportedUp::Y) == (format.upAxis == "y");

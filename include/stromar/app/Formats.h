@@ -23,6 +23,7 @@ struct Format {
     void (*write)(const ExportModel&, const std::filesystem::path&, CFileSet&);
     double bytesPerVertex; ///< about: the size before writing, and how far it is
     Pictures pictures = Pictures::Beside;
+    bool objects = false; ///< readers keep objects apart, by their names
     bool lods = false;  ///< holds levels of detail in one file
     bool anyUp = false; ///< readers do not mind which axis is up
     bool maps = false;  ///< holds pictures of the relief
