@@ -558,6 +558,38 @@
         <source>Look along the negative X axis</source>
         <translation>Pohled proti směru osy X</translation>
     </message>
+    <message>
+        <source>I&amp;mport…</source>
+        <translation>I&amp;mportovat…</translation>
+    </message>
+    <message>
+        <source>Read a tree of Arbaro, Sapling or tree-gen</source>
+        <translation>Načíst strom z programu Arbaro, Sapling nebo tree-gen</translation>
+    </message>
+    <message>
+        <source>Simple Model</source>
+        <translation>Jednoduchý model</translation>
+    </message>
+    <message>
+        <source>The model that follows a slider, instead of the full one</source>
+        <translation>Model, který sleduje posuvník, místo úplného</translation>
+    </message>
+    <message>
+        <source>Wipe between “Before” and Now</source>
+        <translation>Předěl mezi „předtím“ a teď</translation>
+    </message>
+    <message>
+        <source>Both trees with a line between them, which can be dragged</source>
+        <translation>Oba stromy a mezi nimi čára, kterou lze táhnout</translation>
+    </message>
+    <message>
+        <source>Levels of Detail Side by Side</source>
+        <translation>Úrovně detailu vedle sebe</translation>
+    </message>
+    <message>
+        <source>The four levels of detail and the simple model, with their triangles</source>
+        <translation>Čtyři úrovně detailu a jednoduchý model s počty trojúhelníků</translation>
+    </message>
 </context>
 <context>
     <name>Counts</name>
@@ -615,6 +647,14 @@
     <message>
         <source>&amp;Save Values…</source>
         <translation>&amp;Uložit hodnoty…</translation>
+    </message>
+    <message>
+        <source>There is no value for %1 among these lines.</source>
+        <translation>Mezi těmito řádky není žádná hodnota pro %1.</translation>
+    </message>
+    <message>
+        <source>There are values called “%1” already. Replace them?</source>
+        <translation>Hodnoty s názvem „%1“ už existují. Nahradit je?</translation>
     </message>
 </context>
 <context>
@@ -3076,32 +3116,92 @@
         <translation>Mezipaměť obrázků</translation>
     </message>
     <message>
-        <source>The most that cached textures and thumbnails may take on the disk. The oldest beyond it are removed at each start.</source>
-        <translation>Nejvíce, kolik smějí textury a náhledy v mezipaměti zabrat na disku. Nejstarší nad tuto mez se smažou při každém spuštění.</translation>
-    </message>
-    <message>
         <source>%1 holds colours and pivots of the wind, neither attributes nor bones; choose glTF</source>
-        <translation type="unfinished"></translation>
+        <translation>%1 pojme barvy a středy otáčení pro vítr, ne atributy ani kosti; zvolte glTF</translation>
     </message>
     <message>
         <source>%1 files have their pictures inside</source>
-        <translation type="unfinished"></translation>
+        <translation>soubory %1 mají obrázky uvnitř</translation>
     </message>
     <message>
         <source>FBX, binary, centimetres</source>
-        <translation type="unfinished"></translation>
+        <translation>FBX, binární, centimetry</translation>
     </message>
     <message>
         <source>occlusion as an attribute; roughness is not connected: its maps lie beside the file</source>
-        <translation type="unfinished"></translation>
+        <translation>zastínění jako atribut; drsnost není připojena: její mapy leží vedle souboru</translation>
     </message>
     <message>
         <source>USD, text</source>
-        <translation type="unfinished"></translation>
+        <translation>USD, text</translation>
     </message>
     <message>
         <source>USD, a package with its pictures</source>
-        <translation type="unfinished"></translation>
+        <translation>USD, balíček s obrázky</translation>
+    </message>
+    <message>
+        <source>Comes through (diffuse transmission)</source>
+        <translation>Prochází (difuzní propustnost)</translation>
+    </message>
+    <message>
+        <source>As a list of capsules beside the file</source>
+        <translation>Jako seznam kapslí vedle souboru</translation>
+    </message>
+    <message>
+        <source>As Unreal looks for it: UCX_…</source>
+        <translation>Jak ji hledá Unreal: UCX_…</translation>
+    </message>
+    <message>
+        <source>As Godot looks for it: …-colonly</source>
+        <translation>Jak ji hledá Godot: …-colonly</translation>
+    </message>
+    <message>
+        <source>Light through leaves</source>
+        <translation>Světlo skrz listy</translation>
+    </message>
+    <message>
+        <source>Of glTF files: leaves with the light behind them are bright (KHR_materials_diffuse_transmission), in programs that know it; others show them as without it.</source>
+        <translation>V souborech glTF: listy proti světlu jsou světlé (KHR_materials_diffuse_transmission) v programech, které to znají; ostatní je ukážou jako bez toho.</translation>
+    </message>
+    <message>
+        <source>Collision</source>
+        <translation>Kolize</translation>
+    </message>
+    <message>
+        <source>What things bump into: a capsule for each thick stem, as a list beside the file (JSON), or also as meshes with the names that an engine looks for.</source>
+        <translation>Do čeho věci narážejí: kapsle pro každou silnou větev, jako seznam vedle souboru (JSON), nebo také jako sítě s názvy, které engine hledá.</translation>
+    </message>
+    <message>
+        <source>%1 does not know light through leaves; choose glTF</source>
+        <translation>%1 nezná světlo skrz listy; zvolte glTF</translation>
+    </message>
+    <message>
+        <source>%1 has no objects whose names an engine looks for; choose glTF or FBX</source>
+        <translation>%1 nemá objekty, jejichž názvy by engine hledal; zvolte glTF nebo FBX</translation>
+    </message>
+    <message>
+        <source>collision belongs to one level of detail; choose a file for each</source>
+        <translation>kolize patří k jedné úrovni detailu; zvolte soubor pro každou</translation>
+    </message>
+    <message>
+        <source>one solid is its own collision</source>
+        <translation>jedno těleso je samo svou kolizí</translation>
+    </message>
+    <message>
+        <source>Arbaro, XML</source>
+        <translation>Arbaro, XML</translation>
+    </message>
+    <message>
+        <source>Sapling Tree Gen of Blender, presets</source>
+        <translation>Sapling Tree Gen pro Blender, předvolby</translation>
+    </message>
+    <message>
+        <source>tree-gen of Blender, presets</source>
+        <translation>tree-gen pro Blender, předvolby</translation>
+    </message>
+    <message>
+        <source>The most that cached textures and thumbnails may take on the disk. The oldest beyond it are removed.</source>
+        <translation>Kolik nejvýše smějí textury a náhledy v mezipaměti zabrat na disku. Nejstarší nad to se odstraní.</translation>
     </message>
 </context>
 <context>
@@ -3154,6 +3254,10 @@
     <message>
         <source>Unsaved changes</source>
         <translation>Neuložené změny</translation>
+    </message>
+    <message>
+        <source>Import %1</source>
+        <translation>Import %1</translation>
     </message>
 </context>
 <context>
@@ -3417,6 +3521,18 @@
         <source>Cannot open the workshop</source>
         <translation>Dílnu nelze otevřít</translation>
     </message>
+    <message>
+        <source>Cannot import the tree</source>
+        <translation>Strom nelze importovat</translation>
+    </message>
+    <message>
+        <source>Trees of other programs</source>
+        <translation>Stromy jiných programů</translation>
+    </message>
+    <message>
+        <source>Import a tree</source>
+        <translation>Importovat strom</translation>
+    </message>
 </context>
 <context>
     <name>stromar::CGrowthController</name>
@@ -3651,6 +3767,10 @@
     <message>
         <source>Nothing has grown yet</source>
         <translation>Zatím nic nevyrostlo</translation>
+    </message>
+    <message>
+        <source>No tree was found among these random values; a smaller amount finds some</source>
+        <translation>Mezi těmito náhodnými hodnotami se nenašel strom; menší míra nějaký najde</translation>
     </message>
 </context>
 <context>
@@ -4026,6 +4146,10 @@
         <source>Name of the view</source>
         <translation>Jméno pohledu</translation>
     </message>
+    <message>
+        <source>There is a view called “%1” already. Replace it?</source>
+        <translation>Pohled s názvem „%1“ už existuje. Nahradit ho?</translation>
+    </message>
 </context>
 <context>
     <name>stromar::CShortcutsDialog</name>
@@ -4103,6 +4227,10 @@
     <message>
         <source>Age %1 %</source>
         <translation>Stáří %1 %</translation>
+    </message>
+    <message>
+        <source>%1: %2 triangles</source>
+        <translation>%1: %2 trojúhelníků</translation>
     </message>
 </context>
 <context>
@@ -4225,10 +4353,6 @@
         <translation>Náhodné hodnoty</translation>
     </message>
     <message>
-        <source>&amp;Values of</source>
-        <translation>&amp;Hodnoty</translation>
-    </message>
-    <message>
         <source>&amp;At most</source>
         <translation>&amp;Nejvýše</translation>
     </message>
@@ -4251,6 +4375,10 @@
     <message>
         <source>The tree at this part of its life</source>
         <translation>Strom v této části života</translation>
+    </message>
+    <message>
+        <source>Values of</source>
+        <translation>Hodnoty</translation>
     </message>
 </context>
 <context>
@@ -4381,6 +4509,18 @@ Na: %5, č. %6</translation>
     <message>
         <source>%1 higher</source>
         <translation>o %1 výše</translation>
+    </message>
+    <message>
+        <source>Before …</source>
+        <translation>Předtím…</translation>
+    </message>
+    <message>
+        <source>Before</source>
+        <translation>Předtím</translation>
+    </message>
+    <message>
+        <source>Now</source>
+        <translation>Teď</translation>
     </message>
 </context>
 <context>

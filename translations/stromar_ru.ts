@@ -558,6 +558,38 @@
         <source>Look along the negative X axis</source>
         <translation>Взгляд в обратном направлении оси X</translation>
     </message>
+    <message>
+        <source>I&amp;mport…</source>
+        <translation>&amp;Импорт…</translation>
+    </message>
+    <message>
+        <source>Read a tree of Arbaro, Sapling or tree-gen</source>
+        <translation>Прочитать дерево программы Arbaro, Sapling или tree-gen</translation>
+    </message>
+    <message>
+        <source>Simple Model</source>
+        <translation>Простая модель</translation>
+    </message>
+    <message>
+        <source>The model that follows a slider, instead of the full one</source>
+        <translation>Модель, которая следует за ползунком, вместо полной</translation>
+    </message>
+    <message>
+        <source>Wipe between “Before” and Now</source>
+        <translation>Граница между «до» и «сейчас»</translation>
+    </message>
+    <message>
+        <source>Both trees with a line between them, which can be dragged</source>
+        <translation>Оба дерева и между ними линия, которую можно двигать</translation>
+    </message>
+    <message>
+        <source>Levels of Detail Side by Side</source>
+        <translation>Уровни детализации рядом</translation>
+    </message>
+    <message>
+        <source>The four levels of detail and the simple model, with their triangles</source>
+        <translation>Четыре уровня детализации и простая модель с числом треугольников</translation>
+    </message>
 </context>
 <context>
     <name>Counts</name>
@@ -615,6 +647,14 @@
     <message>
         <source>&amp;Save Values…</source>
         <translation>&amp;Сохранить значения…</translation>
+    </message>
+    <message>
+        <source>There is no value for %1 among these lines.</source>
+        <translation>Среди этих строк нет значений для «%1».</translation>
+    </message>
+    <message>
+        <source>There are values called “%1” already. Replace them?</source>
+        <translation>Значения с именем «%1» уже есть. Заменить их?</translation>
     </message>
 </context>
 <context>
@@ -3076,32 +3116,92 @@
         <translation>Кэш изображений</translation>
     </message>
     <message>
-        <source>The most that cached textures and thumbnails may take on the disk. The oldest beyond it are removed at each start.</source>
-        <translation>Сколько места на диске могут занимать текстуры и миниатюры в кэше. Самые старые сверх этого удаляются при каждом запуске.</translation>
-    </message>
-    <message>
         <source>%1 holds colours and pivots of the wind, neither attributes nor bones; choose glTF</source>
-        <translation type="unfinished"></translation>
+        <translation>%1 хранит цвета и центры вращения для ветра, но не атрибуты и кости; выберите glTF</translation>
     </message>
     <message>
         <source>%1 files have their pictures inside</source>
-        <translation type="unfinished"></translation>
+        <translation>в файлах %1 изображения внутри</translation>
     </message>
     <message>
         <source>FBX, binary, centimetres</source>
-        <translation type="unfinished"></translation>
+        <translation>FBX, двоичный, сантиметры</translation>
     </message>
     <message>
         <source>occlusion as an attribute; roughness is not connected: its maps lie beside the file</source>
-        <translation type="unfinished"></translation>
+        <translation>затенение как атрибут; шероховатость не подключена: её карты лежат рядом с файлом</translation>
     </message>
     <message>
         <source>USD, text</source>
-        <translation type="unfinished"></translation>
+        <translation>USD, текст</translation>
     </message>
     <message>
         <source>USD, a package with its pictures</source>
-        <translation type="unfinished"></translation>
+        <translation>USD, пакет с изображениями</translation>
+    </message>
+    <message>
+        <source>Comes through (diffuse transmission)</source>
+        <translation>Проходит (диффузное пропускание)</translation>
+    </message>
+    <message>
+        <source>As a list of capsules beside the file</source>
+        <translation>Списком капсул рядом с файлом</translation>
+    </message>
+    <message>
+        <source>As Unreal looks for it: UCX_…</source>
+        <translation>Как их ищет Unreal: UCX_…</translation>
+    </message>
+    <message>
+        <source>As Godot looks for it: …-colonly</source>
+        <translation>Как их ищет Godot: …-colonly</translation>
+    </message>
+    <message>
+        <source>Light through leaves</source>
+        <translation>Свет сквозь листья</translation>
+    </message>
+    <message>
+        <source>Of glTF files: leaves with the light behind them are bright (KHR_materials_diffuse_transmission), in programs that know it; others show them as without it.</source>
+        <translation>В файлах glTF: листья против света светлые (KHR_materials_diffuse_transmission) в программах, которые это умеют; остальные показывают их как обычно.</translation>
+    </message>
+    <message>
+        <source>Collision</source>
+        <translation>Столкновения</translation>
+    </message>
+    <message>
+        <source>What things bump into: a capsule for each thick stem, as a list beside the file (JSON), or also as meshes with the names that an engine looks for.</source>
+        <translation>Обо что ударяются предметы: капсула для каждой толстой ветви, списком рядом с файлом (JSON) или ещё и сетками с именами, которые ищет движок.</translation>
+    </message>
+    <message>
+        <source>%1 does not know light through leaves; choose glTF</source>
+        <translation>%1 не знает света сквозь листья; выберите glTF</translation>
+    </message>
+    <message>
+        <source>%1 has no objects whose names an engine looks for; choose glTF or FBX</source>
+        <translation>В %1 нет объектов, имена которых ищет движок; выберите glTF или FBX</translation>
+    </message>
+    <message>
+        <source>collision belongs to one level of detail; choose a file for each</source>
+        <translation>столкновения относятся к одному уровню детализации; выберите файл для каждого</translation>
+    </message>
+    <message>
+        <source>one solid is its own collision</source>
+        <translation>одно тело само служит для столкновений</translation>
+    </message>
+    <message>
+        <source>Arbaro, XML</source>
+        <translation>Arbaro, XML</translation>
+    </message>
+    <message>
+        <source>Sapling Tree Gen of Blender, presets</source>
+        <translation>Sapling Tree Gen для Blender, заготовки</translation>
+    </message>
+    <message>
+        <source>tree-gen of Blender, presets</source>
+        <translation>tree-gen для Blender, заготовки</translation>
+    </message>
+    <message>
+        <source>The most that cached textures and thumbnails may take on the disk. The oldest beyond it are removed.</source>
+        <translation>Сколько места на диске могут занимать текстуры и миниатюры. Самые старые сверх этого удаляются.</translation>
     </message>
 </context>
 <context>
@@ -3154,6 +3254,10 @@
     <message>
         <source>Unsaved changes</source>
         <translation>Несохранённые изменения</translation>
+    </message>
+    <message>
+        <source>Import %1</source>
+        <translation>Импорт %1</translation>
     </message>
 </context>
 <context>
@@ -3417,6 +3521,18 @@
         <source>Cannot open the workshop</source>
         <translation>Мастерскую открыть нельзя</translation>
     </message>
+    <message>
+        <source>Cannot import the tree</source>
+        <translation>Не удалось импортировать дерево</translation>
+    </message>
+    <message>
+        <source>Trees of other programs</source>
+        <translation>Деревья других программ</translation>
+    </message>
+    <message>
+        <source>Import a tree</source>
+        <translation>Импорт дерева</translation>
+    </message>
 </context>
 <context>
     <name>stromar::CGrowthController</name>
@@ -3651,6 +3767,10 @@
     <message>
         <source>Nothing has grown yet</source>
         <translation>Ещё ничего не выросло</translation>
+    </message>
+    <message>
+        <source>No tree was found among these random values; a smaller amount finds some</source>
+        <translation>Среди этих случайных значений дерева нет; при меньшем размахе оно найдётся</translation>
     </message>
 </context>
 <context>
@@ -4026,6 +4146,10 @@
         <source>Name of the view</source>
         <translation>Имя вида</translation>
     </message>
+    <message>
+        <source>There is a view called “%1” already. Replace it?</source>
+        <translation>Вид с именем «%1» уже есть. Заменить его?</translation>
+    </message>
 </context>
 <context>
     <name>stromar::CShortcutsDialog</name>
@@ -4103,6 +4227,10 @@
     <message>
         <source>Age %1 %</source>
         <translation>Возраст %1 %</translation>
+    </message>
+    <message>
+        <source>%1: %2 triangles</source>
+        <translation>%1: треугольников %2</translation>
     </message>
 </context>
 <context>
@@ -4225,10 +4353,6 @@
         <translation>Случайные значения</translation>
     </message>
     <message>
-        <source>&amp;Values of</source>
-        <translation>&amp;Значения</translation>
-    </message>
-    <message>
         <source>&amp;At most</source>
         <translation>&amp;Не более</translation>
     </message>
@@ -4251,6 +4375,10 @@
     <message>
         <source>The tree at this part of its life</source>
         <translation>Дерево в этой части жизни</translation>
+    </message>
+    <message>
+        <source>Values of</source>
+        <translation>Значения</translation>
     </message>
 </context>
 <context>
@@ -4381,6 +4509,18 @@ On %5, stem %6</source>
     <message>
         <source>%1 higher</source>
         <translation>на %1 выше</translation>
+    </message>
+    <message>
+        <source>Before …</source>
+        <translation>До…</translation>
+    </message>
+    <message>
+        <source>Before</source>
+        <translation>До</translation>
+    </message>
+    <message>
+        <source>Now</source>
+        <translation>Сейчас</translation>
     </message>
 </context>
 <context>

@@ -558,6 +558,38 @@
         <source>Look along the negative X axis</source>
         <translation>Pogled v nasprotni smeri osi X</translation>
     </message>
+    <message>
+        <source>I&amp;mport…</source>
+        <translation>U&amp;vozi …</translation>
+    </message>
+    <message>
+        <source>Read a tree of Arbaro, Sapling or tree-gen</source>
+        <translation>Preberi drevo programa Arbaro, Sapling ali tree-gen</translation>
+    </message>
+    <message>
+        <source>Simple Model</source>
+        <translation>Preprosti model</translation>
+    </message>
+    <message>
+        <source>The model that follows a slider, instead of the full one</source>
+        <translation>Model, ki sledi drsniku, namesto polnega</translation>
+    </message>
+    <message>
+        <source>Wipe between “Before” and Now</source>
+        <translation>Meja med »prej« in zdaj</translation>
+    </message>
+    <message>
+        <source>Both trees with a line between them, which can be dragged</source>
+        <translation>Obe drevesi in med njima črta, ki jo je mogoče vleči</translation>
+    </message>
+    <message>
+        <source>Levels of Detail Side by Side</source>
+        <translation>Ravni podrobnosti druga ob drugi</translation>
+    </message>
+    <message>
+        <source>The four levels of detail and the simple model, with their triangles</source>
+        <translation>Štiri ravni podrobnosti in preprosti model s številom trikotnikov</translation>
+    </message>
 </context>
 <context>
     <name>Counts</name>
@@ -615,6 +647,14 @@
     <message>
         <source>&amp;Save Values…</source>
         <translation>&amp;Shrani vrednosti…</translation>
+    </message>
+    <message>
+        <source>There is no value for %1 among these lines.</source>
+        <translation>Med temi vrsticami ni vrednosti za %1.</translation>
+    </message>
+    <message>
+        <source>There are values called “%1” already. Replace them?</source>
+        <translation>Vrednosti z imenom »%1« že obstajajo. Naj se zamenjajo?</translation>
     </message>
 </context>
 <context>
@@ -3076,32 +3116,92 @@
         <translation>Predpomnilnik slik</translation>
     </message>
     <message>
-        <source>The most that cached textures and thumbnails may take on the disk. The oldest beyond it are removed at each start.</source>
-        <translation>Največ, kolikor smejo teksture in sličice v predpomnilniku zasesti na disku. Odvečne najstarejše se izbrišejo ob vsakem zagonu.</translation>
-    </message>
-    <message>
         <source>%1 holds colours and pivots of the wind, neither attributes nor bones; choose glTF</source>
-        <translation type="unfinished"></translation>
+        <translation>%1 hrani barve in vrtišča za veter, ne pa atributov ali kosti; izberite glTF</translation>
     </message>
     <message>
         <source>%1 files have their pictures inside</source>
-        <translation type="unfinished"></translation>
+        <translation>datoteke %1 imajo slike v sebi</translation>
     </message>
     <message>
         <source>FBX, binary, centimetres</source>
-        <translation type="unfinished"></translation>
+        <translation>FBX, dvojiški, centimetri</translation>
     </message>
     <message>
         <source>occlusion as an attribute; roughness is not connected: its maps lie beside the file</source>
-        <translation type="unfinished"></translation>
+        <translation>zasenčenje kot atribut; hrapavost ni povezana: njene slike so ob datoteki</translation>
     </message>
     <message>
         <source>USD, text</source>
-        <translation type="unfinished"></translation>
+        <translation>USD, besedilo</translation>
     </message>
     <message>
         <source>USD, a package with its pictures</source>
-        <translation type="unfinished"></translation>
+        <translation>USD, paket s slikami</translation>
+    </message>
+    <message>
+        <source>Comes through (diffuse transmission)</source>
+        <translation>Prehaja (difuzna prepustnost)</translation>
+    </message>
+    <message>
+        <source>As a list of capsules beside the file</source>
+        <translation>Kot seznam kapsul ob datoteki</translation>
+    </message>
+    <message>
+        <source>As Unreal looks for it: UCX_…</source>
+        <translation>Kot jih išče Unreal: UCX_…</translation>
+    </message>
+    <message>
+        <source>As Godot looks for it: …-colonly</source>
+        <translation>Kot jih išče Godot: …-colonly</translation>
+    </message>
+    <message>
+        <source>Light through leaves</source>
+        <translation>Svetloba skozi liste</translation>
+    </message>
+    <message>
+        <source>Of glTF files: leaves with the light behind them are bright (KHR_materials_diffuse_transmission), in programs that know it; others show them as without it.</source>
+        <translation>V datotekah glTF: listi proti svetlobi so svetli (KHR_materials_diffuse_transmission) v programih, ki to poznajo; drugi jih pokažejo kot brez tega.</translation>
+    </message>
+    <message>
+        <source>Collision</source>
+        <translation>Trki</translation>
+    </message>
+    <message>
+        <source>What things bump into: a capsule for each thick stem, as a list beside the file (JSON), or also as meshes with the names that an engine looks for.</source>
+        <translation>V kar se stvari zaletijo: kapsula za vsako debelo vejo, kot seznam ob datoteki (JSON) ali tudi kot mreže z imeni, ki jih pogon išče.</translation>
+    </message>
+    <message>
+        <source>%1 does not know light through leaves; choose glTF</source>
+        <translation>%1 ne pozna svetlobe skozi liste; izberite glTF</translation>
+    </message>
+    <message>
+        <source>%1 has no objects whose names an engine looks for; choose glTF or FBX</source>
+        <translation>%1 nima predmetov, katerih imena bi pogon iskal; izberite glTF ali FBX</translation>
+    </message>
+    <message>
+        <source>collision belongs to one level of detail; choose a file for each</source>
+        <translation>trki sodijo k eni ravni podrobnosti; izberite datoteko za vsako</translation>
+    </message>
+    <message>
+        <source>one solid is its own collision</source>
+        <translation>eno telo je samo svoj trk</translation>
+    </message>
+    <message>
+        <source>Arbaro, XML</source>
+        <translation>Arbaro, XML</translation>
+    </message>
+    <message>
+        <source>Sapling Tree Gen of Blender, presets</source>
+        <translation>Sapling Tree Gen za Blender, prednastavitve</translation>
+    </message>
+    <message>
+        <source>tree-gen of Blender, presets</source>
+        <translation>tree-gen za Blender, prednastavitve</translation>
+    </message>
+    <message>
+        <source>The most that cached textures and thumbnails may take on the disk. The oldest beyond it are removed.</source>
+        <translation>Koliko največ smejo slike in sličice v predpomnilniku zavzeti na disku. Najstarejše nad tem se odstranijo.</translation>
     </message>
 </context>
 <context>
@@ -3154,6 +3254,10 @@
     <message>
         <source>Unsaved changes</source>
         <translation>Neshranjene spremembe</translation>
+    </message>
+    <message>
+        <source>Import %1</source>
+        <translation>Uvoz %1</translation>
     </message>
 </context>
 <context>
@@ -3417,6 +3521,18 @@
         <source>Cannot open the workshop</source>
         <translation>Delavnice ni mogoče odpreti</translation>
     </message>
+    <message>
+        <source>Cannot import the tree</source>
+        <translation>Drevesa ni mogoče uvoziti</translation>
+    </message>
+    <message>
+        <source>Trees of other programs</source>
+        <translation>Drevesa drugih programov</translation>
+    </message>
+    <message>
+        <source>Import a tree</source>
+        <translation>Uvozi drevo</translation>
+    </message>
 </context>
 <context>
     <name>stromar::CGrowthController</name>
@@ -3651,6 +3767,10 @@
     <message>
         <source>Nothing has grown yet</source>
         <translation>Nič še ni zraslo</translation>
+    </message>
+    <message>
+        <source>No tree was found among these random values; a smaller amount finds some</source>
+        <translation>Med temi naključnimi vrednostmi ni drevesa; manjša mera ga najde</translation>
     </message>
 </context>
 <context>
@@ -4028,6 +4148,10 @@
         <source>Name of the view</source>
         <translation>Ime pogleda</translation>
     </message>
+    <message>
+        <source>There is a view called “%1” already. Replace it?</source>
+        <translation>Pogled z imenom »%1« že obstaja. Naj se zamenja?</translation>
+    </message>
 </context>
 <context>
     <name>stromar::CShortcutsDialog</name>
@@ -4105,6 +4229,10 @@
     <message>
         <source>Age %1 %</source>
         <translation>Starost %1 %</translation>
+    </message>
+    <message>
+        <source>%1: %2 triangles</source>
+        <translation>%1: %2 trikotnikov</translation>
     </message>
 </context>
 <context>
@@ -4227,10 +4355,6 @@
         <translation>Naključne vrednosti</translation>
     </message>
     <message>
-        <source>&amp;Values of</source>
-        <translation>&amp;Vrednosti</translation>
-    </message>
-    <message>
         <source>&amp;At most</source>
         <translation>&amp;Največ</translation>
     </message>
@@ -4253,6 +4377,10 @@
     <message>
         <source>The tree at this part of its life</source>
         <translation>Drevo v tem delu življenja</translation>
+    </message>
+    <message>
+        <source>Values of</source>
+        <translation>Vrednosti</translation>
     </message>
 </context>
 <context>
@@ -4387,6 +4515,18 @@ Na: %5, št. %6</translation>
     <message>
         <source>%1 higher</source>
         <translation>%1 višje</translation>
+    </message>
+    <message>
+        <source>Before …</source>
+        <translation>Prej …</translation>
+    </message>
+    <message>
+        <source>Before</source>
+        <translation>Prej</translation>
+    </message>
+    <message>
+        <source>Now</source>
+        <translation>Zdaj</translation>
     </message>
 </context>
 <context>

@@ -37,6 +37,8 @@ constexpr string_view kPackedMapNames[] = {N_("No"), N_("Occlusion, roughness, m
 constexpr string_view kTwoSided[] = {"format", "no", "yes"};
 constexpr string_view kTwoSidedNames[] = {N_("As usual in the format"), N_("No: single faces"),
                                           N_("Yes: faces for both sides")};
+constexpr string_view kLeafLights[] = {"none", "transmission"};
+constexpr string_view kLeafLightNames[] = {N_("No"), N_("Comes through (diffuse transmission)")};
 constexpr string_view kCollisions[] = {"none", "json", "unreal", "godot"};
 constexpr string_view kCollisionNames[] = {N_("No"), N_("As a list of capsules beside the file"), N_("As Unreal looks for it: UCX_…"),
                                            N_("As Godot looks for it: …-colonly")};
@@ -101,6 +103,13 @@ constexpr ExportChoice kChoices[] = {
      .words = kTwoSided,
      .names = kTwoSidedNames,
      .field = &ExportOptions::twoSided},
+    {.key = "leaf-light",
+     .label = N_("Light through leaves"),
+     .help = N_("Of glTF files: leaves with the light behind them are bright (KHR_materials_diffuse_transmission), in programs that know it; "
+                "others show them as without it."),
+     .words = kLeafLights,
+     .names = kLeafLightNames,
+     .field = &ExportOptions::leafLight},
     {.key = "occlusion",
      .label = N_("Ambient occlusion"),
      .help = N_("How much of the sky vertices see, in glTF files: as an attribute _OCCLUSION for shaders, or multiplied into the vertex "
@@ -233,6 +242,8 @@ string_view conflictOf(const ExportOptions& options, const Format& format) {
         if (options.wind == static_cast<int>(ExportedWind::CryEngine) || options.wind == static_cast<int>(ExportedWind::Unity))
             return N_("the colours of this wind hold the occlusion already");
     }
+    if (options.leafLight != static_cast<int>(ExportedLeafLight::None) && format.channels != Channels::All)
+        return N_("%1 does not know light through leaves; choose glTF");
     if (options.collision != static_cast<int>(ExportedCollision::None)) {
         if (!format.objects) return N_("%1 has no objects whose names an engine looks for; choose glTF or FBX");
         if (lods == ExportedLods::InOneFile) return N_("collision belongs to one level of detail; choose a file for each");

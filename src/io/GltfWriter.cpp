@@ -105,8 +105,20 @@ private:
                     material.pbrMetallicRoughness.metallicFactor = 1;
                 }
             }
+            if (look.cutOut && m_source.leafLight) addTransmission(material);
             m_gltf.materials.push_back(material);
         }
+    }
+
+    /// Light from behind comes through, in the colours of the picture.
+    void addTransmission(tinygltf::Material& material) {
+        constexpr const char* kName = "KHR_materials_diffuse_transmission";
+        constexpr double kShare = 0.4; // of a leaf's light
+        tinygltf::Value::Object values{{"diffuseTransmissionFactor", tinygltf::Value(kShare)}};
+        if (const int picture = material.pbrMetallicRoughness.baseColorTexture.index; picture >= 0)
+            values["diffuseTransmissionColorTexture"] = tinygltf::Value(tinygltf::Value::Object{{"index", tinygltf::Value(picture)}});
+        material.extensions[kName] = tinygltf::Value(values);
+        if (std::ranges::find(m_gltf.extensionsUsed, kName) == m_gltf.extensionsUsed.end()) m_gltf.extensionsUsed.emplace_back(kName);
     }
 
     int addTexture(const std::string& name, const PictureRef& look) {
@@ -315,11 +327,21 @@ private:
     }
 
     int addIndices(const std::shared_ptr<const CMesh>& mesh) {
+        constexpr std::size_t kShort = 65'535; // which itself may stand for the end of a strip
+        if (mesh->vertexCount() <= kShort) return addShortIndices(mesh);
         const std::size_t bytes = mesh->indices.size() * sizeof(std::uint32_t);
         const int view = addView(bytes, TINYGLTF_TARGET_ELEMENT_ARRAY_BUFFER, [mesh, bytes] {
             return std::string(reinterpret_cast<const char*>(mesh->indices.data()), bytes);
         });
         return addAccessor(view, mesh->indices.size(), TINYGLTF_TYPE_SCALAR, TINYGLTF_COMPONENT_TYPE_UNSIGNED_INT);
+    }
+
+    int addShortIndices(const std::shared_ptr<const CMesh>& mesh) {
+        const int view = addView(mesh->indices.size() * sizeof(std::uint16_t), TINYGLTF_TARGET_ELEMENT_ARRAY_BUFFER, [mesh] {
+            const std::vector<std::uint16_t> indices(mesh->indices.begin(), mesh->indices.end());
+            return std::string(reinterpret_cast<const char*>(indices.data()), indices.size() * sizeof(std::uint16_t));
+        });
+        return addAccessor(view, mesh->indices.size(), TINYGLTF_TYPE_SCALAR, TINYGLTF_COMPONENT_TYPE_UNSIGNED_SHORT);
     }
 
     template <typename T, typename Get>

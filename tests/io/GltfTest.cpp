@@ -138,6 +138,39 @@ TEST(Shading, TheCrownsInsideAndForksAreDarker) {
     EXPECT_GT(std::ranges::max(branches.looks, {}, &VertexLook::skyVisibility).skyVisibility, 250);
 }
 
+TEST_P(GltfFile, LightComesThroughLeavesOnRequest) {
+    const CTemporaryFolder folder;
+    const fs::path path = folder / ("oak" + std::string(GetParam()));
+    ExportOptions options;
+    options.leafLight = static_cast<int>(ExportedLeafLight::Transmission);
+    CTreeCreator creator;
+    exportTree(creator, sampleModel("small").params, options, {}, path, CProgress(2));
+    const Json report = validate(path);
+    EXPECT_EQ(report.at("issues").at("numErrors"), 0) << report.at("issues").dump(1);
+    EXPECT_EQ(report.at("info").at("extensionsUsed"), (Json{"KHR_materials_diffuse_transmission"}));
+    if (path.extension() != ".gltf") return;
+    const Json file = Json::parse(readFile(path));
+    for (const Json& material : file.at("materials")) {
+        EXPECT_EQ(material.contains("extensions"), material["name"] == "leaf") << material["name"];
+        if (!material.contains("extensions")) continue;
+        EXPECT_EQ(material["extensions"]["KHR_materials_diffuse_transmission"]["diffuseTransmissionColorTexture"]["index"], material["pbrMetallicRoughness"]["baseColorTexture"]["index"]);
+    }
+    EXPECT_FALSE(file.contains("extensionsRequired"));
+}
+
+TEST(GltfIndices, AreAsShortAsTheMeshAllows) {
+    const CExported small(sampleModel("small"), ".gltf"), large(sampleModel("tupelo"), ".gltf");
+    for (const CExported* one : {&small, &large}) {
+        const Json file = Json::parse(readFile(one->path()));
+        for (const Json& mesh : file["meshes"])
+            for (const Json& primitive : mesh["primitives"]) {
+                const auto accessor = [&](const Json& index) { return file["accessors"][index.get<std::size_t>()]; };
+                const bool few = accessor(primitive["attributes"]["POSITION"])["count"] <= 65535;
+                EXPECT_EQ(accessor(primitive["indices"])["componentType"], few ? 5123 : 5125) << mesh["name"];
+            }
+    }
+}
+
 class BlenderReads : public testing::TestWithParam<const char*> {
     void SetUp() override { needTool(runProcess({"blender", "--version"}).status == 0, "Blender"); }
 };
