@@ -125,7 +125,10 @@ std::vector<CSideBySide::Tree> CSideBySide::seasons(const TreeModel& model) cons
 
 std::vector<CSideBySide::Tree> CSideBySide::levels(const TreeModel& model) {
     std::vector<Tree> trees;
-    for (const Detail& detail : detailTable()) trees.push_back({model.params, model.age, detailTitle(detail), &detail});
+    for (const Detail& detail : detailTable()) {
+        const QString name = detail.model == Model::Simple ? tr("Simple") : tr("LOD %1").arg(detail.lod); // there is little room
+        trees.push_back({model.params, model.age, name, &detail});
+    }
     std::ranges::stable_sort(trees, std::greater(), [](const Tree& tree) { return tree.detail->model == Model::Full; });
     return trees;
 }
@@ -162,7 +165,7 @@ void CSideBySide::arrange() {
     auto& labels = m_viewport.overlay().model().labels;
     labels.clear();
     const auto label = [&](const Tree& tree, const ViewModel& view, const osg::Vec3& foot) {
-        const QString text = m_row == Row::Levels ? tr("%1: %2 triangles").arg(tree.label, QLocale().toString(qulonglong(view.model->triangleCount()))) : tree.label;
+        const QString text = m_row == Row::Levels ? tr("%1\n%2 triangles").arg(tree.label, QLocale().toString(qulonglong(view.model->triangleCount()))) : tree.label;
         labels.emplace_back(osg::Vec3d(foot) + osg::Vec3d(0, 0, reachOf(view.parts, osg::Vec3d(0, 0, 1), kPoints).second), text);
     };
     if (m_own < m_trees.size()) label(m_trees[m_own], *m_view, {});

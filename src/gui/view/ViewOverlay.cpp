@@ -338,8 +338,10 @@ void CViewOverlay::paintRuler(QPainter& painter) const {
 
 void CViewOverlay::paintWords(QPainter& painter) const {
     const auto drawCentred = [&](const QPointF& at, const QString& text) {
-        const double wide = fontMetrics().horizontalAdvance(text) + 14;
-        drawPlate(painter, at - QPointF(wide / 2, 6), Qt::BottomLeftCorner, {text});
+        const QStringList rows = text.split(QLatin1Char('\n'));
+        int wide = 0;
+        for (const QString& row : rows) wide = std::max(wide, fontMetrics().horizontalAdvance(row));
+        drawPlate(painter, at - QPointF(wide / 2.0 + 7, 6), Qt::BottomLeftCorner, rows);
     };
     if (!m_model.statistics.isEmpty()) drawPlate(painter, {8, 8}, Qt::TopLeftCorner, m_model.statistics);
     if (m_model.person)
