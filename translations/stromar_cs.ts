@@ -4229,8 +4229,18 @@
         <translation>Stáří %1 %</translation>
     </message>
     <message>
-        <source>%1: %2 triangles</source>
-        <translation>%1: %2 trojúhelníků</translation>
+        <source>Simple</source>
+        <translation>Jednoduchý</translation>
+    </message>
+    <message>
+        <source>LOD %1</source>
+        <translation>LOD %1</translation>
+    </message>
+    <message>
+        <source>%1
+%2 triangles</source>
+        <translation>%1
+%2 trojúhelníků</translation>
     </message>
 </context>
 <context>

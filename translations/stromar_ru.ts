@@ -4229,8 +4229,18 @@
         <translation>Возраст %1 %</translation>
     </message>
     <message>
-        <source>%1: %2 triangles</source>
-        <translation>%1: треугольников %2</translation>
+        <source>Simple</source>
+        <translation>Простая</translation>
+    </message>
+    <message>
+        <source>LOD %1</source>
+        <translation>LOD %1</translation>
+    </message>
+    <message>
+        <source>%1
+%2 triangles</source>
+        <translation>%1
+треугольников: %2</translation>
     </message>
 </context>
 <context>

@@ -4231,8 +4231,18 @@
         <translation>Starost %1 %</translation>
     </message>
     <message>
-        <source>%1: %2 triangles</source>
-        <translation>%1: %2 trikotnikov</translation>
+        <source>Simple</source>
+        <translation>Preprosti</translation>
+    </message>
+    <message>
+        <source>LOD %1</source>
+        <translation>LOD %1</translation>
+    </message>
+    <message>
+        <source>%1
+%2 triangles</source>
+        <translation>%1
+%2 trikotnikov</translation>
     </message>
 </context>
 <context>
