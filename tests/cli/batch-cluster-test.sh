@@ -7,6 +7,7 @@ cli=$1 source=$2 trees=${3:-200}
 for program in slurmctld slurmd munged sbatch parallel; do
   command -v "$program" >/dev/null || { echo "batch-cluster: $program is not installed"; exit "$([ -n "${CI:-}" ] && echo 1 || echo 77)"; }
 done
+[ "$(id -u)" -eq 0 ] || { echo "batch-cluster: Slurm's daemons are run by root alone"; exit 77; }
 work=$(mktemp -d)
 cleanup() {
   for program in slurmctld slurmd munged; do [ -s "$work/$program.pid" ] && kill "$(cat "$work/$program.pid")" 2>/dev/null; done
