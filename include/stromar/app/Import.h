@@ -17,11 +17,14 @@ struct ImportRow {
     double neutral = 0;       ///< at this value nothing is lost
 };
 
+struct ForeignReader;
+
 /// One row of the table of programs whose trees can be read: command line, window, manual and tests are loops over it.
 struct ImportFormat {
     std::string_view key, name;
     std::string_view endings; ///< ".py .json"
     std::span<const ImportRow> rows;
+    const ForeignReader* reader; ///< how its files are read
 };
 std::span<const ImportFormat> importTable();
 

@@ -10,24 +10,26 @@
 
 namespace stromar {
 
-namespace {
-/// A format with how it is read.
-struct Reader {
+/// How the files of a program are read.
+struct ForeignReader {
     ForeignValues (*read)(const ForeignText&);
-    bool (*knows)(const ForeignValues&); ///< whether values are of this format
+    bool (*knows)(const ForeignValues&); ///< whether values are of this program
     ForeignRest finish;
 };
 
+namespace {
+bool hasOne(const ForeignValues& values, std::initializer_list<const char*> keys) {
+    return std::ranges::any_of(keys, [&](const char* key) { return valueOf(values, key) != nullptr; });
+}
+
+constexpr ForeignReader kArbaro{readArbaro, [](const ForeignValues&) { return true; }, finishArbaro};
+constexpr ForeignReader kSapling{readLiterals, [](const ForeignValues& values) { return hasOne(values, {"ratioPower", "curveRes"}); }, finishSapling};
+constexpr ForeignReader kTreeGen{readLiterals, [](const ForeignValues& values) { return hasOne(values, {"g_scale", "ratio_power", "curve_res"}); }, finishTreeGen};
+
 const ImportFormat kFormats[] = {
-    {"arbaro", N_("Arbaro, XML"), ".xml", kArbaroRows},
-    {"sapling", N_("Sapling Tree Gen of Blender, presets"), ".py", kSaplingRows},
-    {"tree-gen", N_("tree-gen of Blender, presets"), ".py .json", kTreeGenRows},
-};
-const Reader kReaders[] = {
-    {readArbaro, [](const ForeignValues&) { return true; }, finishArbaro},
-    {readLiterals, [](const ForeignValues& values) { return valueOf(values, "ratioPower") || valueOf(values, "curveRes"); }, finishSapling},
-    {readLiterals, [](const ForeignValues& values) { return valueOf(values, "g_scale") || valueOf(values, "ratio_power") || valueOf(values, "curve_res"); },
-     finishTreeGen},
+    {"arbaro", N_("Arbaro, XML"), ".xml", kArbaroRows, &kArbaro},
+    {"sapling", N_("Sapling Tree Gen of Blender, presets"), ".py", kSaplingRows, &kSapling},
+    {"tree-gen", N_("tree-gen of Blender, presets"), ".py .json", kTreeGenRows, &kTreeGen},
 };
 
 /// Fills a tree with the values of a file and gathers what is lost.
@@ -141,11 +143,12 @@ ImportedTree parseForeign(const std::string& text, const std::string& name) {
     const std::size_t first = text.find_first_not_of(" \t\r\n\xEF\xBB\xBF");
     const bool xml = first != std::string::npos && text[first] == '<';
     const ForeignValues values = xml ? readArbaro(source) : readLiterals(source);
-    for (std::size_t i = 0; i < std::size(kReaders); ++i) {
-        if ((kReaders[i].read == readArbaro) != xml || !kReaders[i].knows(values)) continue;
-        ImportedTree tree = CImporter(source, values, kFormats[i]).run(kReaders[i].finish);
+    for (const ImportFormat& format : kFormats) {
+        const ForeignReader& reader = *format.reader;
+        if ((reader.read == readArbaro) != xml || !reader.knows(values)) continue;
+        ImportedTree tree = CImporter(source, values, format).run(reader.finish);
         tree.params.text.species = speciesOf(values, name);
-        tree.params.text.description = "Imported from " + std::string(kFormats[i].name.substr(0, kFormats[i].name.find(','))) + ".";
+        tree.params.text.description = "Imported from " + std::string(format.name.substr(0, format.name.find(','))) + ".";
         return tree;
     }
     source.fail(0, "these are no values of a tree that is known here");
