@@ -3203,6 +3203,498 @@
         <source>The most that cached textures and thumbnails may take on the disk. The oldest beyond it are removed.</source>
         <translation>Kolik nejvýše smějí textury a náhledy v mezipaměti zabrat na disku. Nejstarší nad to se odstraní.</translation>
     </message>
+    <message>
+        <source>displacement needs the heights of the bark: a recipe, or beside its picture %1</source>
+        <translation>vytlačení potřebuje výšky kůry: recept, nebo vedle jejího obrázku %1</translation>
+    </message>
+    <message>
+        <source>cannot write %1: there is no folder %2</source>
+        <translation>nelze zapsat %1: složka %2 neexistuje</translation>
+    </message>
+    <message>
+        <source>the tree is empty, there is nothing to export</source>
+        <translation>strom je prázdný, není co exportovat</translation>
+    </message>
+    <message>
+        <source>one solid does not move in the wind</source>
+        <translation>jedno těleso se ve větru nehýbe</translation>
+    </message>
+    <message>
+        <source>there is no choice &apos;%1&apos;</source>
+        <translation>volba „%1“ neexistuje</translation>
+    </message>
+    <message>
+        <source>&apos;%1&apos; is one of %2, not &apos;%3&apos;</source>
+        <translation>„%1“ je jedno z %2, ne „%3“</translation>
+    </message>
+    <message>
+        <source>&apos;%1&apos;: &apos;%2&apos; is not a number without decimals</source>
+        <translation>„%1“: „%2“ není celé číslo</translation>
+    </message>
+    <message>
+        <source>&apos;%1&apos;: &apos;%2&apos; is not a number</source>
+        <translation>„%1“: „%2“ není číslo</translation>
+    </message>
+    <message>
+        <source>&apos;%1&apos; is between %2 and %3, not %4</source>
+        <translation>„%1“ je mezi %2 a %3, ne %4</translation>
+    </message>
+    <message>
+        <source>the name of the model file has no ending; it says the format: %1</source>
+        <translation>název souboru modelu nemá příponu; ta určuje formát: %1</translation>
+    </message>
+    <message>
+        <source>cannot write &apos;%1&apos;</source>
+        <translation>„%1“ nelze zapsat</translation>
+    </message>
+    <message>
+        <source>this is no XML: %1</source>
+        <translation>toto není XML: %1</translation>
+    </message>
+    <message>
+        <source>there is no &lt;arbaro&gt; with a &lt;species&gt;</source>
+        <translation>chybí &lt;arbaro&gt; s prvkem &lt;species&gt;</translation>
+    </message>
+    <message>
+        <source>a &lt;param&gt; has a name and a value</source>
+        <translation>&lt;param&gt; má mít name a value</translation>
+    </message>
+    <message>
+        <source>&apos;%1&apos; is not known and left out</source>
+        <translation>„%1“ není známo a vynechá se</translation>
+    </message>
+    <message>
+        <source>&apos;%1&apos; wants a number, not &apos;%2&apos;; it is left out</source>
+        <translation>„%1“ má být číslo, ne „%2“; vynechá se</translation>
+    </message>
+    <message>
+        <source>%1 is %2: %3 is out of its range</source>
+        <translation>%1 je %2: %3 je mimo rozsah</translation>
+    </message>
+    <message>
+        <source>these are no values of a tree that is known here</source>
+        <translation>toto nejsou hodnoty žádného zde známého stromu</translation>
+    </message>
+    <message>
+        <source>%1: a file of more than 1 MB is no preset of a tree</source>
+        <translation>%1: soubor větší než 1 MB není předvolba stromu</translation>
+    </message>
+    <message>
+        <source>a dictionary {…} with the values of a tree is wanted here</source>
+        <translation>zde má být slovník {…} s hodnotami stromu</translation>
+    </message>
+    <message>
+        <source>nothing but comments may follow the values</source>
+        <translation>po hodnotách smějí následovat jen komentáře</translation>
+    </message>
+    <message>
+        <source>&apos;=&apos; is wanted behind the name</source>
+        <translation>za názvem má být „=“</translation>
+    </message>
+    <message>
+        <source>this text is not closed</source>
+        <translation>tento text není ukončen</translation>
+    </message>
+    <message>
+        <source>a value is wanted here</source>
+        <translation>zde má být hodnota</translation>
+    </message>
+    <message>
+        <source>&apos;%1&apos; is no value: only numbers, texts, True, False, None and lists are read</source>
+        <translation>„%1“ není hodnota: čtou se jen čísla, texty, True, False, None a seznamy</translation>
+    </message>
+    <message>
+        <source>&apos;%1&apos; or &apos;%2&apos; is wanted here</source>
+        <translation>zde má být „%1“ nebo „%2“</translation>
+    </message>
+    <message>
+        <source>lists are nested too deep</source>
+        <translation>seznamy jsou vnořeny příliš hluboko</translation>
+    </message>
+    <message>
+        <source>this list is too long</source>
+        <translation>tento seznam je příliš dlouhý</translation>
+    </message>
+    <message>
+        <source>dictionaries are nested too deep</source>
+        <translation>slovníky jsou vnořeny příliš hluboko</translation>
+    </message>
+    <message>
+        <source>a name in quotes is wanted here</source>
+        <translation>zde má být název v uvozovkách</translation>
+    </message>
+    <message>
+        <source>&apos;:&apos; is wanted here</source>
+        <translation>zde má být „:“</translation>
+    </message>
+    <message>
+        <source>is too large: a leaf may have at most %1 vertices</source>
+        <translation>je příliš velký: list smí mít nejvýše %1 vrcholů</translation>
+    </message>
+    <message>
+        <source>is neither .obj nor .glb</source>
+        <translation>není .obj ani .glb</translation>
+    </message>
+    <message>
+        <source>cannot be read: %1</source>
+        <translation>nelze přečíst: %1</translation>
+    </message>
+    <message>
+        <source>is no .glb with a mesh, or too large for a leaf</source>
+        <translation>není .glb se sítí, nebo je na list příliš velký</translation>
+    </message>
+    <message>
+        <source>is no mesh that can be read: %1</source>
+        <translation>není síť, kterou lze přečíst: %1</translation>
+    </message>
+    <message>
+        <source>has no triangles</source>
+        <translation>nemá trojúhelníky</translation>
+    </message>
+    <message>
+        <source>displacement in cells of %1 m would make more than %2 million triangles; choose larger cells</source>
+        <translation>vytlačení v buňkách po %1 m by vytvořilo více než %2 milionu trojúhelníků; zvolte větší buňky</translation>
+    </message>
+    <message>
+        <source>there is no %1; there are %2</source>
+        <translation>%1 neexistuje; existují %2</translation>
+    </message>
+    <message>
+        <source>has no length or no width</source>
+        <translation>nemá délku nebo šířku</translation>
+    </message>
+    <message>
+        <source>a solid of %1 million voxels is too large; voxels of %2 m would do</source>
+        <translation>těleso z %1 milionu voxelů je příliš velké; stačily by voxely %2 m</translation>
+    </message>
+    <message>
+        <source>the tree has %1 stems; a solid is made of %2 at most (fewer Levels or Branches)</source>
+        <translation>strom má %1 větví; těleso se dělá nejvýše z %2 (méně úrovní nebo větví)</translation>
+    </message>
+    <message>
+        <source>the tree is empty, there is nothing to make a solid of</source>
+        <translation>strom je prázdný, těleso není z čeho udělat</translation>
+    </message>
+    <message>
+        <source>point %1 is empty</source>
+        <translation>bod %1 je prázdný</translation>
+    </message>
+    <message>
+        <source>point %1 (&apos;%2&apos;) is not x:y</source>
+        <translation>bod %1 („%2“) není x:y</translation>
+    </message>
+    <message>
+        <source>point %1 (&apos;%2&apos;) has a y that is no number</source>
+        <translation>bod %1 („%2“) má y, které není číslo</translation>
+    </message>
+    <message>
+        <source>point %1 (&apos;%2&apos;) has an x that is no number</source>
+        <translation>bod %1 („%2“) má x, které není číslo</translation>
+    </message>
+    <message>
+        <source>point %1 (&apos;%2&apos;) must lie to the right of the point before it</source>
+        <translation>bod %1 („%2“) musí ležet vpravo od předchozího</translation>
+    </message>
+    <message>
+        <source>a curve has at most %1 points</source>
+        <translation>křivka má nejvýše %1 bodů</translation>
+    </message>
+    <message>
+        <source>%1 has no value</source>
+        <translation>%1 nemá hodnotu</translation>
+    </message>
+    <message>
+        <source>%1 is not a number: &apos;%2&apos;</source>
+        <translation>%1 není číslo: „%2“</translation>
+    </message>
+    <message>
+        <source>%1 has no choice &apos;%2&apos;</source>
+        <translation>%1 nemá volbu „%2“</translation>
+    </message>
+    <message>
+        <source>%1 must be a whole number, not %2</source>
+        <translation>%1 musí být celé číslo, ne %2</translation>
+    </message>
+    <message>
+        <source>%1 must be from %2 to %3, not %4; taken as %5</source>
+        <translation>%1 musí být od %2 do %3, ne %4; vzato jako %5</translation>
+    </message>
+    <message>
+        <source>%1: the %2 of point %3 must be from %4 to %5, not %6; taken as the nearest</source>
+        <translation>%1: %2 bodu %3 musí být od %4 do %5, ne %6; vzato nejbližší</translation>
+    </message>
+    <message>
+        <source>%1 must not hold a line of three quotes: it would end the text in a file</source>
+        <translation>%1 nesmí obsahovat řádek tří uvozovek: ukončil by text v souboru</translation>
+    </message>
+    <message>
+        <source>known: %1</source>
+        <translation>známé: %1</translation>
+    </message>
+    <message>
+        <source>this is a binary tree of the program Kraut, which uses the same file ending; it cannot be read here</source>
+        <translation>toto je binární strom programu Kraut, který má stejnou příponu; zde ho nelze přečíst</translation>
+    </message>
+    <message>
+        <source>this is UTF-16 text; save it as UTF-8</source>
+        <translation>toto je text v UTF-16; uložte ho v UTF-8</translation>
+    </message>
+    <message>
+        <source>this is not a text file of parameters</source>
+        <translation>toto není textový soubor parametrů</translation>
+    </message>
+    <message>
+        <source>the file is empty</source>
+        <translation>soubor je prázdný</translation>
+    </message>
+    <message>
+        <source>this version cannot grow trees by the method &apos;%1&apos;</source>
+        <translation>tato verze neumí pěstovat stromy metodou „%1“</translation>
+    </message>
+    <message>
+        <source>no line %1; read as format %2</source>
+        <translation>chybí řádek %1; čteno jako formát %2</translation>
+    </message>
+    <message>
+        <source>a file with the method &apos;%1&apos; says %2</source>
+        <translation>soubor s metodou „%1“ uvádí %2</translation>
+    </message>
+    <message>
+        <source>the text is not closed: a line of three quotes is missing</source>
+        <translation>text není ukončen: chybí řádek tří uvozovek</translation>
+    </message>
+    <message>
+        <source>this character is not UTF-8</source>
+        <translation>tento znak není UTF-8</translation>
+    </message>
+    <message>
+        <source>this line is not &apos;Key = Value&apos;</source>
+        <translation>tento řádek není „Klíč = Hodnota“</translation>
+    </message>
+    <message>
+        <source>the quote is not closed</source>
+        <translation>uvozovka není uzavřena</translation>
+    </message>
+    <message>
+        <source>nothing but a comment may follow the closing quote</source>
+        <translation>po koncové uvozovce smí následovat jen komentář</translation>
+    </message>
+    <message>
+        <source>there is no key in front of &apos;=&apos;</source>
+        <translation>před „=“ chybí klíč</translation>
+    </message>
+    <message>
+        <source>unknown key &apos;%1&apos; is kept</source>
+        <translation>neznámý klíč „%1“ se zachová</translation>
+    </message>
+    <message>
+        <source>Format must be a whole number from 1, not &apos;%1&apos;</source>
+        <translation>Format musí být celé číslo od 1, ne „%1“</translation>
+    </message>
+    <message>
+        <source>the file has format %1, but this version reads only up to %2; a newer Stromar is needed</source>
+        <translation>soubor má formát %1, tato verze však čte jen po %2; je třeba novější Stromar</translation>
+    </message>
+    <message>
+        <source>a second value for %1; the first is in line %2</source>
+        <translation>druhá hodnota pro %1; první je na řádku %2</translation>
+    </message>
+    <message>
+        <source>this is a folder, not a .tree file</source>
+        <translation>toto je složka, ne soubor .tree</translation>
+    </message>
+    <message>
+        <source>a backdrop is a picture, .png or .jpg, or a panorama, .hdr: not %1</source>
+        <translation>pozadí je obrázek .png nebo .jpg, nebo panorama .hdr: ne %1</translation>
+    </message>
+    <message>
+        <source>cannot read the backdrop %1</source>
+        <translation>pozadí %1 nelze přečíst</translation>
+    </message>
+    <message>
+        <source>this grammar makes %1 modules in %2 derivations; at most %3 are allowed</source>
+        <translation>tato gramatika vytvoří %1 modulů v %2 odvozeních; povoleno je nejvýše %3</translation>
+    </message>
+    <message>
+        <source>the grammar draws nothing: its word has no F with a length after %1 derivations</source>
+        <translation>gramatika nic nekreslí: její slovo po %1 odvozeních nemá žádné F s délkou</translation>
+    </message>
+    <message>
+        <source>this expression is nested too deeply</source>
+        <translation>tento výraz je vnořen příliš hluboko</translation>
+    </message>
+    <message>
+        <source>&apos;%1&apos; is not defined here</source>
+        <translation>„%1“ zde není definováno</translation>
+    </message>
+    <message>
+        <source>there is no function &apos;%1&apos;</source>
+        <translation>funkce „%1“ neexistuje</translation>
+    </message>
+    <message>
+        <source>%1() takes %2 number, not %3</source>
+        <translation>%1() bere %2 číslo, ne %3</translation>
+    </message>
+    <message>
+        <source>%1() takes %2 numbers, not %3</source>
+        <translation>%1() bere %2 čísla, ne %3</translation>
+    </message>
+    <message>
+        <source>this is no finite number</source>
+        <translation>toto není konečné číslo</translation>
+    </message>
+    <message>
+        <source>this comment has no end</source>
+        <translation>tento komentář nemá konec</translation>
+    </message>
+    <message>
+        <source>expected &apos;%1&apos;</source>
+        <translation>očekáváno „%1“</translation>
+    </message>
+    <message>
+        <source>this bracket is not closed</source>
+        <translation>tato závorka není uzavřena</translation>
+    </message>
+    <message>
+        <source>a number is missing here</source>
+        <translation>zde chybí číslo</translation>
+    </message>
+    <message>
+        <source>this is no number</source>
+        <translation>toto není číslo</translation>
+    </message>
+    <message>
+        <source>the bracket of this call is not closed</source>
+        <translation>závorka tohoto volání není uzavřena</translation>
+    </message>
+    <message>
+        <source>&apos;%1&apos; is no number</source>
+        <translation>„%1“ není číslo</translation>
+    </message>
+    <message>
+        <source>the axiom is missing: axiom: …</source>
+        <translation>chybí axiom: axiom: …</translation>
+    </message>
+    <message>
+        <source>only #define and #ignore are known</source>
+        <translation>známé jsou jen #define a #ignore</translation>
+    </message>
+    <message>
+        <source>the number of derivations is the value Derivations, not a line of the grammar</source>
+        <translation>počet odvození je hodnota Derivations, ne řádek gramatiky</translation>
+    </message>
+    <message>
+        <source>there is an axiom already</source>
+        <translation>axiom už zde je</translation>
+    </message>
+    <message>
+        <source>the axiom is empty</source>
+        <translation>axiom je prázdný</translation>
+    </message>
+    <message>
+        <source>#define needs a name</source>
+        <translation>#define potřebuje název</translation>
+    </message>
+    <message>
+        <source>nothing may follow the value</source>
+        <translation>za hodnotou nesmí nic následovat</translation>
+    </message>
+    <message>
+        <source>a value that is defined cannot depend on chance</source>
+        <translation>definovaná hodnota nemůže záviset na náhodě</translation>
+    </message>
+    <message>
+        <source>polygons { . } are not supported; use ~L for a leaf</source>
+        <translation>mnohoúhelníky { . } nejsou podporovány; pro list použijte ~L</translation>
+    </message>
+    <message>
+        <source>after ~ stands L (leaf), B (blossom) or K (fruit)</source>
+        <translation>za ~ stojí L (list), B (květ) nebo K (plod)</translation>
+    </message>
+    <message>
+        <source>a letter is missing here</source>
+        <translation>zde chybí písmeno</translation>
+    </message>
+    <message>
+        <source>&apos;%1&apos; is no letter of a word</source>
+        <translation>„%1“ není písmeno slova</translation>
+    </message>
+    <message>
+        <source>the bracket of this module&apos;s numbers is not closed</source>
+        <translation>závorka čísel tohoto modulu není uzavřena</translation>
+    </message>
+    <message>
+        <source>there is no [ for this ]</source>
+        <translation>k této ] chybí [</translation>
+    </message>
+    <message>
+        <source>there is no ] for this [</source>
+        <translation>k této [ chybí ]</translation>
+    </message>
+    <message>
+        <source>here stands the name of a parameter</source>
+        <translation>zde má být název parametru</translation>
+    </message>
+    <message>
+        <source>expected &apos;)&apos; after the parameters</source>
+        <translation>za parametry očekávána „)“</translation>
+    </message>
+    <message>
+        <source>a production rewrites one module: A(x) : condition -&gt; successor</source>
+        <translation>pravidlo přepisuje jeden modul: A(x) : podmínka -&gt; následník</translation>
+    </message>
+    <message>
+        <source>a production has at most 32 parameters</source>
+        <translation>pravidlo má nejvýše 32 parametrů</translation>
+    </message>
+    <message>
+        <source>brackets in a context are not supported</source>
+        <translation>závorky v kontextu nejsou podporovány</translation>
+    </message>
+    <message>
+        <source>expected &apos;-&gt;&apos;</source>
+        <translation>očekáváno „-&gt;“</translation>
+    </message>
+    <message>
+        <source>this production never matches: no word has %1 with %2 numbers</source>
+        <translation>toto pravidlo se nikdy nepoužije: žádné slovo nemá %1 s počtem čísel %2</translation>
+    </message>
+    <message>
+        <source>the word of this grammar would have more than %1 modules</source>
+        <translation>slovo této gramatiky by mělo více než %1 modulů</translation>
+    </message>
+    <message>
+        <source>the word of this grammar would have more than %1 numbers</source>
+        <translation>slovo této gramatiky by mělo více než %1 čísel</translation>
+    </message>
+    <message>
+        <source>a number of %1 is not finite when %2 is rewritten</source>
+        <translation>číslo modulu %1 není konečné při přepisu %2</translation>
+    </message>
+    <message>
+        <source>error</source>
+        <translation>chyba</translation>
+    </message>
+    <message>
+        <source>warning</source>
+        <translation>varování</translation>
+    </message>
+    <message>
+        <source>cannot write %1</source>
+        <translation>nelze zapsat %1</translation>
+    </message>
+    <message>
+        <source>cannot write %1: the file on the disk is incomplete</source>
+        <translation>nelze zapsat %1: soubor na disku není úplný</translation>
+    </message>
+    <message>
+        <source>cannot read %1</source>
+        <translation>nelze přečíst %1</translation>
+    </message>
+    <message>
+        <source>, did you mean &apos;%1&apos;?</source>
+        <translation>, mysleli jste „%1“?</translation>
+    </message>
 </context>
 <context>
     <name>stromar::CComparison</name>

@@ -3203,6 +3203,498 @@
         <source>The most that cached textures and thumbnails may take on the disk. The oldest beyond it are removed.</source>
         <translation>Сколько места на диске могут занимать текстуры и миниатюры. Самые старые сверх этого удаляются.</translation>
     </message>
+    <message>
+        <source>displacement needs the heights of the bark: a recipe, or beside its picture %1</source>
+        <translation>смещению нужны высоты коры: рецепт или рядом с её изображением %1</translation>
+    </message>
+    <message>
+        <source>cannot write %1: there is no folder %2</source>
+        <translation>не удаётся записать %1: папки %2 нет</translation>
+    </message>
+    <message>
+        <source>the tree is empty, there is nothing to export</source>
+        <translation>дерево пустое, экспортировать нечего</translation>
+    </message>
+    <message>
+        <source>one solid does not move in the wind</source>
+        <translation>одно тело не движется на ветру</translation>
+    </message>
+    <message>
+        <source>there is no choice &apos;%1&apos;</source>
+        <translation>выбора «%1» нет</translation>
+    </message>
+    <message>
+        <source>&apos;%1&apos; is one of %2, not &apos;%3&apos;</source>
+        <translation>«%1» — одно из %2, а не «%3»</translation>
+    </message>
+    <message>
+        <source>&apos;%1&apos;: &apos;%2&apos; is not a number without decimals</source>
+        <translation>«%1»: «%2» — не целое число</translation>
+    </message>
+    <message>
+        <source>&apos;%1&apos;: &apos;%2&apos; is not a number</source>
+        <translation>«%1»: «%2» — не число</translation>
+    </message>
+    <message>
+        <source>&apos;%1&apos; is between %2 and %3, not %4</source>
+        <translation>«%1» — от %2 до %3, а не %4</translation>
+    </message>
+    <message>
+        <source>the name of the model file has no ending; it says the format: %1</source>
+        <translation>у имени файла модели нет расширения; оно задаёт формат: %1</translation>
+    </message>
+    <message>
+        <source>cannot write &apos;%1&apos;</source>
+        <translation>записать «%1» нельзя</translation>
+    </message>
+    <message>
+        <source>this is no XML: %1</source>
+        <translation>это не XML: %1</translation>
+    </message>
+    <message>
+        <source>there is no &lt;arbaro&gt; with a &lt;species&gt;</source>
+        <translation>нет &lt;arbaro&gt; с элементом &lt;species&gt;</translation>
+    </message>
+    <message>
+        <source>a &lt;param&gt; has a name and a value</source>
+        <translation>у &lt;param&gt; должны быть name и value</translation>
+    </message>
+    <message>
+        <source>&apos;%1&apos; is not known and left out</source>
+        <translation>«%1» неизвестно и пропущено</translation>
+    </message>
+    <message>
+        <source>&apos;%1&apos; wants a number, not &apos;%2&apos;; it is left out</source>
+        <translation>«%1» должно быть числом, а не «%2»; пропущено</translation>
+    </message>
+    <message>
+        <source>%1 is %2: %3 is out of its range</source>
+        <translation>%1 равно %2: %3 вне пределов</translation>
+    </message>
+    <message>
+        <source>these are no values of a tree that is known here</source>
+        <translation>это не значения известного здесь дерева</translation>
+    </message>
+    <message>
+        <source>%1: a file of more than 1 MB is no preset of a tree</source>
+        <translation>%1: файл больше 1 МБ — не заготовка дерева</translation>
+    </message>
+    <message>
+        <source>a dictionary {…} with the values of a tree is wanted here</source>
+        <translation>здесь должен быть словарь {…} со значениями дерева</translation>
+    </message>
+    <message>
+        <source>nothing but comments may follow the values</source>
+        <translation>после значений могут идти только комментарии</translation>
+    </message>
+    <message>
+        <source>&apos;=&apos; is wanted behind the name</source>
+        <translation>после имени должен стоять знак «=»</translation>
+    </message>
+    <message>
+        <source>this text is not closed</source>
+        <translation>этот текст не закрыт</translation>
+    </message>
+    <message>
+        <source>a value is wanted here</source>
+        <translation>здесь должно быть значение</translation>
+    </message>
+    <message>
+        <source>&apos;%1&apos; is no value: only numbers, texts, True, False, None and lists are read</source>
+        <translation>«%1» — не значение: читаются только числа, тексты, True, False, None и списки</translation>
+    </message>
+    <message>
+        <source>&apos;%1&apos; or &apos;%2&apos; is wanted here</source>
+        <translation>здесь должно стоять «%1» или «%2»</translation>
+    </message>
+    <message>
+        <source>lists are nested too deep</source>
+        <translation>списки вложены слишком глубоко</translation>
+    </message>
+    <message>
+        <source>this list is too long</source>
+        <translation>этот список слишком длинный</translation>
+    </message>
+    <message>
+        <source>dictionaries are nested too deep</source>
+        <translation>словари вложены слишком глубоко</translation>
+    </message>
+    <message>
+        <source>a name in quotes is wanted here</source>
+        <translation>здесь должно быть имя в кавычках</translation>
+    </message>
+    <message>
+        <source>&apos;:&apos; is wanted here</source>
+        <translation>здесь должно стоять «:»</translation>
+    </message>
+    <message>
+        <source>is too large: a leaf may have at most %1 vertices</source>
+        <translation>слишком велик: у листа может быть не больше %1 вершин</translation>
+    </message>
+    <message>
+        <source>is neither .obj nor .glb</source>
+        <translation>не .obj и не .glb</translation>
+    </message>
+    <message>
+        <source>cannot be read: %1</source>
+        <translation>не удаётся прочитать: %1</translation>
+    </message>
+    <message>
+        <source>is no .glb with a mesh, or too large for a leaf</source>
+        <translation>не .glb с сеткой или слишком велик для листа</translation>
+    </message>
+    <message>
+        <source>is no mesh that can be read: %1</source>
+        <translation>не сетка, которую можно прочитать: %1</translation>
+    </message>
+    <message>
+        <source>has no triangles</source>
+        <translation>не имеет треугольников</translation>
+    </message>
+    <message>
+        <source>displacement in cells of %1 m would make more than %2 million triangles; choose larger cells</source>
+        <translation>смещение с ячейкой %1 м дало бы больше %2 млн треугольников; выберите ячейку крупнее</translation>
+    </message>
+    <message>
+        <source>there is no %1; there are %2</source>
+        <translation>%1 нет; есть %2</translation>
+    </message>
+    <message>
+        <source>has no length or no width</source>
+        <translation>не имеет длины или ширины</translation>
+    </message>
+    <message>
+        <source>a solid of %1 million voxels is too large; voxels of %2 m would do</source>
+        <translation>тело из %1 млн вокселей слишком велико; подойдут воксели по %2 м</translation>
+    </message>
+    <message>
+        <source>the tree has %1 stems; a solid is made of %2 at most (fewer Levels or Branches)</source>
+        <translation>у дерева %1 ветвей; тело строится не более чем из %2 (меньше уровней или ветвей)</translation>
+    </message>
+    <message>
+        <source>the tree is empty, there is nothing to make a solid of</source>
+        <translation>дерево пустое, тело строить не из чего</translation>
+    </message>
+    <message>
+        <source>point %1 is empty</source>
+        <translation>точка %1 пуста</translation>
+    </message>
+    <message>
+        <source>point %1 (&apos;%2&apos;) is not x:y</source>
+        <translation>точка %1 («%2») не вида x:y</translation>
+    </message>
+    <message>
+        <source>point %1 (&apos;%2&apos;) has a y that is no number</source>
+        <translation>у точки %1 («%2») y — не число</translation>
+    </message>
+    <message>
+        <source>point %1 (&apos;%2&apos;) has an x that is no number</source>
+        <translation>у точки %1 («%2») x — не число</translation>
+    </message>
+    <message>
+        <source>point %1 (&apos;%2&apos;) must lie to the right of the point before it</source>
+        <translation>точка %1 («%2») должна лежать правее предыдущей</translation>
+    </message>
+    <message>
+        <source>a curve has at most %1 points</source>
+        <translation>у кривой не больше %1 точек</translation>
+    </message>
+    <message>
+        <source>%1 has no value</source>
+        <translation>у %1 нет значения</translation>
+    </message>
+    <message>
+        <source>%1 is not a number: &apos;%2&apos;</source>
+        <translation>%1 — не число: «%2»</translation>
+    </message>
+    <message>
+        <source>%1 has no choice &apos;%2&apos;</source>
+        <translation>у %1 нет варианта «%2»</translation>
+    </message>
+    <message>
+        <source>%1 must be a whole number, not %2</source>
+        <translation>%1 должно быть целым числом, а не %2</translation>
+    </message>
+    <message>
+        <source>%1 must be from %2 to %3, not %4; taken as %5</source>
+        <translation>%1 должно быть от %2 до %3, а не %4; взято %5</translation>
+    </message>
+    <message>
+        <source>%1: the %2 of point %3 must be from %4 to %5, not %6; taken as the nearest</source>
+        <translation>%1: %2 точки %3 должно быть от %4 до %5, а не %6; взято ближайшее</translation>
+    </message>
+    <message>
+        <source>%1 must not hold a line of three quotes: it would end the text in a file</source>
+        <translation>%1 не может содержать строку из трёх кавычек: она закрыла бы текст в файле</translation>
+    </message>
+    <message>
+        <source>known: %1</source>
+        <translation>известны: %1</translation>
+    </message>
+    <message>
+        <source>this is a binary tree of the program Kraut, which uses the same file ending; it cannot be read here</source>
+        <translation>это двоичное дерево программы Kraut с тем же расширением; здесь его не прочитать</translation>
+    </message>
+    <message>
+        <source>this is UTF-16 text; save it as UTF-8</source>
+        <translation>это текст UTF-16; сохраните его в UTF-8</translation>
+    </message>
+    <message>
+        <source>this is not a text file of parameters</source>
+        <translation>это не текстовый файл параметров</translation>
+    </message>
+    <message>
+        <source>the file is empty</source>
+        <translation>файл пуст</translation>
+    </message>
+    <message>
+        <source>this version cannot grow trees by the method &apos;%1&apos;</source>
+        <translation>эта версия не умеет растить деревья методом «%1»</translation>
+    </message>
+    <message>
+        <source>no line %1; read as format %2</source>
+        <translation>нет строки %1; прочитано как формат %2</translation>
+    </message>
+    <message>
+        <source>a file with the method &apos;%1&apos; says %2</source>
+        <translation>в файле с методом «%1» пишут %2</translation>
+    </message>
+    <message>
+        <source>the text is not closed: a line of three quotes is missing</source>
+        <translation>текст не закрыт: нет строки из трёх кавычек</translation>
+    </message>
+    <message>
+        <source>this character is not UTF-8</source>
+        <translation>этот символ не UTF-8</translation>
+    </message>
+    <message>
+        <source>this line is not &apos;Key = Value&apos;</source>
+        <translation>эта строка не вида «Ключ = Значение»</translation>
+    </message>
+    <message>
+        <source>the quote is not closed</source>
+        <translation>кавычка не закрыта</translation>
+    </message>
+    <message>
+        <source>nothing but a comment may follow the closing quote</source>
+        <translation>после закрывающей кавычки может идти только комментарий</translation>
+    </message>
+    <message>
+        <source>there is no key in front of &apos;=&apos;</source>
+        <translation>перед «=» нет ключа</translation>
+    </message>
+    <message>
+        <source>unknown key &apos;%1&apos; is kept</source>
+        <translation>неизвестный ключ «%1» сохраняется</translation>
+    </message>
+    <message>
+        <source>Format must be a whole number from 1, not &apos;%1&apos;</source>
+        <translation>Format должен быть целым числом от 1, а не «%1»</translation>
+    </message>
+    <message>
+        <source>the file has format %1, but this version reads only up to %2; a newer Stromar is needed</source>
+        <translation>у файла формат %1, а эта версия читает только до %2; нужен более новый Stromar</translation>
+    </message>
+    <message>
+        <source>a second value for %1; the first is in line %2</source>
+        <translation>второе значение для %1; первое в строке %2</translation>
+    </message>
+    <message>
+        <source>this is a folder, not a .tree file</source>
+        <translation>это папка, а не файл .tree</translation>
+    </message>
+    <message>
+        <source>a backdrop is a picture, .png or .jpg, or a panorama, .hdr: not %1</source>
+        <translation>фон — изображение .png или .jpg либо панорама .hdr, а не %1</translation>
+    </message>
+    <message>
+        <source>cannot read the backdrop %1</source>
+        <translation>не удаётся прочитать фон %1</translation>
+    </message>
+    <message>
+        <source>this grammar makes %1 modules in %2 derivations; at most %3 are allowed</source>
+        <translation>эта грамматика даёт %1 модулей за %2 шагов вывода; допустимо не больше %3</translation>
+    </message>
+    <message>
+        <source>the grammar draws nothing: its word has no F with a length after %1 derivations</source>
+        <translation>грамматика ничего не рисует: в её слове после %1 шагов вывода нет F с длиной</translation>
+    </message>
+    <message>
+        <source>this expression is nested too deeply</source>
+        <translation>это выражение вложено слишком глубоко</translation>
+    </message>
+    <message>
+        <source>&apos;%1&apos; is not defined here</source>
+        <translation>«%1» здесь не определено</translation>
+    </message>
+    <message>
+        <source>there is no function &apos;%1&apos;</source>
+        <translation>функции «%1» нет</translation>
+    </message>
+    <message>
+        <source>%1() takes %2 number, not %3</source>
+        <translation>%1() принимает чисел: %2, а не %3</translation>
+    </message>
+    <message>
+        <source>%1() takes %2 numbers, not %3</source>
+        <translation>%1() принимает чисел: %2, а не %3</translation>
+    </message>
+    <message>
+        <source>this is no finite number</source>
+        <translation>это не конечное число</translation>
+    </message>
+    <message>
+        <source>this comment has no end</source>
+        <translation>у этого комментария нет конца</translation>
+    </message>
+    <message>
+        <source>expected &apos;%1&apos;</source>
+        <translation>ожидалось «%1»</translation>
+    </message>
+    <message>
+        <source>this bracket is not closed</source>
+        <translation>эта скобка не закрыта</translation>
+    </message>
+    <message>
+        <source>a number is missing here</source>
+        <translation>здесь не хватает числа</translation>
+    </message>
+    <message>
+        <source>this is no number</source>
+        <translation>это не число</translation>
+    </message>
+    <message>
+        <source>the bracket of this call is not closed</source>
+        <translation>скобка этого вызова не закрыта</translation>
+    </message>
+    <message>
+        <source>&apos;%1&apos; is no number</source>
+        <translation>«%1» — не число</translation>
+    </message>
+    <message>
+        <source>the axiom is missing: axiom: …</source>
+        <translation>нет аксиомы: axiom: …</translation>
+    </message>
+    <message>
+        <source>only #define and #ignore are known</source>
+        <translation>известны только #define и #ignore</translation>
+    </message>
+    <message>
+        <source>the number of derivations is the value Derivations, not a line of the grammar</source>
+        <translation>число шагов вывода — это значение Derivations, а не строка грамматики</translation>
+    </message>
+    <message>
+        <source>there is an axiom already</source>
+        <translation>аксиома уже есть</translation>
+    </message>
+    <message>
+        <source>the axiom is empty</source>
+        <translation>аксиома пуста</translation>
+    </message>
+    <message>
+        <source>#define needs a name</source>
+        <translation>для #define нужно имя</translation>
+    </message>
+    <message>
+        <source>nothing may follow the value</source>
+        <translation>после значения ничего быть не может</translation>
+    </message>
+    <message>
+        <source>a value that is defined cannot depend on chance</source>
+        <translation>определяемое значение не может зависеть от случая</translation>
+    </message>
+    <message>
+        <source>polygons { . } are not supported; use ~L for a leaf</source>
+        <translation>многоугольники { . } не поддерживаются; для листа есть ~L</translation>
+    </message>
+    <message>
+        <source>after ~ stands L (leaf), B (blossom) or K (fruit)</source>
+        <translation>после ~ стоит L (лист), B (цветок) или K (плод)</translation>
+    </message>
+    <message>
+        <source>a letter is missing here</source>
+        <translation>здесь не хватает буквы</translation>
+    </message>
+    <message>
+        <source>&apos;%1&apos; is no letter of a word</source>
+        <translation>«%1» — не буква слова</translation>
+    </message>
+    <message>
+        <source>the bracket of this module&apos;s numbers is not closed</source>
+        <translation>скобка с числами этого модуля не закрыта</translation>
+    </message>
+    <message>
+        <source>there is no [ for this ]</source>
+        <translation>для этой ] нет [</translation>
+    </message>
+    <message>
+        <source>there is no ] for this [</source>
+        <translation>для этой [ нет ]</translation>
+    </message>
+    <message>
+        <source>here stands the name of a parameter</source>
+        <translation>здесь должно стоять имя параметра</translation>
+    </message>
+    <message>
+        <source>expected &apos;)&apos; after the parameters</source>
+        <translation>после параметров ожидалась «)»</translation>
+    </message>
+    <message>
+        <source>a production rewrites one module: A(x) : condition -&gt; successor</source>
+        <translation>правило переписывает один модуль: A(x) : условие -&gt; результат</translation>
+    </message>
+    <message>
+        <source>a production has at most 32 parameters</source>
+        <translation>у правила не больше 32 параметров</translation>
+    </message>
+    <message>
+        <source>brackets in a context are not supported</source>
+        <translation>скобки в контексте не поддерживаются</translation>
+    </message>
+    <message>
+        <source>expected &apos;-&gt;&apos;</source>
+        <translation>ожидалось «-&gt;»</translation>
+    </message>
+    <message>
+        <source>this production never matches: no word has %1 with %2 numbers</source>
+        <translation>это правило никогда не применяется: ни в одном слове нет %1, у которого чисел %2</translation>
+    </message>
+    <message>
+        <source>the word of this grammar would have more than %1 modules</source>
+        <translation>в слове этой грамматики было бы больше %1 модулей</translation>
+    </message>
+    <message>
+        <source>the word of this grammar would have more than %1 numbers</source>
+        <translation>в слове этой грамматики было бы больше %1 чисел</translation>
+    </message>
+    <message>
+        <source>a number of %1 is not finite when %2 is rewritten</source>
+        <translation>число модуля %1 не конечно при переписывании %2</translation>
+    </message>
+    <message>
+        <source>error</source>
+        <translation>ошибка</translation>
+    </message>
+    <message>
+        <source>warning</source>
+        <translation>предупреждение</translation>
+    </message>
+    <message>
+        <source>cannot write %1</source>
+        <translation>не удаётся записать %1</translation>
+    </message>
+    <message>
+        <source>cannot write %1: the file on the disk is incomplete</source>
+        <translation>не удаётся записать %1: файл на диске неполон</translation>
+    </message>
+    <message>
+        <source>cannot read %1</source>
+        <translation>не удаётся прочитать %1</translation>
+    </message>
+    <message>
+        <source>, did you mean &apos;%1&apos;?</source>
+        <translation>, возможно, «%1»?</translation>
+    </message>
 </context>
 <context>
     <name>stromar::CComparison</name>

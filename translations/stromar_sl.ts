@@ -3203,6 +3203,498 @@
         <source>The most that cached textures and thumbnails may take on the disk. The oldest beyond it are removed.</source>
         <translation>Koliko največ smejo slike in sličice v predpomnilniku zavzeti na disku. Najstarejše nad tem se odstranijo.</translation>
     </message>
+    <message>
+        <source>displacement needs the heights of the bark: a recipe, or beside its picture %1</source>
+        <translation>premik potrebuje višine lubja: recept ali ob njegovi sliki %1</translation>
+    </message>
+    <message>
+        <source>cannot write %1: there is no folder %2</source>
+        <translation>ni mogoče zapisati %1: mape %2 ni</translation>
+    </message>
+    <message>
+        <source>the tree is empty, there is nothing to export</source>
+        <translation>drevo je prazno, ničesar ni za izvoz</translation>
+    </message>
+    <message>
+        <source>one solid does not move in the wind</source>
+        <translation>eno telo se v vetru ne premika</translation>
+    </message>
+    <message>
+        <source>there is no choice &apos;%1&apos;</source>
+        <translation>izbire »%1« ni</translation>
+    </message>
+    <message>
+        <source>&apos;%1&apos; is one of %2, not &apos;%3&apos;</source>
+        <translation>»%1« je eno od %2, ne »%3«</translation>
+    </message>
+    <message>
+        <source>&apos;%1&apos;: &apos;%2&apos; is not a number without decimals</source>
+        <translation>»%1«: »%2« ni celo število</translation>
+    </message>
+    <message>
+        <source>&apos;%1&apos;: &apos;%2&apos; is not a number</source>
+        <translation>»%1«: »%2« ni število</translation>
+    </message>
+    <message>
+        <source>&apos;%1&apos; is between %2 and %3, not %4</source>
+        <translation>»%1« je med %2 in %3, ne %4</translation>
+    </message>
+    <message>
+        <source>the name of the model file has no ending; it says the format: %1</source>
+        <translation>ime datoteke modela nima končnice; ta pove obliko: %1</translation>
+    </message>
+    <message>
+        <source>cannot write &apos;%1&apos;</source>
+        <translation>»%1« ni mogoče zapisati</translation>
+    </message>
+    <message>
+        <source>this is no XML: %1</source>
+        <translation>to ni XML: %1</translation>
+    </message>
+    <message>
+        <source>there is no &lt;arbaro&gt; with a &lt;species&gt;</source>
+        <translation>manjka &lt;arbaro&gt; z elementom &lt;species&gt;</translation>
+    </message>
+    <message>
+        <source>a &lt;param&gt; has a name and a value</source>
+        <translation>&lt;param&gt; mora imeti name in value</translation>
+    </message>
+    <message>
+        <source>&apos;%1&apos; is not known and left out</source>
+        <translation>»%1« ni znano in je izpuščeno</translation>
+    </message>
+    <message>
+        <source>&apos;%1&apos; wants a number, not &apos;%2&apos;; it is left out</source>
+        <translation>»%1« mora biti število, ne »%2«; izpuščeno je</translation>
+    </message>
+    <message>
+        <source>%1 is %2: %3 is out of its range</source>
+        <translation>%1 je %2: %3 je zunaj obsega</translation>
+    </message>
+    <message>
+        <source>these are no values of a tree that is known here</source>
+        <translation>to niso vrednosti drevesa, ki bi bilo tu znano</translation>
+    </message>
+    <message>
+        <source>%1: a file of more than 1 MB is no preset of a tree</source>
+        <translation>%1: datoteka, večja od 1 MB, ni prednastavitev drevesa</translation>
+    </message>
+    <message>
+        <source>a dictionary {…} with the values of a tree is wanted here</source>
+        <translation>tu mora biti slovar {…} z vrednostmi drevesa</translation>
+    </message>
+    <message>
+        <source>nothing but comments may follow the values</source>
+        <translation>za vrednostmi smejo slediti le komentarji</translation>
+    </message>
+    <message>
+        <source>&apos;=&apos; is wanted behind the name</source>
+        <translation>za imenom mora biti »=«</translation>
+    </message>
+    <message>
+        <source>this text is not closed</source>
+        <translation>to besedilo ni zaključeno</translation>
+    </message>
+    <message>
+        <source>a value is wanted here</source>
+        <translation>tu mora biti vrednost</translation>
+    </message>
+    <message>
+        <source>&apos;%1&apos; is no value: only numbers, texts, True, False, None and lists are read</source>
+        <translation>»%1« ni vrednost: berejo se le števila, besedila, True, False, None in seznami</translation>
+    </message>
+    <message>
+        <source>&apos;%1&apos; or &apos;%2&apos; is wanted here</source>
+        <translation>tu mora biti »%1« ali »%2«</translation>
+    </message>
+    <message>
+        <source>lists are nested too deep</source>
+        <translation>seznami so preveč vgnezdeni</translation>
+    </message>
+    <message>
+        <source>this list is too long</source>
+        <translation>ta seznam je predolg</translation>
+    </message>
+    <message>
+        <source>dictionaries are nested too deep</source>
+        <translation>slovarji so preveč vgnezdeni</translation>
+    </message>
+    <message>
+        <source>a name in quotes is wanted here</source>
+        <translation>tu mora biti ime v narekovajih</translation>
+    </message>
+    <message>
+        <source>&apos;:&apos; is wanted here</source>
+        <translation>tu mora biti »:«</translation>
+    </message>
+    <message>
+        <source>is too large: a leaf may have at most %1 vertices</source>
+        <translation>je prevelika: list ima lahko največ %1 oglišč</translation>
+    </message>
+    <message>
+        <source>is neither .obj nor .glb</source>
+        <translation>ni niti .obj niti .glb</translation>
+    </message>
+    <message>
+        <source>cannot be read: %1</source>
+        <translation>ni mogoče prebrati: %1</translation>
+    </message>
+    <message>
+        <source>is no .glb with a mesh, or too large for a leaf</source>
+        <translation>ni .glb z mrežo ali pa je za list prevelika</translation>
+    </message>
+    <message>
+        <source>is no mesh that can be read: %1</source>
+        <translation>ni mreža, ki bi jo bilo mogoče prebrati: %1</translation>
+    </message>
+    <message>
+        <source>has no triangles</source>
+        <translation>nima trikotnikov</translation>
+    </message>
+    <message>
+        <source>displacement in cells of %1 m would make more than %2 million triangles; choose larger cells</source>
+        <translation>premik v celicah po %1 m bi naredil več kot %2 milijona trikotnikov; izberite večje celice</translation>
+    </message>
+    <message>
+        <source>there is no %1; there are %2</source>
+        <translation>%1 ni; so pa %2</translation>
+    </message>
+    <message>
+        <source>has no length or no width</source>
+        <translation>nima dolžine ali širine</translation>
+    </message>
+    <message>
+        <source>a solid of %1 million voxels is too large; voxels of %2 m would do</source>
+        <translation>telo iz %1 milijona vokslov je preveliko; zadoščali bi voksli %2 m</translation>
+    </message>
+    <message>
+        <source>the tree has %1 stems; a solid is made of %2 at most (fewer Levels or Branches)</source>
+        <translation>drevo ima %1 vej; telo nastane iz največ %2 (manj ravni ali vej)</translation>
+    </message>
+    <message>
+        <source>the tree is empty, there is nothing to make a solid of</source>
+        <translation>drevo je prazno, telesa ni iz česa narediti</translation>
+    </message>
+    <message>
+        <source>point %1 is empty</source>
+        <translation>točka %1 je prazna</translation>
+    </message>
+    <message>
+        <source>point %1 (&apos;%2&apos;) is not x:y</source>
+        <translation>točka %1 (»%2«) ni x:y</translation>
+    </message>
+    <message>
+        <source>point %1 (&apos;%2&apos;) has a y that is no number</source>
+        <translation>točka %1 (»%2«) ima y, ki ni število</translation>
+    </message>
+    <message>
+        <source>point %1 (&apos;%2&apos;) has an x that is no number</source>
+        <translation>točka %1 (»%2«) ima x, ki ni število</translation>
+    </message>
+    <message>
+        <source>point %1 (&apos;%2&apos;) must lie to the right of the point before it</source>
+        <translation>točka %1 (»%2«) mora ležati desno od prejšnje</translation>
+    </message>
+    <message>
+        <source>a curve has at most %1 points</source>
+        <translation>krivulja ima največ %1 točk</translation>
+    </message>
+    <message>
+        <source>%1 has no value</source>
+        <translation>%1 nima vrednosti</translation>
+    </message>
+    <message>
+        <source>%1 is not a number: &apos;%2&apos;</source>
+        <translation>%1 ni število: »%2«</translation>
+    </message>
+    <message>
+        <source>%1 has no choice &apos;%2&apos;</source>
+        <translation>%1 nima izbire »%2«</translation>
+    </message>
+    <message>
+        <source>%1 must be a whole number, not %2</source>
+        <translation>%1 mora biti celo število, ne %2</translation>
+    </message>
+    <message>
+        <source>%1 must be from %2 to %3, not %4; taken as %5</source>
+        <translation>%1 mora biti od %2 do %3, ne %4; vzeto kot %5</translation>
+    </message>
+    <message>
+        <source>%1: the %2 of point %3 must be from %4 to %5, not %6; taken as the nearest</source>
+        <translation>%1: %2 točke %3 mora biti od %4 do %5, ne %6; vzeto najbližje</translation>
+    </message>
+    <message>
+        <source>%1 must not hold a line of three quotes: it would end the text in a file</source>
+        <translation>%1 ne sme imeti vrstice treh narekovajev: zaključila bi besedilo v datoteki</translation>
+    </message>
+    <message>
+        <source>known: %1</source>
+        <translation>znane: %1</translation>
+    </message>
+    <message>
+        <source>this is a binary tree of the program Kraut, which uses the same file ending; it cannot be read here</source>
+        <translation>to je dvojiško drevo programa Kraut, ki uporablja isto končnico; tu ga ni mogoče prebrati</translation>
+    </message>
+    <message>
+        <source>this is UTF-16 text; save it as UTF-8</source>
+        <translation>to je besedilo v UTF-16; shranite ga v UTF-8</translation>
+    </message>
+    <message>
+        <source>this is not a text file of parameters</source>
+        <translation>to ni besedilna datoteka s parametri</translation>
+    </message>
+    <message>
+        <source>the file is empty</source>
+        <translation>datoteka je prazna</translation>
+    </message>
+    <message>
+        <source>this version cannot grow trees by the method &apos;%1&apos;</source>
+        <translation>ta različica ne zna gojiti dreves po metodi »%1«</translation>
+    </message>
+    <message>
+        <source>no line %1; read as format %2</source>
+        <translation>ni vrstice %1; brano kot oblika %2</translation>
+    </message>
+    <message>
+        <source>a file with the method &apos;%1&apos; says %2</source>
+        <translation>datoteka z metodo »%1« navede %2</translation>
+    </message>
+    <message>
+        <source>the text is not closed: a line of three quotes is missing</source>
+        <translation>besedilo ni zaključeno: manjka vrstica treh narekovajev</translation>
+    </message>
+    <message>
+        <source>this character is not UTF-8</source>
+        <translation>ta znak ni UTF-8</translation>
+    </message>
+    <message>
+        <source>this line is not &apos;Key = Value&apos;</source>
+        <translation>ta vrstica ni »Ključ = Vrednost«</translation>
+    </message>
+    <message>
+        <source>the quote is not closed</source>
+        <translation>narekovaj ni zaprt</translation>
+    </message>
+    <message>
+        <source>nothing but a comment may follow the closing quote</source>
+        <translation>za zaključnim narekovajem sme slediti le komentar</translation>
+    </message>
+    <message>
+        <source>there is no key in front of &apos;=&apos;</source>
+        <translation>pred »=« ni ključa</translation>
+    </message>
+    <message>
+        <source>unknown key &apos;%1&apos; is kept</source>
+        <translation>neznani ključ »%1« ostane</translation>
+    </message>
+    <message>
+        <source>Format must be a whole number from 1, not &apos;%1&apos;</source>
+        <translation>Format mora biti celo število od 1, ne »%1«</translation>
+    </message>
+    <message>
+        <source>the file has format %1, but this version reads only up to %2; a newer Stromar is needed</source>
+        <translation>datoteka ima obliko %1, ta različica pa bere le do %2; potreben je novejši Stromar</translation>
+    </message>
+    <message>
+        <source>a second value for %1; the first is in line %2</source>
+        <translation>druga vrednost za %1; prva je v vrstici %2</translation>
+    </message>
+    <message>
+        <source>this is a folder, not a .tree file</source>
+        <translation>to je mapa, ne datoteka .tree</translation>
+    </message>
+    <message>
+        <source>a backdrop is a picture, .png or .jpg, or a panorama, .hdr: not %1</source>
+        <translation>ozadje je slika .png ali .jpg ali panorama .hdr: ne %1</translation>
+    </message>
+    <message>
+        <source>cannot read the backdrop %1</source>
+        <translation>ozadja %1 ni mogoče prebrati</translation>
+    </message>
+    <message>
+        <source>this grammar makes %1 modules in %2 derivations; at most %3 are allowed</source>
+        <translation>ta slovnica naredi %1 modulov v %2 izpeljavah; dovoljenih je največ %3</translation>
+    </message>
+    <message>
+        <source>the grammar draws nothing: its word has no F with a length after %1 derivations</source>
+        <translation>slovnica ne nariše ničesar: njena beseda po %1 izpeljavah nima F z dolžino</translation>
+    </message>
+    <message>
+        <source>this expression is nested too deeply</source>
+        <translation>ta izraz je preveč vgnezden</translation>
+    </message>
+    <message>
+        <source>&apos;%1&apos; is not defined here</source>
+        <translation>»%1« tu ni določeno</translation>
+    </message>
+    <message>
+        <source>there is no function &apos;%1&apos;</source>
+        <translation>funkcije »%1« ni</translation>
+    </message>
+    <message>
+        <source>%1() takes %2 number, not %3</source>
+        <translation>%1() vzame %2 število, ne %3</translation>
+    </message>
+    <message>
+        <source>%1() takes %2 numbers, not %3</source>
+        <translation>%1() vzame števil: %2, ne %3</translation>
+    </message>
+    <message>
+        <source>this is no finite number</source>
+        <translation>to ni končno število</translation>
+    </message>
+    <message>
+        <source>this comment has no end</source>
+        <translation>ta komentar nima konca</translation>
+    </message>
+    <message>
+        <source>expected &apos;%1&apos;</source>
+        <translation>pričakovano »%1«</translation>
+    </message>
+    <message>
+        <source>this bracket is not closed</source>
+        <translation>ta oklepaj ni zaprt</translation>
+    </message>
+    <message>
+        <source>a number is missing here</source>
+        <translation>tu manjka število</translation>
+    </message>
+    <message>
+        <source>this is no number</source>
+        <translation>to ni število</translation>
+    </message>
+    <message>
+        <source>the bracket of this call is not closed</source>
+        <translation>oklepaj tega klica ni zaprt</translation>
+    </message>
+    <message>
+        <source>&apos;%1&apos; is no number</source>
+        <translation>»%1« ni število</translation>
+    </message>
+    <message>
+        <source>the axiom is missing: axiom: …</source>
+        <translation>manjka aksiom: axiom: …</translation>
+    </message>
+    <message>
+        <source>only #define and #ignore are known</source>
+        <translation>znana sta le #define in #ignore</translation>
+    </message>
+    <message>
+        <source>the number of derivations is the value Derivations, not a line of the grammar</source>
+        <translation>število izpeljav je vrednost Derivations, ne vrstica slovnice</translation>
+    </message>
+    <message>
+        <source>there is an axiom already</source>
+        <translation>aksiom že obstaja</translation>
+    </message>
+    <message>
+        <source>the axiom is empty</source>
+        <translation>aksiom je prazen</translation>
+    </message>
+    <message>
+        <source>#define needs a name</source>
+        <translation>#define potrebuje ime</translation>
+    </message>
+    <message>
+        <source>nothing may follow the value</source>
+        <translation>vrednosti ne sme nič slediti</translation>
+    </message>
+    <message>
+        <source>a value that is defined cannot depend on chance</source>
+        <translation>določena vrednost ne more biti odvisna od naključja</translation>
+    </message>
+    <message>
+        <source>polygons { . } are not supported; use ~L for a leaf</source>
+        <translation>mnogokotniki { . } niso podprti; za list uporabite ~L</translation>
+    </message>
+    <message>
+        <source>after ~ stands L (leaf), B (blossom) or K (fruit)</source>
+        <translation>za ~ stoji L (list), B (cvet) ali K (plod)</translation>
+    </message>
+    <message>
+        <source>a letter is missing here</source>
+        <translation>tu manjka črka</translation>
+    </message>
+    <message>
+        <source>&apos;%1&apos; is no letter of a word</source>
+        <translation>»%1« ni črka besede</translation>
+    </message>
+    <message>
+        <source>the bracket of this module&apos;s numbers is not closed</source>
+        <translation>oklepaj števil tega modula ni zaprt</translation>
+    </message>
+    <message>
+        <source>there is no [ for this ]</source>
+        <translation>za ta ] ni [</translation>
+    </message>
+    <message>
+        <source>there is no ] for this [</source>
+        <translation>za ta [ ni ]</translation>
+    </message>
+    <message>
+        <source>here stands the name of a parameter</source>
+        <translation>tu mora biti ime parametra</translation>
+    </message>
+    <message>
+        <source>expected &apos;)&apos; after the parameters</source>
+        <translation>za parametri pričakovan »)«</translation>
+    </message>
+    <message>
+        <source>a production rewrites one module: A(x) : condition -&gt; successor</source>
+        <translation>produkcija prepiše en modul: A(x) : pogoj -&gt; naslednik</translation>
+    </message>
+    <message>
+        <source>a production has at most 32 parameters</source>
+        <translation>produkcija ima največ 32 parametrov</translation>
+    </message>
+    <message>
+        <source>brackets in a context are not supported</source>
+        <translation>oklepaji v kontekstu niso podprti</translation>
+    </message>
+    <message>
+        <source>expected &apos;-&gt;&apos;</source>
+        <translation>pričakovano »-&gt;«</translation>
+    </message>
+    <message>
+        <source>this production never matches: no word has %1 with %2 numbers</source>
+        <translation>ta produkcija se nikoli ne uporabi: nobena beseda nima %1 s številom števil %2</translation>
+    </message>
+    <message>
+        <source>the word of this grammar would have more than %1 modules</source>
+        <translation>beseda te slovnice bi imela več kot %1 modulov</translation>
+    </message>
+    <message>
+        <source>the word of this grammar would have more than %1 numbers</source>
+        <translation>beseda te slovnice bi imela več kot %1 števil</translation>
+    </message>
+    <message>
+        <source>a number of %1 is not finite when %2 is rewritten</source>
+        <translation>število modula %1 ni končno pri prepisu %2</translation>
+    </message>
+    <message>
+        <source>error</source>
+        <translation>napaka</translation>
+    </message>
+    <message>
+        <source>warning</source>
+        <translation>opozorilo</translation>
+    </message>
+    <message>
+        <source>cannot write %1</source>
+        <translation>ni mogoče zapisati %1</translation>
+    </message>
+    <message>
+        <source>cannot write %1: the file on the disk is incomplete</source>
+        <translation>ni mogoče zapisati %1: datoteka na disku ni popolna</translation>
+    </message>
+    <message>
+        <source>cannot read %1</source>
+        <translation>ni mogoče prebrati %1</translation>
+    </message>
+    <message>
+        <source>, did you mean &apos;%1&apos;?</source>
+        <translation>, ste mislili »%1«?</translation>
+    </message>
 </context>
 <context>
     <name>stromar::CComparison</name>

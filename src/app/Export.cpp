@@ -14,6 +14,7 @@
 #include "stromar/texture/TextureMaps.h"
 #include "stromar/util/Parallel.h"
 #include "stromar/util/Text.h"
+#include "stromar/util/Translatable.h"
 #include <algorithm>
 #include <atomic>
 #include <cmath>
@@ -203,7 +204,7 @@ void refuseUnless(const ExportOptions& options, const Format* format, const fs::
     if (const std::string conflict = conflictText(options, *format); !conflict.empty()) throw CError(conflict);
     const fs::path folder = path.parent_path();
     if (std::error_code problem; !folder.empty() && !fs::is_directory(folder, problem))
-        throw CError("cannot write " + path.string() + ": there is no folder " + folder.string());
+        throw CError(translated(NC_("stromar", "cannot write %1: there is no folder %2"), path.string(), folder.string()));
 }
 } // namespace
 
@@ -226,7 +227,7 @@ void writePose(const Pose& pose, const ExportOptions& options, const fs::path& t
     const Format& format = *formatOf(to.path);
     const TreeModel& coarsest = *pose.lods.back(); // only coarse ones have pictures of twigs, all the same
     if (coarsest.age > 0 && std::ranges::any_of(pose.meshes, &Meshes::empty))
-        throw CError("the tree is empty, there is nothing to export");
+        throw CError(translated(NC_("stromar", "the tree is empty, there is nothing to export")));
     makePictures(coarsest, treeFolder, progress);
     CFileSet files(progress, static_cast<std::uint64_t>(format.bytesPerVertex * double(pose.vertexCount())));
     const auto materials = materialsOf(coarsest, pose.meshes, options, format, treeFolder, to, files);
@@ -369,7 +370,7 @@ void exportFrames(const CParams& params, const ExportOptions& options, const Mot
                   const SizeLimits& limits, const fs::path& treeFolder, const fs::path& path,
                   const std::function<void(const fs::path&)>& written, const CProgress& progress) {
     refuseUnless(options, formatOf(path), path);
-    if (isSolid(options) && motion.sways()) throw CError("one solid does not move in the wind");
+    if (isSolid(options) && motion.sways()) throw CError(translated(NC_("stromar", "one solid does not move in the wind")));
     for (const Detail* detail : detailsOf(options)) refuseTooLarge(params, *detail, limits, progress);
     CPoseMaker maker(params, options, motion, varied, limits, treeFolder);
     maker.prepare(age, progress);

@@ -183,22 +183,21 @@ void setChoice(ExportOptions& options, string_view key, string_view value) {
     if (found == std::end(kChoices)) {
         std::vector<std::string> keys;
         for (const ExportChoice& choice : kChoices) keys.emplace_back(choice.key);
-        throw CError("there is no choice '" + std::string(key) + "'" + suggestion(key, keys));
+        throw CError(translated(NC_("stromar", "there is no choice '%1'"), key) + suggestion(key, keys));
     }
-    const std::string name = "'" + std::string(key) + "'";
     if (!found->words.empty()) {
         const auto word = std::ranges::find(found->words, value);
         std::vector<std::string> words(found->words.begin(), found->words.end());
         std::string all;
         for (const std::string& one : words) all += (all.empty() ? "" : ", ") + one;
-        if (word == found->words.end()) throw CError(name + " is one of " + all + ", not '" + std::string(value) + "'" + suggestion(value, words));
+        if (word == found->words.end()) throw CError(translated(NC_("stromar", "'%1' is one of %2, not '%3'"), key, all, value) + suggestion(value, words));
         options.*found->field = static_cast<int>(word - found->words.begin());
         return;
     }
     const auto number = parseNumber(std::string(value));
-    if (!number || (found->field && *number != std::floor(*number))) throw CError(name + ": '" + std::string(value) + "' is not a number" + (found->field ? " without decimals" : ""));
+    if (!number || (found->field && *number != std::floor(*number))) throw CError(translated(found->field ? NC_("stromar", "'%1': '%2' is not a number without decimals") : NC_("stromar", "'%1': '%2' is not a number"), key, value));
     if (*number < found->range.min || *number > found->range.max)
-        throw CError(name + " is between " + numberText(found->range.min) + " and " + numberText(found->range.max) + ", not " + std::string(value));
+        throw CError(translated(NC_("stromar", "'%1' is between %2 and %3, not %4"), key, found->range.min, found->range.max, value));
     if (found->number)
         options.*found->number = *number;
     else
@@ -265,9 +264,8 @@ string_view conflictOf(const ExportOptions& options, const Format& format) {
 }
 
 std::string conflictText(const ExportOptions& options, const Format& format) {
-    std::string text(conflictOf(options, format));
-    if (const std::size_t at = text.find("%1"); at != std::string::npos) text.replace(at, 2, format.ending);
-    return text;
+    const std::string_view conflict = conflictOf(options, format);
+    return conflict.empty() ? std::string() : translated(conflict, format.ending);
 }
 
 std::vector<const Detail*> detailsOf(const ExportOptions& options) {

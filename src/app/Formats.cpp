@@ -73,8 +73,8 @@ std::string unknownFormat(const std::filesystem::path& path) {
         all += (all.empty() ? "" : " ") + known.back();
     }
     const std::string ending = path.extension().string();
-    if (ending.empty()) return "the name of the model file has no ending; it says the format: " + all;
-    return "cannot write '" + ending + "'" + suggestion(ending, known) + " (" + all + ")";
+    if (ending.empty()) return translated(NC_("stromar", "the name of the model file has no ending; it says the format: %1"), all);
+    return translated(NC_("stromar", "cannot write '%1'"), ending) + suggestion(ending, known) + " (" + all + ")";
 }
 
 } // namespace stromar

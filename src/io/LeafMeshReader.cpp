@@ -2,6 +2,7 @@
 #include "stromar/util/Error.h"
 #include "stromar/util/FileSet.h"
 #include "stromar/util/Text.h"
+#include "stromar/util/Translatable.h"
 #include <algorithm>
 #include <assimp/DefaultIOSystem.h>
 #include <assimp/Importer.hpp>
@@ -104,23 +105,23 @@ bool add(LeafBlade& all, const aiScene& scene, const aiNode& node, const aiMatri
 
 LeafBlade readLeafMesh(const std::filesystem::path& file) {
     const auto fault = [&](const std::string& text) { return CError(file.string() + ": " + text); };
-    const CError tooLarge = fault("is too large: a leaf may have at most " + std::to_string(kMaxLeafPoints) + " vertices");
+    const CError tooLarge = fault(translated(NC_("stromar", "is too large: a leaf may have at most %1 vertices"), kMaxLeafPoints));
     const std::string ending = lowerCase(file.extension().string());
-    if (ending != ".obj" && ending != ".glb") throw fault("is neither .obj nor .glb");
+    if (ending != ".obj" && ending != ".glb") throw fault(translated(NC_("stromar", "is neither .obj nor .glb")));
     std::error_code problem;
     const std::uintmax_t bytes = std::filesystem::file_size(file, problem);
-    if (problem) throw fault("cannot be read: " + problem.message());
+    if (problem) throw fault(translated(NC_("stromar", "cannot be read: %1"), problem.message()));
     if (bytes > (ending == ".glb" ? kMaxGlbBytes : kMaxObjBytes)) throw tooLarge;
-    if (ending == ".glb" && !isModest(readFile(file))) throw fault("is no .glb with a mesh, or too large for a leaf");
+    if (ending == ".glb" && !isModest(readFile(file))) throw fault(translated(NC_("stromar", "is no .glb with a mesh, or too large for a leaf")));
     Assimp::Importer importer;
     importer.SetIOHandler(new COneFile(file.string())); // which the importer deletes
     importer.SetPropertyInteger(AI_CONFIG_PP_SBP_REMOVE, aiPrimitiveType_POINT | aiPrimitiveType_LINE);
     const aiScene* scene = importer.ReadFile(file.string(), aiProcess_Triangulate | aiProcess_GenSmoothNormals | aiProcess_JoinIdenticalVertices |
                                                                 aiProcess_SortByPType | aiProcess_ValidateDataStructure);
-    if (!scene) throw fault(std::string("is no mesh that can be read: ") + importer.GetErrorString());
+    if (!scene) throw fault(translated(NC_("stromar", "is no mesh that can be read: %1"), importer.GetErrorString()));
     LeafBlade all;
     if (!add(all, *scene, *scene->mRootNode, {})) throw tooLarge;
-    if (all.indices.empty()) throw fault("has no triangles");
+    if (all.indices.empty()) throw fault(translated(NC_("stromar", "has no triangles")));
     return all;
 }
 

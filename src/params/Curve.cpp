@@ -1,22 +1,24 @@
 #include "stromar/params/Curve.h"
 #include "stromar/util/Text.h"
+#include "stromar/util/Translatable.h"
 #include <algorithm>
 #include <cassert>
 
 namespace stromar {
 
 namespace {
-std::string named(std::size_t index, std::string_view point) {
-    return "point " + std::to_string(index + 1) + " ('" + std::string(trimmed(point)) + "')";
+/// `wrong` names the number of the point by %1 and the text by %2.
+std::string faultOf(std::string_view wrong, std::size_t index, std::string_view point) {
+    return translated(wrong, index + 1, trimmed(point));
 }
 
 /// A point and what is wrong with it.
 std::string readPoint(std::string_view text, std::size_t index, CCurve::Point& point) {
     const std::size_t colon = text.find(':');
-    if (trimmed(text).empty()) return "point " + std::to_string(index + 1) + " is empty";
-    if (colon == std::string_view::npos) return named(index, text) + " is not x:y";
+    if (trimmed(text).empty()) return translated(NC_("stromar", "point %1 is empty"), index + 1);
+    if (colon == std::string_view::npos) return faultOf(NC_("stromar", "point %1 ('%2') is not x:y"), index, text);
     const auto x = parseNumber(trimmed(text.substr(0, colon))), y = parseNumber(trimmed(text.substr(colon + 1)));
-    if (!x || !y) return named(index, text) + (x ? " has a y that is no number" : " has an x that is no number");
+    if (!x || !y) return faultOf(x ? NC_("stromar", "point %1 ('%2') has a y that is no number") : NC_("stromar", "point %1 ('%2') has an x that is no number"), index, text);
     point = {*x, *y};
     return {};
 }
@@ -36,9 +38,9 @@ std::optional<CCurve> CCurve::parse(std::string_view text, Fault& fault) {
         Point point{};
         std::string wrong = readPoint(piece, points.size(), point);
         if (wrong.empty() && !points.empty() && point.x <= points.back().x)
-            wrong = named(points.size(), piece) + " must lie to the right of the point before it";
+            wrong = faultOf(NC_("stromar", "point %1 ('%2') must lie to the right of the point before it"), points.size(), piece);
         if (wrong.empty() && points.size() == kMaxPoints)
-            wrong = "a curve has at most " + std::to_string(kMaxPoints) + " points";
+            wrong = translated(NC_("stromar", "a curve has at most %1 points"), kMaxPoints);
         if (!wrong.empty()) {
             fault = {std::move(wrong), begin + blanks};
             return {};

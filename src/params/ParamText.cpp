@@ -1,5 +1,6 @@
 #include "stromar/params/ParamText.h"
 #include "stromar/util/Text.h"
+#include "stromar/util/Translatable.h"
 #include <algorithm>
 #include <cmath>
 #include <map>
@@ -41,18 +42,12 @@ std::optional<double> wordValue(const ParamInfo& info, std::string_view value) {
 
 constexpr std::string_view kBlockMark = "\"\"\"";
 
-std::string quoted(std::string_view value) { return "'" + std::string(value) + "'"; }
-
-std::string notANumber(const ParamInfo& info, std::string_view value) {
-    if (value.empty()) return "has no value";
-    if (info.words.empty()) return "is not a number: " + quoted(value);
+std::string notANumber(const ParamRef& ref, std::string_view value) {
+    const ParamInfo& info = *ref.info;
+    if (value.empty()) return translated(NC_("stromar", "%1 has no value"), ref.key());
+    if (info.words.empty()) return translated(NC_("stromar", "%1 is not a number: '%2'"), ref.key(), value);
     const std::vector<std::string> words(info.words.begin(), info.words.end());
-    return "has no choice " + quoted(value) + suggestion(value, words);
-}
-
-std::string rangeProblem(const ParamRef& ref, std::string_view what, const Range& range, const std::string& value) {
-    return ref.key() + std::string(what) + " must be from " + numberText(range.min) + " to " + numberText(range.max) +
-           ", not " + value;
+    return translated(NC_("stromar", "%1 has no choice '%2'"), ref.key(), value) + suggestion(value, words);
 }
 
 SetResult setNumber(CParams& params, const ParamRef& ref, std::string_view value, SetProblem& problem) {
@@ -60,15 +55,15 @@ SetResult setNumber(CParams& params, const ParamRef& ref, std::string_view value
     std::optional<double> number = wordValue(info, value);
     if (!number) number = parseNumber(value);
     if (!number) {
-        problem.text = ref.key() + " " + notANumber(info, value);
+        problem.text = notANumber(ref, value);
         return SetResult::BadValue;
     }
     if (info.integer() && *number != std::floor(*number)) {
-        problem.text = ref.key() + " must be a whole number, not " + std::string(value);
+        problem.text = translated(NC_("stromar", "%1 must be a whole number, not %2"), ref.key(), value);
         return SetResult::BadValue;
     }
     if (ref.set(params, *number)) return SetResult::Done;
-    problem.text = rangeProblem(ref, "", info.range, std::string(value)) + "; taken as " + numberText(ref.get(params));
+    problem.text = translated(NC_("stromar", "%1 must be from %2 to %3, not %4; taken as %5"), ref.key(), info.range.min, info.range.max, value, ref.get(params));
     return SetResult::Clamped;
 }
 
@@ -85,9 +80,9 @@ SetResult setCurve(CParams& params, const ParamRef& ref, std::string_view value,
         const auto& [x, y] = curve->points()[i];
         const bool xFits = ref.info->over.contains(x);
         if (xFits && ref.info->range.contains(y)) continue;
-        const std::string what = ": the " + std::string(xFits ? "y" : "x") + " of point " + std::to_string(i + 1);
-        problem.text = rangeProblem(ref, what, xFits ? ref.info->range : ref.info->over, numberText(xFits ? y : x)) +
-                       "; taken as the nearest";
+        const Range& range = xFits ? ref.info->range : ref.info->over;
+        problem.text = translated(NC_("stromar", "%1: the %2 of point %3 must be from %4 to %5, not %6; taken as the nearest"), ref.key(), xFits ? "y" : "x", i + 1,
+                                  range.min, range.max, xFits ? y : x);
         problem.at = value.find_first_not_of(" \t", begin);
         break;
     }
@@ -113,7 +108,7 @@ SetResult setText(CParams& params, const ParamRef& ref, std::string_view value, 
     for (std::size_t begin = 0; ref.info->block && begin < text.size();) {
         const std::size_t end = std::min(text.find('\n', begin), text.size());
         if (trimmed(std::string_view(text).substr(begin, end - begin)) == kBlockMark) {
-            problem = {ref.key() + " must not hold a line of three quotes: it would end the text in a file", begin};
+            problem = {translated(NC_("stromar", "%1 must not hold a line of three quotes: it would end the text in a file"), ref.key()), begin};
             return SetResult::BadValue;
         }
         begin = end + 1;
@@ -196,7 +191,7 @@ std::string methodSuggestion(std::string_view method) {
         known.emplace_back(block->method);
         all += (all.empty() ? "" : ", ") + known.back();
     }
-    return suggestion(method, known) + " (known: " + all + ")";
+    return suggestion(method, known) + " (" + translated(NC_("stromar", "known: %1"), all) + ")";
 }
 
 std::string_view kindName(const ParamInfo& info) {

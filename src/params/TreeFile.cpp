@@ -1,6 +1,7 @@
 #include "stromar/params/TreeFile.h"
 #include "stromar/util/FileSet.h"
 #include "stromar/util/Text.h"
+#include "stromar/util/Translatable.h"
 #include <algorithm>
 #include <cmath>
 #include <map>
@@ -31,14 +32,14 @@ int formatOf(const ParamBlock& block) { return &block == &weberPennBlock() ? 1 :
 std::optional<std::string> whyNotText(std::string_view text) {
     if (text.starts_with(kByteOrderMark)) text.remove_prefix(kByteOrderMark.size());
     if (text.size() >= 11 && text.substr(4, 7) == "<Kraut>")
-        return "this is a binary tree of the program Kraut, which uses the same file ending; it cannot be read here";
-    if (text.starts_with("\xFF\xFE") || text.starts_with("\xFE\xFF")) return "this is UTF-16 text; save it as UTF-8";
+        return translated(NC_("stromar", "this is a binary tree of the program Kraut, which uses the same file ending; it cannot be read here"));
+    if (text.starts_with("\xFF\xFE") || text.starts_with("\xFE\xFF")) return translated(NC_("stromar", "this is UTF-16 text; save it as UTF-8"));
     const bool binary = std::ranges::any_of(text, [](char c) {
         return c == '\0' || (c > 0 && c < ' ' && c != '\t' && c != '\n' && c != '\r' && c != '\f');
     });
-    if (binary || text.size() > kMaxBytes) return "this is not a text file of parameters";
+    if (binary || text.size() > kMaxBytes) return translated(NC_("stromar", "this is not a text file of parameters"));
     if (std::ranges::all_of(text, [](char c) { return c == ' ' || c == '\t' || c == '\r' || c == '\n'; }))
-        return "the file is empty";
+        return translated(NC_("stromar", "the file is empty"));
     return {};
 }
 
@@ -168,7 +169,7 @@ private:
     }
 
     static std::string unknownMethod(const std::string& method) {
-        return "this version cannot grow trees by the method '" + method + "'" + methodSuggestion(method);
+        return translated(NC_("stromar", "this version cannot grow trees by the method '%1'"), method) + methodSuggestion(method);
     }
 
     void checkFormat() {
@@ -179,11 +180,11 @@ private:
         const auto first = m_seen.find(std::string(kFormatKey));
         if (first == m_seen.end())
             warnings.insert(warnings.begin(), {Severity::Warning, m_name, 0, 0,
-                                               "no line " + line + "; read as format " + std::to_string(wanted)});
+                                               translated(NC_("stromar", "no line %1; read as format %2"), line, wanted)});
         else if (m_format < wanted)
             warnings.insert(warnings.begin(),
                             {Severity::Warning, m_name, first->second, 1,
-                             "a file with the method '" + std::string(block.method) + "' says " + line});
+                             translated(NC_("stromar", "a file with the method '%1' says %2"), block.method, line)});
     }
 
     void parseLines(std::string_view text) {
@@ -193,7 +194,7 @@ private:
                 const std::size_t length = blockLength(text.substr(raw.size()));
                 if (length == std::string_view::npos)
                     return fail(number, columnOf(raw, raw.find(kBlockMark)),
-                                "the text is not closed: a line of three quotes is missing");
+                                translated(NC_("stromar", "the text is not closed: a line of three quotes is missing")));
                 raw = text.substr(0, raw.size() + length);
                 m_file.m_lines.push_back(parseBlock(raw, number));
             } else
@@ -216,7 +217,7 @@ private:
         for (std::string_view rest = raw; !rest.empty(); ++number) {
             const std::string_view content = firstLine(rest);
             if (const std::size_t bad = firstInvalidUtf8(content); bad != std::string_view::npos)
-                fail(number, columnOf(content, bad), "this character is not UTF-8");
+                fail(number, columnOf(content, bad), translated(NC_("stromar", "this character is not UTF-8")));
             rest.remove_prefix(content.size());
         }
         line.block = true;
@@ -231,7 +232,7 @@ private:
         const std::size_t mark = number == 1 && raw.starts_with(kByteOrderMark) ? kByteOrderMark.size() : 0;
         const std::string_view content = withoutEnding(raw);
         if (const std::size_t bad = firstInvalidUtf8(content); bad != std::string_view::npos) {
-            fail(number, columnOf(content, bad), "this character is not UTF-8");
+            fail(number, columnOf(content, bad), translated(NC_("stromar", "this character is not UTF-8")));
             return line;
         }
         const std::size_t start = content.find_first_not_of(" \t\f", mark);
@@ -240,7 +241,7 @@ private:
         if (equals == std::string_view::npos) {
             const std::string_view word = content.substr(start, content.find_first_of(" \t", start) - start);
             fail(number, columnOf(content, start),
-                 "this line is not 'Key = Value'" + keySuggestion(word, m_file.m_params.block()));
+                 translated(NC_("stromar", "this line is not 'Key = Value'")) + keySuggestion(word, m_file.m_params.block()));
             return line;
         }
         line.key = trimmed(content.substr(start, equals - start));
@@ -256,10 +257,10 @@ private:
         if (begin < content.size() && content[begin] == '"') {
             end = quoteEnd(content, begin);
             if (end == std::string_view::npos)
-                return failed(number, columnOf(content, begin), "the quote is not closed");
+                return failed(number, columnOf(content, begin), translated(NC_("stromar", "the quote is not closed")));
             const std::size_t rest = content.find_first_not_of(" \t", end);
             if (rest != std::string_view::npos && content[rest] != '#')
-                return failed(number, columnOf(content, rest), "nothing but a comment may follow the closing quote");
+                return failed(number, columnOf(content, rest), translated(NC_("stromar", "nothing but a comment may follow the closing quote")));
         } else {
             const std::size_t stop = std::max(commentStart(content, begin), begin);
             end = begin + trimmed(content.substr(begin, stop - begin)).size();
@@ -271,13 +272,13 @@ private:
 
     void takeValue(std::string_view content, std::size_t keyStart, const Line& line) {
         const int number = line.number, keyColumn = columnOf(content, keyStart);
-        if (line.key.empty()) return fail(number, keyColumn, "there is no key in front of '='");
+        if (line.key.empty()) return fail(number, keyColumn, translated(NC_("stromar", "there is no key in front of '='")));
         const std::string value = line.value();
         if (line.key == kFormatKey) return takeFormat(value, number, keyColumn, columnOf(line.raw, line.valueBegin));
         if (line.key == kMethodKey) return static_cast<void>(isSecond(line.key, number, keyColumn));
         const ParamBlock& block = m_file.m_params.block();
         const auto ref = findParam(line.key, block);
-        if (!ref) return warn(number, keyColumn, "unknown key '" + line.key + "' is kept" + keySuggestion(line.key, block));
+        if (!ref) return warn(number, keyColumn, translated(NC_("stromar", "unknown key '%1' is kept"), line.key) + keySuggestion(line.key, block));
         if (isSecond(ref->key(), number, keyColumn)) return;
         SetProblem problem;
         const SetResult result = setFromText(m_file.m_params, *ref, value, problem);
@@ -294,19 +295,18 @@ private:
         if (isSecond(std::string(kFormatKey), number, keyColumn)) return;
         const auto format = parseNumber(value);
         if (!format || *format < 1 || *format != std::floor(*format))
-            return fail(number, column, "Format must be a whole number from 1, not '" + value + "'");
+            return fail(number, column, translated(NC_("stromar", "Format must be a whole number from 1, not '%1'"), value));
         m_format = static_cast<int>(*format);
         if (*format > kFormat)
             fail(number, column,
-                 "the file has format " + value + ", but this version reads only up to " + std::to_string(kFormat) +
-                     "; a newer Stromar is needed");
+                 translated(NC_("stromar", "the file has format %1, but this version reads only up to %2; a newer Stromar is needed"), value, kFormat));
     }
 
     bool isSecond(const std::string& key, int number, int column) {
         const auto [first, isNew] = m_seen.emplace(key, number);
         if (!isNew)
             fail(number, column,
-                 "a second value for " + key + "; the first is in line " + std::to_string(first->second));
+                 translated(NC_("stromar", "a second value for %1; the first is in line %2"), key, first->second));
         return !isNew;
     }
 
@@ -381,7 +381,7 @@ std::string newFileText(const CParams& params) {
 CTreeFile CTreeFile::read(const std::filesystem::path& path) {
     std::error_code unreadable; // reading says it better
     if (std::filesystem::is_directory(path, unreadable))
-        throw CInputError({{Severity::Error, path.string(), 0, 0, "this is a folder, not a .tree file"}});
+        throw CInputError({{Severity::Error, path.string(), 0, 0, translated(NC_("stromar", "this is a folder, not a .tree file"))}});
     CTreeFile file = parse(readFile(path), path.string());
     file.m_params.folder = path.parent_path();
     return file;

@@ -1,6 +1,7 @@
 #include "stromar/scene/BackdropPicture.h"
 #include "stromar/texture/PictureSize.h"
 #include "stromar/util/Error.h"
+#include "stromar/util/Translatable.h"
 #include <algorithm>
 #include <cmath>
 #include <filesystem>
@@ -55,11 +56,11 @@ std::shared_ptr<const BackdropPicture> readBackdrop(const std::string& file) {
     const std::string ending = osgDB::getLowerCaseFileExtension(file);
     picture->panorama = ending == "hdr";
     if (ending != "png" && ending != "jpg" && ending != "jpeg" && !picture->panorama)
-        throw CError("a backdrop is a picture, .png or .jpg, or a panorama, .hdr: not " + file);
+        throw CError(translated(NC_("stromar", "a backdrop is a picture, .png or .jpg, or a panorama, .hdr: not %1"), file));
     refuseHugePicture(file);
     std::error_code problem;
     if (std::filesystem::is_regular_file(file, problem)) picture->image = osgDB::readRefImageFile(file);
-    if (!picture->image || picture->image->s() < 1) throw CError("cannot read the backdrop " + file);
+    if (!picture->image || picture->image->s() < 1) throw CError(translated(NC_("stromar", "cannot read the backdrop %1"), file));
     if (picture->panorama) measure(*picture);
     return picture;
 }

@@ -1,4 +1,5 @@
 #include "stromar/util/Error.h"
+#include "stromar/util/Translatable.h"
 
 namespace stromar {
 
@@ -13,7 +14,7 @@ std::string join(const Messages& messages) {
 std::string Message::toString() const {
     std::string place = file;
     if (line > 0) place += ":" + std::to_string(line) + ":" + std::to_string(column);
-    return place + (place.empty() ? "" : ": ") + (severity == Severity::Error ? "error: " : "warning: ") + text;
+    return place + (place.empty() ? "" : ": ") + translated(severity == Severity::Error ? NC_("stromar", "error") : NC_("stromar", "warning")) + ": " + text;
 }
 
 CInputError::CInputError(Messages messages) : CError(join(messages)), m_messages(std::move(messages)) {}

@@ -1,4 +1,5 @@
 #include "stromar/util/FileSet.h"
+#include "stromar/util/Translatable.h"
 #include <algorithm>
 #include <array>
 #include <atomic>
@@ -16,8 +17,9 @@ namespace stromar {
 namespace fs = std::filesystem;
 
 namespace {
-[[noreturn]] void fail(const std::string& what, const fs::path& path, int error) {
-    throw CError(what + " " + path.string() + ": " + std::strerror(error));
+/// `what` names the file by %1.
+[[noreturn]] void fail(std::string_view what, const fs::path& path, int error) {
+    throw CError(translated(what, path.string()) + ": " + std::strerror(error));
 }
 
 /// The place a path really names, so that a symbolic link is written through instead of replaced.
@@ -68,7 +70,7 @@ protected:
     }
     pos_type seekpos(pos_type place, std::ios_base::openmode) override {
         drain();
-        if (::lseek(m_file, off_type(place), SEEK_SET) < 0) fail("cannot write", m_path, errno);
+        if (::lseek(m_file, off_type(place), SEEK_SET) < 0) fail(NC_("stromar", "cannot write %1"), m_path, errno);
         m_position = static_cast<std::uint64_t>(off_type(place));
         return place;
     }
@@ -92,7 +94,7 @@ private:
         while (size > 0) {
             const ssize_t n = ::write(m_file, data, std::min<std::size_t>(size, 1 << 20));
             if (n < 0 && errno == EINTR) continue;
-            if (n < 0) fail("cannot write", m_path, errno);
+            if (n < 0) fail(NC_("stromar", "cannot write %1"), m_path, errno);
             data += n;
             size -= static_cast<std::size_t>(n);
             m_position += static_cast<std::uint64_t>(n);
@@ -133,17 +135,17 @@ public:
 
     void finish() {
         m_buffer.flushAll();
-        if (::fsync(m_file) != 0 && errno != EINVAL) fail("cannot write", m_path, errno);
+        if (::fsync(m_file) != 0 && errno != EINVAL) fail(NC_("stromar", "cannot write %1"), m_path, errno);
         const int result = ::close(m_file);
         m_file = -1;
-        if (result != 0) fail("cannot write", m_path, errno);
+        if (result != 0) fail(NC_("stromar", "cannot write %1"), m_path, errno);
         std::error_code problem;
         if (fs::file_size(m_temporary, problem) != m_buffer.size() || problem)
-            throw CError("cannot write " + m_path.string() + ": the file on the disk is incomplete");
+            throw CError(translated(NC_("stromar", "cannot write %1: the file on the disk is incomplete"), m_path.string()));
     }
     void moveIntoPlace() {
-        if (fs::is_directory(m_path)) fail("cannot write", m_path, EISDIR);
-        if (::rename(m_temporary.c_str(), m_path.c_str()) != 0) fail("cannot write", m_path, errno);
+        if (fs::is_directory(m_path)) fail(NC_("stromar", "cannot write %1"), m_path, EISDIR);
+        if (::rename(m_temporary.c_str(), m_path.c_str()) != 0) fail(NC_("stromar", "cannot write %1"), m_path, errno);
         m_temporary.clear();
     }
     bool placeIsFolder() const { return fs::is_directory(m_path); }
@@ -160,7 +162,7 @@ private:
         struct ::stat old {};
         const bool exists = ::stat(m_path.c_str(), &old) == 0;
         const int file = ::open(m_temporary.c_str(), O_WRONLY | O_CREAT | O_TRUNC | O_CLOEXEC, 0666);
-        if (file < 0) fail("cannot write", m_path, errno);
+        if (file < 0) fail(NC_("stromar", "cannot write %1"), m_path, errno);
         if (exists) (void)::fchmod(file, old.st_mode & 0777);
         return file;
     }
@@ -190,7 +192,7 @@ void CFileSet::copy(const fs::path& source, const fs::path& path) {
 
 void CFileSet::commit() {
     for (const auto& file : m_files) {
-        if (file->placeIsFolder()) fail("cannot write", file->path(), EISDIR);
+        if (file->placeIsFolder()) fail(NC_("stromar", "cannot write %1"), file->path(), EISDIR);
         file->finish();
     }
     m_progress.poll();
@@ -207,12 +209,12 @@ void writeFile(const fs::path& path, std::string_view content) {
 }
 
 std::string readFile(const fs::path& path) {
-    if (fs::is_directory(path)) fail("cannot read", path, EISDIR);
+    if (fs::is_directory(path)) fail(NC_("stromar", "cannot read %1"), path, EISDIR);
     errno = 0;
     std::ifstream in(path, std::ios::binary);
-    if (!in) fail("cannot read", path, errno);
+    if (!in) fail(NC_("stromar", "cannot read %1"), path, errno);
     std::string content((std::istreambuf_iterator<char>(in)), std::istreambuf_iterator<char>());
-    if (in.bad()) fail("cannot read", path, errno);
+    if (in.bad()) fail(NC_("stromar", "cannot read %1"), path, errno);
     return content;
 }
 

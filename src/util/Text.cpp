@@ -1,4 +1,5 @@
 #include "stromar/util/Text.h"
+#include "stromar/util/Translatable.h"
 #include <algorithm>
 #include <array>
 #include <charconv>
@@ -110,7 +111,7 @@ std::optional<std::string> nearestWord(std::string_view word, std::span<const st
 
 std::string suggestion(std::string_view word, std::span<const std::string> known) {
     const auto near = nearestWord(word, known);
-    return near ? ", did you mean '" + *near + "'?" : std::string();
+    return near ? translated(NC_("stromar", ", did you mean '%1'?"), *near) : std::string();
 }
 
 } // namespace stromar

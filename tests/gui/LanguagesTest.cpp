@@ -12,6 +12,7 @@
 #include <QRegularExpression>
 #include <QTabWidget>
 #include <QTemporaryDir>
+#include "stromar/params/TreeFile.h"
 #include <gtest/gtest.h>
 
 namespace stromar {
@@ -63,6 +64,7 @@ TEST(Languages, PlaceholdersSurvive) {
 
 class LanguageTest : public ::testing::TestWithParam<const char*> {
 protected:
+    void SetUp() override { speak(QStringLiteral("en")); }
     void TearDown() override { speak(QStringLiteral("en")); }
 };
 
@@ -93,6 +95,30 @@ TEST_P(LanguageTest, TheWindowSpeaksItAndNothingIsCutOff) {
             EXPECT_GE(widget->width() + 1, widget->sizeHint().width()) << text.toStdString();
         }
     }
+}
+
+/// What is said of `text` as a file.
+std::string faultOf(const std::string& text) {
+    try {
+        CTreeFile::parse(text, "a.tree");
+    } catch (const CInputError& e) {
+        return e.what();
+    }
+    return {};
+}
+
+TEST_P(LanguageTest, FaultsOfFilesAreSaidInIt) {
+    constexpr const char* kWrong[] = {"Scale = high", "Scale", "Shape = conicle", "0BaseSize = \"1", "Format = 99", "Method = oracle",
+                                      "Method = l-system\nGrammar = \"\"\"\naxiom: F(\n"};
+    std::vector<std::string> english;
+    for (const char* wrong : kWrong) english.push_back(faultOf(wrong));
+    ASSERT_TRUE(speak(QLatin1String(GetParam())));
+    for (std::size_t i = 0; i < english.size(); ++i) {
+        const std::string said = faultOf(kWrong[i]);
+        EXPECT_EQ(said == english[i], GetParam() == std::string("en")) << said;
+        EXPECT_EQ(said.substr(0, said.find(' ')), english[i].substr(0, english[i].find(' '))) << "the place in the file";
+    }
+    EXPECT_NE(faultOf("Shape = conicle").find("conical"), std::string::npos) << "the suggestion";
 }
 
 INSTANTIATE_TEST_SUITE_P(All, LanguageTest, ::testing::Values("en", "cs", "sl", "ru"),

@@ -1,3 +1,4 @@
+#include "stromar/util/Translatable.h"
 #include "ForeignFile.h"
 #include <pugixml.hpp>
 
@@ -66,14 +67,14 @@ const std::span<const ImportRow> kArbaroRows = kRows;
 ForeignValues readArbaro(const ForeignText& source) {
     pugi::xml_document document;
     const pugi::xml_parse_result result = document.load_buffer(source.text.data(), source.text.size());
-    if (!result) source.fail(static_cast<std::size_t>(result.offset), std::string("this is no XML: ") + result.description());
+    if (!result) source.fail(static_cast<std::size_t>(result.offset), translated(NC_("stromar", "this is no XML: %1"), result.description()));
     const pugi::xml_node species = document.child("arbaro").child("species");
-    if (!species) source.fail(0, "there is no <arbaro> with a <species>");
+    if (!species) source.fail(0, translated(NC_("stromar", "there is no <arbaro> with a <species>")));
     ForeignValues values;
     values.push_back({"species", {species.attribute("name").as_string()}, false, 0});
     for (const pugi::xml_node& param : species.children("param")) {
         const auto at = static_cast<std::size_t>(std::max<std::ptrdiff_t>(0, param.offset_debug()));
-        if (!param.attribute("name") || !param.attribute("value")) source.fail(at, "a <param> has a name and a value");
+        if (!param.attribute("name") || !param.attribute("value")) source.fail(at, translated(NC_("stromar", "a <param> has a name and a value")));
         values.push_back({param.attribute("name").as_string(), {param.attribute("value").as_string()}, false, at});
     }
     return values;

@@ -69,7 +69,7 @@ private:
     void take(const ForeignValue& value) {
         int level = -1;
         const ImportRow* row = rowOf(value, level);
-        if (!row) return note(value, "'" + value.key + "' is not known and left out");
+        if (!row) return note(value, translated(NC_("stromar", "'%1' is not known and left out"), value.key));
         if (row->ours.empty()) {
             if (!row->note.empty() && !isNeutral(value, *row)) note(value, "'" + value.key + "' cannot be had: " + std::string(row->note));
             return;
@@ -86,11 +86,11 @@ private:
 
     void set(const ParamRef& ref, const ForeignValue& value, std::size_t item, const ImportRow& row) {
         const auto theirs = value.number(item);
-        if (!theirs) return note(value, "'" + value.key + "' wants a number, not '" + value.items[item] + "'; it is left out");
+        if (!theirs) return note(value, translated(NC_("stromar", "'%1' wants a number, not '%2'; it is left out"), value.key, value.items[item]));
         const double ours = row.value ? row.value(*theirs) : *theirs;
         if (!row.note.empty() && ours != *theirs && *theirs != row.neutral) note(value, "'" + value.key + "' becomes " + ref.key() + " = " + numberText(ours) + ": " + std::string(row.note));
         if (!ref.set(m_tree.params, ours))
-            note(value, ref.key() + " is " + numberText(ref.get(m_tree.params)) + ": " + numberText(ours) + " is out of its range");
+            note(value, translated(NC_("stromar", "%1 is %2: %3 is out of its range"), ref.key(), ref.get(m_tree.params), ours));
     }
 
     static bool isNeutral(const ForeignValue& value, const ImportRow& row) {
@@ -151,12 +151,12 @@ ImportedTree parseForeign(const std::string& text, const std::string& name) {
         tree.params.text.description = "Imported from " + std::string(format.name.substr(0, format.name.find(','))) + ".";
         return tree;
     }
-    source.fail(0, "these are no values of a tree that is known here");
+    source.fail(0, translated(NC_("stromar", "these are no values of a tree that is known here")));
 }
 
 ImportedTree importTree(const std::filesystem::path& file) {
     if (std::error_code problem; std::filesystem::file_size(file, problem) > kMaxForeignBytes && !problem)
-        throw CError(file.string() + ": a file of more than 1 MB is no preset of a tree");
+        throw CError(translated(NC_("stromar", "%1: a file of more than 1 MB is no preset of a tree"), file.string()));
     return parseForeign(readFile(file), file.string());
 }
 

@@ -1,5 +1,6 @@
 #include "ForeignFile.h"
 #include "stromar/util/Text.h"
+#include "stromar/util/Translatable.h"
 #include <cctype>
 
 namespace stromar {
@@ -17,10 +18,10 @@ public:
         if (m_text.starts_with("\xEF\xBB\xBF")) m_at = 3;
         skipTexts();
         skipName();
-        if (!take('{')) fail("a dictionary {…} with the values of a tree is wanted here");
+        if (!take('{')) fail(translated(NC_("stromar", "a dictionary {…} with the values of a tree is wanted here")));
         readPairs(1, true);
         skipBlank();
-        if (m_at < m_text.size()) fail("nothing but comments may follow the values");
+        if (m_at < m_text.size()) fail(translated(NC_("stromar", "nothing but comments may follow the values")));
         return std::move(m_values);
     }
 
@@ -50,7 +51,7 @@ private:
     void skipName() {
         const std::size_t start = m_at;
         while (std::isalnum(static_cast<unsigned char>(here())) || here() == '_') ++m_at;
-        if (m_at > start && !take('=')) fail("'=' is wanted behind the name");
+        if (m_at > start && !take('=')) fail(translated(NC_("stromar", "'=' is wanted behind the name")));
     }
 
     std::string readText() {
@@ -59,7 +60,7 @@ private:
         const std::size_t start = m_at;
         if (m_text.compare(m_at, 3, triple) == 0) {
             const std::size_t end = m_text.find(triple, m_at + 3);
-            if (end == std::string::npos) fail("this text is not closed");
+            if (end == std::string::npos) fail(translated(NC_("stromar", "this text is not closed")));
             m_at = end + 3;
             return m_text.substr(start + 3, end - start - 3);
         }
@@ -70,7 +71,7 @@ private:
         }
         if (here() != quote || m_at >= m_text.size()) {
             m_at = start;
-            fail("this text is not closed");
+            fail(translated(NC_("stromar", "this text is not closed")));
         }
         ++m_at;
         return text;
@@ -84,7 +85,7 @@ private:
         constexpr std::string_view kWords[] = {"True", "False", "None", "true", "false", "null"};
         if (!parseNumber(word) && std::ranges::find(kWords, word) == std::end(kWords)) {
             m_at = start;
-            fail(word.empty() ? "a value is wanted here" : "'" + word + "' is no value: only numbers, texts, True, False, None and lists are read");
+            fail(word.empty() ? translated(NC_("stromar", "a value is wanted here")) : translated(NC_("stromar", "'%1' is no value: only numbers, texts, True, False, None and lists are read"), word));
         }
         return word;
     }
@@ -95,14 +96,14 @@ private:
         while (!take(close)) {
             readValue(value, depth);
             if (take(',')) continue;
-            if (!take(close)) fail(std::string("',' or '") + close + "' is wanted here");
+            if (!take(close)) fail(translated(NC_("stromar", "'%1' or '%2' is wanted here"), ",", std::string(1, close)));
             return;
         }
     }
 
     void readValue(ForeignValue& value, int depth) {
-        if (depth > kMaxDepth) fail("lists are nested too deep");
-        if (value.items.size() > kMaxItems) fail("this list is too long");
+        if (depth > kMaxDepth) fail(translated(NC_("stromar", "lists are nested too deep")));
+        if (value.items.size() > kMaxItems) fail(translated(NC_("stromar", "this list is too long")));
         skipBlank();
         if (take('[')) return readItems(']', value, depth + 1);
         if (take('(')) return readItems(')', value, depth + 1);
@@ -111,18 +112,18 @@ private:
     }
 
     void readPairs(int depth, bool kept) {
-        if (depth > kMaxDepth) fail("dictionaries are nested too deep");
+        if (depth > kMaxDepth) fail(translated(NC_("stromar", "dictionaries are nested too deep")));
         while (!take('}')) {
             ForeignValue value;
             skipBlank();
             value.at = m_at;
-            if (here() != '"' && here() != '\'') fail("a name in quotes is wanted here");
+            if (here() != '"' && here() != '\'') fail(translated(NC_("stromar", "a name in quotes is wanted here")));
             value.key = readText();
-            if (!take(':')) fail("':' is wanted here");
+            if (!take(':')) fail(translated(NC_("stromar", "':' is wanted here")));
             readValue(value, depth);
             if (kept || depth == 2) m_values.push_back(std::move(value)); // some keep theirs one deeper
             if (take(',')) continue;
-            if (!take('}')) fail("',' or '}' is wanted here");
+            if (!take('}')) fail(translated(NC_("stromar", "'%1' or '%2' is wanted here"), ",", "}"));
             return;
         }
     }

@@ -1,4 +1,6 @@
 #include "window/Languages.h"
+#include "stromar/util/Translatable.h"
+#include "window/QtText.h"
 #include <QCoreApplication>
 #include <QLibraryInfo>
 #include <QLocale>
@@ -40,6 +42,7 @@ bool speak(const QString& code) {
     if (code != QLatin1String("en"))
         buttons = install(QStringLiteral("qtbase_") + code, QLibraryInfo::path(QLibraryInfo::TranslationsPath));
     own = install(QStringLiteral("stromar_") + code, QStringLiteral(":/translations"));
+    setTranslator([](std::string_view marked) { return trText(marked).toStdString(); });
     return own != nullptr;
 }
 

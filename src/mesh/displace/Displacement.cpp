@@ -1,6 +1,7 @@
 #include "stromar/mesh/Displacement.h"
 #include "stromar/util/Error.h"
 #include "stromar/util/Text.h"
+#include "stromar/util/Translatable.h"
 #include <algorithm>
 #include <array>
 #include <cmath>
@@ -248,8 +249,7 @@ void refuseMore(const std::vector<CDividedMesh>& wood, double cell, const Displa
         least += mesh.dividedArea() / largest;
     }
     if (std::max(count, least) > double(limit.triangles))
-        throw CError("displacement in cells of " + numberText(cell) + " m would make more than " +
-                     numberText(std::floor(double(limit.triangles) / 1e5) / 10) + " million triangles; choose larger cells");
+        throw CError(translated(NC_("stromar", "displacement in cells of %1 m would make more than %2 million triangles; choose larger cells"), cell, std::floor(double(limit.triangles) / 1e5) / 10));
 }
 
 /// The longest edges first, which keeps thin triangles from being cut into thinner ones.

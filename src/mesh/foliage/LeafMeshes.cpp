@@ -151,16 +151,16 @@ const BuiltInLeaf* builtInLeaf(std::string_view name) {
     if (found != std::end(kBuiltIn)) return found;
     std::string known;
     for (const BuiltInLeaf& leaf : kBuiltIn) known += (known.empty() ? "" : ", ") + std::string(kBuiltInMesh) + std::string(leaf.name);
-    throw CError("there is no " + std::string(name) + "; there are " + known);
+    throw CError(translated(NC_("stromar", "there is no %1; there are %2"), name, known));
 }
 
 LeafBlade bladeOf(LeafBlade mesh, double aspect) {
-    if (mesh.points.empty()) throw CError("it has no triangles");
+    if (mesh.points.empty()) throw CError(translated(NC_("stromar", "has no triangles")));
     const Box box = boxOf(mesh);
     const glm::dmat3 axes = axesOf(mesh, box);
     const glm::dvec3 reach = glm::max(box.max * axes, box.min * axes), size = glm::abs(box.size() * axes);
     if (!(reach.y > 0) || !(size.x > 0) || !std::isfinite(reach.y) || !std::isfinite(size.x))
-        throw CError("it has no length or no width");
+        throw CError(translated(NC_("stromar", "has no length or no width")));
     const glm::dvec3 scale = glm::dvec3(1 / aspect, 1, 1 / aspect) / reach.y;
     for (LeafBlade::Point& point : mesh.points) {
         point.place = scale * (point.place * axes);

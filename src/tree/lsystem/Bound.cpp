@@ -5,6 +5,7 @@
 #include "stromar/tree/lsystem/LSystemBuilder.h"
 #include "stromar/tree/lsystem/TurtleStems.h"
 #include "stromar/util/Text.h"
+#include "stromar/util/Translatable.h"
 #include <algorithm>
 #include <cmath>
 #include <map>
@@ -117,8 +118,7 @@ SizeBound boundOf(const CParams& params, const CProgress& progress) {
     const Grammar grammar = grammarOf(params);
     const auto counted = countModules(grammar, l.derivations);
     if (counted && counted->total() > double(CRewriter::kMaxModules))
-        throw CError("this grammar makes " + wholeText(counted->total()) + " modules in " + std::to_string(l.derivations) +
-                     " derivations; at most " + std::to_string(CRewriter::kMaxModules) + " are allowed");
+        throw CError(translated(NC_("stromar", "this grammar makes %1 modules in %2 derivations; at most %3 are allowed"), wholeText(counted->total()), l.derivations, CRewriter::kMaxModules));
     SizeBound bound;
     bound.base = baseFormOf(params.common);
     std::optional<CWord> word;

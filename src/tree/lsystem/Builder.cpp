@@ -4,6 +4,7 @@
 #include "stromar/tree/lsystem/LSystemBuilder.h"
 #include "stromar/tree/lsystem/TurtleStems.h"
 #include "stromar/util/Text.h"
+#include "stromar/util/Translatable.h"
 #include <algorithm>
 
 namespace stromar {
@@ -55,8 +56,7 @@ std::shared_ptr<const CTree> CLSystemBuilder::build(const CParams& params, const
     const TurtlePath path = interpret(word, turtleParamsOf(params), progress);
     const auto stems = stemsOf(word, path, progress);
     if (stems.empty())
-        throw CError("the grammar draws nothing: its word has no F with a length after " + std::to_string(derivations) +
-                     " derivations");
+        throw CError(translated(NC_("stromar", "the grammar draws nothing: its word has no F with a length after %1 derivations"), derivations));
     return std::make_shared<const CTree>(heightOf(path.segments),
                                          std::vector<std::shared_ptr<const CGeneration>>(stems.begin(), stems.end()), base);
 }

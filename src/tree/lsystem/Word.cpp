@@ -2,6 +2,7 @@
 #include "stromar/util/Parallel.h"
 #include "stromar/util/Random.h"
 #include "stromar/util/Text.h"
+#include "stromar/util/Translatable.h"
 #include <algorithm>
 #include <cmath>
 #include <limits>
@@ -16,8 +17,8 @@ bool isDrawn(Symbol symbol) {
     return symbol == 'F' || symbol == 'f' || symbol == kLeafSymbol || symbol == kBlossomSymbol || symbol == kFruitSymbol;
 }
 
-[[noreturn]] void failTooLong(std::size_t max, const char* what) {
-    throw CError("the word of this grammar would have more than " + std::to_string(max) + " " + what);
+[[noreturn]] void failTooLong(std::size_t max, std::string_view what) {
+    throw CError(translated(what, max));
 }
 
 /// To so many significant digits.
@@ -118,8 +119,8 @@ CWord CRewriter::derive(const CWord& word, const CProgress& progress) const {
     }
     const auto [modules, numbers] = starts.back();
     static_assert(kMaxNumbersEach * kMaxModules <= std::numeric_limits<std::uint32_t>::max());
-    if (modules > m_maxModules) failTooLong(m_maxModules, "modules");
-    if (numbers > kMaxNumbersEach * m_maxModules) failTooLong(kMaxNumbersEach * m_maxModules, "numbers");
+    if (modules > m_maxModules) failTooLong(m_maxModules, NC_("stromar", "the word of this grammar would have more than %1 modules"));
+    if (numbers > kMaxNumbersEach * m_maxModules) failTooLong(kMaxNumbersEach * m_maxModules, NC_("stromar", "the word of this grammar would have more than %1 numbers"));
     CWord next;
     next.resize(modules, numbers);
     const auto rewrite = [&](std::size_t begin, std::size_t end) {
@@ -149,7 +150,7 @@ GrowingWord CRewriter::grow(double derivations, const CProgress& progress) const
     Match match;
     for (std::size_t i = 0; i < word.size(); ++i) {
         if (i % kGrain == 0) progress.poll();
-        if (next.word.size() > m_maxModules) failTooLong(m_maxModules, "modules");
+        if (next.word.size() > m_maxModules) failTooLong(m_maxModules, NC_("stromar", "the word of this grammar would have more than %1 modules"));
         if (const Production* production = productionOf(word, i, match)) {
             growModule(word, i, *production, match, share, next);
             continue;
@@ -192,7 +193,7 @@ double CRewriter::valueOf(const CExpression& value, const ExpressionInput& input
     const double number = value.evaluate(input);
     if (!std::isfinite(number))
         throw CInputError({{Severity::Error, {}, made.place.line, made.place.column,
-                            "a number of " + symbolName(made.symbol) + " is not finite when " + word.text(i, 1) + " is rewritten"}});
+                            translated(NC_("stromar", "a number of %1 is not finite when %2 is rewritten"), symbolName(made.symbol), word.text(i, 1))}});
     return number;
 }
 
