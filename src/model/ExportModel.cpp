@@ -17,6 +17,8 @@ std::size_t sum(const ExportModel& model, Count&& count) {
 } // namespace
 
 std::size_t ExportModel::materialIndex(const CMesh& mesh) const {
+    if (!meshMaterials.empty())
+        return meshMaterials[static_cast<std::size_t>(std::ranges::find(meshes, &mesh, [](const auto& own) { return own.get(); }) - meshes.begin())];
     auto own = std::ranges::find(materials, mesh.surface, &Material::surface);
     for (Surface surface = mesh.surface; own == materials.end() && standIn(surface) != surface;)
         own = std::ranges::find(materials, surface = standIn(surface), &Material::surface);

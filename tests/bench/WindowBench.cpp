@@ -7,7 +7,9 @@
 #include "motion/WindPanel.h"
 #include "stromar/params/ParamText.h"
 #include <QApplication>
+#include <QElapsedTimer>
 #include <QEventLoop>
+#include <QMouseEvent>
 #include <QTemporaryDir>
 #include <benchmark/benchmark.h>
 
@@ -52,6 +54,62 @@ void BM_SliderStep(benchmark::State& state, const char* name) {
         waitForPicture(window);
     }
 }
+BENCHMARK_CAPTURE(BM_SliderStep, english_oak, "english_oak")
+    ->Name("Window/SliderStep/english_oak")
+    ->Unit(benchmark::kMillisecond)
+    ->UseRealTime();
+
+/// One step of the dragged month: leaves change their colours, and how many there are.
+void BM_MonthStep(benchmark::State& state, const char* name) {
+    CMainWindow window;
+    window.show();
+    window.files().open(preset(name));
+    window.growth().showOnly(Model::Simple);
+    waitForPicture(window);
+    const ParamRef month = *findParam("Season");
+    double value = 4;
+    while (window.busy()) QCoreApplication::processEvents();
+    for (auto _ : state) {
+        window.document().setValue(month, value = value < 10 ? value + 0.1 : 4, 1);
+        waitForPicture(window);
+    }
+}
+BENCHMARK_CAPTURE(BM_MonthStep, quaking_aspen, "quaking_aspen")->Name("Window/MonthStep/quaking_aspen")->Unit(benchmark::kMillisecond)->UseRealTime();
+BENCHMARK_CAPTURE(BM_MonthStep, english_oak, "english_oak")->Name("Window/MonthStep/english_oak")->Unit(benchmark::kMillisecond)->UseRealTime();
+BENCHMARK_CAPTURE(BM_MonthStep, weeping_willow, "weeping_willow")->Name("Window/MonthStep/weeping_willow")->Unit(benchmark::kMillisecond)->UseRealTime();
+
+/// One picture of a view that a hand turns. `first_ms`: the first pictures, before the viewport saves what the hand cannot wait for.
+void BM_OrbitFrame(benchmark::State& state, const char* name) {
+    CMainWindow window;
+    window.show();
+    window.files().open(preset(name));
+    window.growth().showOnly(Model::Full);
+    waitForPicture(window);
+    while (window.busy()) QCoreApplication::processEvents();
+    CViewport& view = window.viewport();
+    int x = 130;
+    const auto turn = [&] {
+        QEventLoop loop;
+        QObject::connect(&view, &CViewport::drawn, &loop, &QEventLoop::quit);
+        const QPointF at(x = x < 300 ? x + 3 : 130, 200);
+        QMouseEvent move(QEvent::MouseMove, at, view.mapToGlobal(at), Qt::NoButton, Qt::LeftButton, Qt::NoModifier);
+        QCoreApplication::sendEvent(&view, &move);
+        loop.exec();
+    };
+    const QPointF start(100, 200);
+    QMouseEvent press(QEvent::MouseButtonPress, start, view.mapToGlobal(start), Qt::LeftButton, Qt::LeftButton, Qt::NoModifier);
+    QCoreApplication::sendEvent(&view, &press);
+    QElapsedTimer timer;
+    timer.start();
+    turn();
+    state.counters["first_ms"] = double(timer.elapsed());
+    for (int i = 0; i < 10; ++i) turn();
+    for (auto _ : state) turn();
+}
+BENCHMARK_CAPTURE(BM_OrbitFrame, quaking_aspen, "quaking_aspen")->Name("Window/OrbitFrame/quaking_aspen")->Unit(benchmark::kMillisecond)->UseRealTime();
+BENCHMARK_CAPTURE(BM_OrbitFrame, english_oak, "english_oak")->Name("Window/OrbitFrame/english_oak")->Unit(benchmark::kMillisecond)->UseRealTime();
+BENCHMARK_CAPTURE(BM_OrbitFrame, weeping_willow, "weeping_willow")->Name("Window/OrbitFrame/weeping_willow")->Unit(benchmark::kMillisecond)->UseRealTime();
+
 /// One step of a point of a curve that is held: likewise, with the branches it touches lit up.
 void BM_CurveStep(benchmark::State& state) {
     CMainWindow window;

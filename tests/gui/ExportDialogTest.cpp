@@ -16,7 +16,7 @@ namespace {
 
 /// Finds its parts by the names of the table's rows.
 struct Dialog : CExportDialog {
-    Dialog() : CExportDialog(QStringLiteral("oak"), 1e6) {}
+    explicit Dialog(std::size_t rowTrees = 0) : CExportDialog(QStringLiteral("oak"), 1e6, rowTrees) {}
     QComboBox* combo(const char* name) { return findChild<QComboBox*>(QLatin1String(name)); }
     QLineEdit* place() { return findChild<QLineEdit*>(QStringLiteral("path")); }
     QString conflict() { return findChild<QLabel*>(QStringLiteral("conflict"))->text(); }
@@ -41,6 +41,21 @@ TEST(ExportDialog, HasAnEditorForEveryChoice) {
     }
     EXPECT_EQ(dialog.combo("format")->count(), int(formatTable().size()));
     EXPECT_TRUE(dialog.canExport()) << dialog.conflict().toStdString();
+}
+
+TEST(ExportDialog, TreesSideBySideAreOneSceneUnlessOneIsWanted) {
+    Dialog row(9), alone(0);
+    EXPECT_FALSE(alone.wantsRow());
+    EXPECT_FALSE(alone.combo("trees")->isVisibleTo(&alone));
+    ASSERT_TRUE(row.combo("trees")->isVisibleTo(&row));
+    EXPECT_TRUE(row.combo("trees")->currentText().contains(QLatin1String("9")));
+    EXPECT_TRUE(row.wantsRow());
+    row.chooseFormat(".glb");
+    row.combo("lods")->setCurrentIndex(static_cast<int>(ExportedLods::InOneFile));
+    EXPECT_FALSE(row.canExport());
+    row.combo("trees")->setCurrentIndex(0);
+    EXPECT_FALSE(row.wantsRow());
+    EXPECT_TRUE(row.canExport()) << row.conflict().toStdString();
 }
 
 TEST(ExportDialog, StartsWithTheDefaults) {

@@ -12,6 +12,7 @@
 #include <QSettings>
 #include <QTemporaryDir>
 #include <QToolBar>
+#include <set>
 
 namespace stromar {
 namespace {
@@ -208,6 +209,33 @@ TEST_F(ViewsTest, TreesStandSideBySide) {
     action("alone")->trigger();
     EXPECT_TRUE(view().overlay().model().labels.empty());
     EXPECT_EQ(view().scene().bounds().xMax(), alone.xMax());
+}
+
+TEST_F(ViewsTest, TreesSideBySideAreExportedAsOneScene) {
+    EXPECT_TRUE(window.sideBySide().trees().empty()) << "alone";
+    action("ages")->trigger();
+    ASSERT_TRUE(waitFor([&] { return !window.sideBySide().busy(); }, 120000));
+    const std::vector<RowTree> trees = window.sideBySide().trees();
+    ASSERT_EQ(trees.size(), 5u);
+    const QTemporaryDir folder;
+    QString why = QStringLiteral("not ended");
+    QObject::connect(&window.exporter(), &CExportController::ended, &window, [&](const QString& text) { why = text; });
+    window.exporter().exportTo(folder.filePath(QStringLiteral("row.obj")), {}, true);
+    ASSERT_TRUE(waitFor([&] { return !window.exporter().progress(); }, 120000));
+    EXPECT_TRUE(why.isEmpty()) << why.toStdString();
+    QFile file(folder.filePath(QStringLiteral("row.obj")));
+    ASSERT_TRUE(file.open(QIODevice::ReadOnly));
+    std::set<QByteArray> names;
+    double left = 1e9, right = -1e9;
+    while (!file.atEnd()) {
+        const QList<QByteArray> words = file.readLine().simplified().split(' ');
+        if (words[0] == "o") names.insert(words[1].left(words[1].indexOf('_', 4)));
+        if (words[0] == "v") left = std::min(left, words[1].toDouble()), right = std::max(right, words[1].toDouble());
+    }
+    EXPECT_EQ(names, (std::set<QByteArray>{"age_20", "age_40", "age_60", "age_80", "age_100"}));
+    const osg::BoundingBox row = view().scene().bounds();
+    EXPECT_NEAR(left, row.xMin(), 0.5);
+    EXPECT_NEAR(right, row.xMax(), 0.5);
 }
 
 TEST_F(ViewsTest, ARowThatIsGivenUpIsOver) {

@@ -4,6 +4,7 @@
 #include "io/Tools.h"
 #include "stromar/model/JoinedModel.h"
 #include "stromar/app/Export.h"
+#include "stromar/app/ExportRow.h"
 #include "stromar/mesh/Shading.h"
 #include "stromar/util/FileSet.h"
 #include <cmath>
@@ -48,6 +49,17 @@ class GltfFile : public testing::TestWithParam<const char*> {
 };
 INSTANTIATE_TEST_SUITE_P(All, GltfFile, testing::Values(".glb", ".gltf"),
                          [](const auto& one) { return std::string(one.param + 1); });
+
+TEST_P(GltfFile, ARowOfTreesHasNoErrorsOrWarnings) {
+    const CTemporaryFolder folder;
+    const fs::path path = folder / ("row" + std::string(GetParam()));
+    CParams autumn = sampleModel("aspen").params;
+    autumn.common.season = 10;
+    exportRow(std::vector<RowTree>{{sampleModel("aspen").params, 1, nullptr, 0, "summer"}, {autumn, 1, nullptr, 14, "autumn"}, {autumn, 0.3, nullptr, 25, "young"}}, {}, {}, {}, path, CProgress(2));
+    const Json report = validate(path);
+    EXPECT_EQ(report.at("issues").at("numErrors"), 0) << report.at("issues").dump(1);
+    EXPECT_EQ(report.at("issues").at("numWarnings"), 0) << report.at("issues").dump(1);
+}
 
 TEST_P(GltfFile, HasNoErrorsOrWarnings) {
     const CTemporaryFolder folder;

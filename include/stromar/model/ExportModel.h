@@ -54,6 +54,7 @@ struct ExportModel {
     std::vector<Joint> joints{};                              ///< of a skeleton that all meshes hang on, the root first
     std::vector<Clip> clips{};
     std::vector<DataTable> tables{};
+    std::vector<std::size_t> meshMaterials{}; ///< by mesh: which of the materials it has; empty: that of its surface
     bool leafLight = false; ///< light comes through what is cut out, in formats that hold it
 
     /// Which of the materials a mesh has.

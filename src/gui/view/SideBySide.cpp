@@ -4,6 +4,7 @@
 #include "work/GrownView.h"
 #include "stromar/app/Prediction.h"
 #include "stromar/scene/Outline.h"
+#include "stromar/util/Text.h"
 #include <QLocale>
 #include <algorithm>
 
@@ -84,7 +85,7 @@ std::vector<CSideBySide::Tree> CSideBySide::treesOf(const TreeModel& model) cons
 std::vector<CSideBySide::Tree> CSideBySide::seeds(const TreeModel& model) const {
     std::vector<Tree> trees;
     const auto add = [&](int seed) {
-        Tree& tree = trees.emplace_back(Tree{model.params, model.age, QString::number(seed)});
+        Tree& tree = trees.emplace_back(Tree{model.params, model.age, QString::number(seed), "seed_" + std::to_string(seed)});
         tree.params.common.seed = seed;
     };
     for (std::size_t i = 0; i < std::min(kOthers, m_seeds.size()); ++i) {
@@ -96,9 +97,12 @@ std::vector<CSideBySide::Tree> CSideBySide::seeds(const TreeModel& model) const 
 
 std::vector<CSideBySide::Tree> CSideBySide::ages(const TreeModel& model) const {
     std::vector<Tree> trees;
-    for (const double age : kAges) trees.push_back({model.params, age, tr("Age %1 %").arg(QLocale().toString(100 * age, 'g', 3))});
-    if (std::ranges::find(trees, model.age, &Tree::age) == trees.end())
-        trees.push_back({model.params, model.age, tr("Age %1 %").arg(QLocale().toString(100 * model.age, 'g', 3))});
+    const auto add = [&](double age) {
+        const QString percent = QLocale::c().toString(100 * age, 'g', 3);
+        trees.push_back({model.params, age, tr("Age %1 %").arg(QLocale().toString(100 * age, 'g', 3)), "age_" + percent.toStdString()});
+    };
+    for (const double age : kAges) add(age);
+    if (std::ranges::find(trees, model.age, &Tree::age) == trees.end()) add(model.age);
     std::ranges::sort(trees, {}, &Tree::age);
     return trees;
 }
@@ -107,7 +111,7 @@ std::vector<CSideBySide::Tree> CSideBySide::seasons(const TreeModel& model) cons
     std::vector<Tree> trees;
     const auto add = [&](double month) {
         const int number = std::clamp(static_cast<int>(month), 1, 12);
-        Tree& tree = trees.emplace_back(Tree{model.params, model.age, QLocale().standaloneMonthName(number)});
+        Tree& tree = trees.emplace_back(Tree{model.params, model.age, QLocale().standaloneMonthName(number), "month_" + numberText(month)});
         tree.params.common.season = static_cast<decltype(tree.params.common.season)>(month);
     };
     for (const double month : kMonths) add(month);
@@ -119,6 +123,7 @@ std::vector<CSideBySide::Tree> CSideBySide::seasons(const TreeModel& model) cons
     };
     Tree& nearest = *std::ranges::min_element(trees, {}, distance);
     nearest.params = model.params;
+    nearest.name = "month_" + numberText(own);
     nearest.label = QLocale().standaloneMonthName(std::clamp(static_cast<int>(own), 1, 12));
     return trees;
 }
@@ -127,7 +132,7 @@ std::vector<CSideBySide::Tree> CSideBySide::levels(const TreeModel& model) {
     std::vector<Tree> trees;
     for (const Detail& detail : detailTable()) {
         const QString name = detail.model == Model::Simple ? tr("Simple") : tr("LOD %1").arg(detail.lod); // there is little room
-        trees.push_back({model.params, model.age, name, &detail});
+        trees.push_back({model.params, model.age, name, detail.model == Model::Simple ? "simple" : "LOD" + std::to_string(detail.lod), &detail});
     }
     std::ranges::stable_sort(trees, std::greater(), [](const Tree& tree) { return tree.detail->model == Model::Full; });
     return trees;
@@ -137,7 +142,7 @@ std::vector<CSideBySide::Tree> CSideBySide::levels(const TreeModel& model) {
 void CSideBySide::request() {
     ++m_number;
     m_toCome = 0;
-    const Tree shown{m_view->model->params, m_view->model->age, {}, m_row == Row::Levels ? m_view->model->detail : nullptr};
+    const Tree shown{m_view->model->params, m_view->model->age, {}, {}, m_row == Row::Levels ? m_view->model->detail : nullptr};
     m_own = static_cast<std::size_t>(std::ranges::find(m_trees, shown) - m_trees.begin());
     SizeLimits each = m_limits;
     each.bytes = std::min(each.bytes, SizeLimits::defaultMemory()) / double(std::max<std::size_t>(1, m_trees.size()));
@@ -150,6 +155,14 @@ void CSideBySide::request() {
         m_waiting = std::move(tasks);
     }
     m_wake.notify_one();
+}
+
+std::vector<RowTree> CSideBySide::trees() const {
+    std::vector<RowTree> all;
+    for (std::size_t i = 0; i < m_trees.size(); ++i)
+        if (const Tree& tree = m_trees[i]; tree.view || i == m_own)
+            all.push_back({tree.params, tree.age, m_row == Row::Levels ? tree.detail : nullptr, tree.place, tree.name});
+    return all;
 }
 
 void CSideBySide::onGrown(quint64 row, quint64 place, const std::shared_ptr<const ViewModel>& view) {
@@ -173,11 +186,12 @@ void CSideBySide::arrange() {
     for (const int side : {-1, 1}) {
         double edge = side < 0 ? ownLeft : ownRight, foot = 0;
         for (std::size_t i = m_own + static_cast<std::size_t>(side); i < m_trees.size(); i += static_cast<std::size_t>(side)) {
-            const Tree& tree = m_trees[i];
+            Tree& tree = m_trees[i];
             if (!tree.view) continue;
             const auto [left, right] = reachOf(tree.view->parts, kAlong, kPoints);
             foot += distanceInRow(edge, side < 0 ? right : left, std::max(tree.view->model->tree->height(), left + right));
             edge = side < 0 ? left : right;
+            tree.place = side * foot;
             others.push_back({tree.view->parts, tree.view->surfaces, osg::Vec3(kAlong * (side * foot))});
             label(tree, *tree.view, others.back().place);
         }

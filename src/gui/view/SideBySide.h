@@ -1,4 +1,5 @@
 #pragma once
+#include "stromar/app/ExportRow.h"
 #include "work/TreeCreatorThread.h"
 #include <QObject>
 #include <condition_variable>
@@ -28,6 +29,8 @@ public:
     void setSeeds(std::span<const int> seeds) { m_seeds.assign(seeds.begin(), seeds.end()); }
     /// After the viewport got a model of the tree. Others follow a full one; all together keep to the limits.
     void follow(const std::shared_ptr<const ViewModel>& view, const std::filesystem::path& folder, const SizeLimits& limits);
+    /// All that stand there, from left to right, for files; empty when the tree is alone.
+    std::vector<RowTree> trees() const;
     /// Whether some are still to come.
     bool busy() const { return m_toCome > 0; }
 
@@ -40,8 +43,10 @@ private:
         CParams params;
         double age = 1;
         QString label;
+        std::string name; ///< in files
         const Detail* detail = nullptr; ///< null: what keeps it small
         std::shared_ptr<const ViewModel> view{};
+        double place = 0; ///< of its foot, from the tree in the window
         bool operator==(const Tree& other) const { return params == other.params && age == other.age && detail == other.detail; }
     };
     struct Task {

@@ -73,7 +73,8 @@ CMainWindow::CMainWindow(const SizeLimits& limits, std::shared_ptr<CDocument> do
       m_viewController(new CViewController(*m_viewport, *m_panel, *m_document, this)),
       m_files(new CFileController(*m_document, *m_bar, this)),
       m_exporter(new CExportController(
-          *m_document, [this] { return shownModel(); }, [this] { return m_growth->limits(); }, [this] { return CExportController::Motion{m_growth->age(), m_wind->wind(), m_fall->felling()}; }, this)),
+          *m_document, [this] { return shownModel(); }, [this] { return m_growth->limits(); }, [this] { return CExportController::Motion{m_growth->age(), m_wind->wind(), m_fall->felling()}; },
+          [this] { return m_sideBySide->trees(); }, this)),
       m_growth(std::make_unique<CGrowthController>(*m_document, *m_bar, limits)) {
     initResources();
     setAcceptDrops(true);

@@ -15,8 +15,8 @@ namespace {
 constexpr int kStill = 10; // times without progress after which the bar says only that there is work
 }
 
-CExportController::CExportController(CDocument& document, Shown shown, Limits limits, Moving moving, QWidget* window)
-    : QObject(window), m_document(document), m_shown(std::move(shown)), m_limits(std::move(limits)), m_moving(std::move(moving)), m_window(window) {}
+CExportController::CExportController(CDocument& document, Shown shown, Limits limits, Moving moving, Row row, QWidget* window)
+    : QObject(window), m_document(document), m_shown(std::move(shown)), m_limits(std::move(limits)), m_moving(std::move(moving)), m_row(std::move(row)), m_window(window) {}
 
 CExportController::~CExportController() = default;
 
@@ -33,9 +33,9 @@ void CExportController::choose(const QString& name) {
     const double vertices = isFull || !mayPredict ? (shown ? double(shown->vertexCount()) : 0)
                                                   : predictSize(m_document.params(), full).vertices;
     if (mayPredict && !fits()) return;
-    CExportDialog dialog(name, vertices, m_window);
+    CExportDialog dialog(name, vertices, m_row().size(), m_window);
     if (dialog.exec() != QDialog::Accepted) return;
-    exportTo(dialog.path(), dialog.options());
+    exportTo(dialog.path(), dialog.options(), dialog.wantsRow());
     m_chosen = true;
 }
 
@@ -50,11 +50,12 @@ bool CExportController::fits() {
     }
 }
 
-void CExportController::exportTo(const QString& path, const ExportOptions& options) {
+void CExportController::exportTo(const QString& path, const ExportOptions& options, bool row) {
     if (m_job) return;
     const Motion moving = m_moving();
     m_job = std::make_unique<CExportJob>(CExportJob::Task{m_document.params(), m_shown(), options, m_document.folder(), toPath(path),
-                                                          m_limits(), moving.age, {.wind = moving.wind, .felling = moving.felling}});
+                                                          m_limits(), moving.age, {.wind = moving.wind, .felling = moving.felling},
+                                                          row ? m_row() : std::vector<RowTree>()});
     QProgressDialog* dialog = showProgress(path);
     connect(
         m_job.get(), &CExportJob::finished, this,

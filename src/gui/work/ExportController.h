@@ -26,13 +26,14 @@ public:
         std::optional<Felling> felling;
     };
     using Moving = std::function<Motion()>;
-    CExportController(CDocument& document, Shown shown, Limits limits, Moving moving, QWidget* window);
+    using Row = std::function<std::vector<RowTree>()>;
+    CExportController(CDocument& document, Shown shown, Limits limits, Moving moving, Row row, QWidget* window);
     ~CExportController() override;
 
     /// Asks for format, file and choices; again with the same after an error.
     void chooseAndExport();
-    /// Returns at once; `ended` tells how it went.
-    void exportTo(const QString& path, const ExportOptions& options = {});
+    /// Returns at once; `ended` tells how it went. `row`: all trees that stand side by side, instead of the one.
+    void exportTo(const QString& path, const ExportOptions& options = {}, bool row = false);
     /// 0..1; nothing when idle.
     std::optional<double> progress() const { return m_job ? std::optional(m_job->progress()) : std::nullopt; }
 
@@ -51,6 +52,7 @@ private:
     Shown m_shown;
     Limits m_limits;
     Moving m_moving;
+    Row m_row; ///< the trees side by side; empty when the tree is alone
     QWidget* m_window;
     std::unique_ptr<CExportJob> m_job;
     bool m_chosen = false; ///< in the dialog, which comes back after an error

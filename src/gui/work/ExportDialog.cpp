@@ -1,6 +1,7 @@
 #include "work/ExportDialog.h"
 #include "window/QtText.h"
 #include "stromar/app/Export.h"
+#include "stromar/app/ExportRow.h"
 #include <QComboBox>
 #include <QDialogButtonBox>
 #include <QDir>
@@ -27,11 +28,12 @@ constexpr const char *kEngineKey = "export/for", *kFormatKey = "export/format", 
 QString keyOf(const ExportChoice& choice) { return QStringLiteral("export/") + toQString(choice.key); }
 } // namespace
 
-CExportDialog::CExportDialog(const QString& name, double fullVertices, QWidget* parent)
-    : QDialog(parent), m_fullVertices(fullVertices), m_engine(new QComboBox), m_format(new QComboBox), m_notes(new QLabel), m_path(new QLineEdit),
+CExportDialog::CExportDialog(const QString& name, double fullVertices, std::size_t rowTrees, QWidget* parent)
+    : QDialog(parent), m_fullVertices(fullVertices), m_rowTrees(rowTrees), m_trees(new QComboBox), m_engine(new QComboBox), m_format(new QComboBox), m_notes(new QLabel), m_path(new QLineEdit),
       m_losses(new QLabel), m_size(new QLabel), m_conflict(new QLabel) {
     setWindowTitle(tr("Export"));
     auto* form = new QFormLayout;
+    addTrees(*form);
     addEngines(*form);
     addFormats(*form);
     for (const ExportChoice& choice : exportChoices()) addChoice(choice, *form);
@@ -58,6 +60,21 @@ QString CExportDialog::path() const { return QDir::fromNativeSeparators(m_path->
 const Format& CExportDialog::format() const {
     return formatTable()[static_cast<std::size_t>(std::max(0, m_format->currentIndex()))];
 }
+
+/// Where several stand side by side: whether all are wanted.
+void CExportDialog::addTrees(QFormLayout& form) {
+    m_trees->setObjectName(QStringLiteral("trees"));
+    m_trees->setParent(this);
+    m_trees->addItem(tr("This tree alone"));
+    m_trees->setVisible(m_rowTrees > 1);
+    if (m_rowTrees < 2) return;
+    m_trees->addItem(tr("All %1 side by side, as one scene").arg(m_rowTrees));
+    m_trees->setCurrentIndex(1);
+    connect(m_trees, &QComboBox::currentIndexChanged, this, &CExportDialog::update);
+    form.addRow(tr("Trees"), m_trees);
+}
+
+bool CExportDialog::wantsRow() const { return m_trees->currentIndex() == 1; }
 
 /// Which program the tree is for: one choice for all rows below.
 void CExportDialog::addEngines(QFormLayout& form) {
@@ -211,14 +228,14 @@ void CExportDialog::onPath() {
 
 void CExportDialog::update() {
     if (!m_export) return;
-    const std::string_view conflict = conflictOf(m_options, format());
+    const std::string_view conflict = wantsRow() ? rowConflictOf(m_options, format()) : conflictOf(m_options, format());
     const bool wrongEnding = formatOf(toPath(path())) != &format();
     const Engine* engine = engineNamed(m_engine->currentData().toString().toStdString());
     const std::string_view advice = adviceOn(m_options, format());
     m_notes->setText(!advice.empty() ? trText(advice) : engine ? trText(engine->notes) : QString());
     m_notes->setVisible(!m_notes->text().isEmpty());
     m_losses->setText(trText(format().losses));
-    const QString size = QLocale().formattedDataSize(static_cast<qint64>(estimatedBytes(m_fullVertices, m_options, format())));
+    const QString size = QLocale().formattedDataSize(static_cast<qint64>(estimatedBytes(m_fullVertices * double(wantsRow() ? m_rowTrees : 1), m_options, format())));
     m_size->setText(m_options.displacement > 0 ? tr("%1, and what displacement adds").arg(size) : size);
     m_conflict->setText(!conflict.empty() ? trText(conflict).replace(QLatin1String("%1"), toQString(format().ending))
                         : wrongEnding     ? tr("The file's name has to end in %1").arg(toQString(format().ending))

@@ -17,15 +17,17 @@ namespace stromar {
 class CExportDialog : public QDialog {
     Q_OBJECT
 public:
-    /// `fullVertices` of the full model, for the size; `name` proposes the file's.
-    CExportDialog(const QString& name, double fullVertices, QWidget* parent = nullptr);
+    /// `fullVertices` of the full model, for the size; `name` proposes the file's; `rowTrees`: how many stand side by side.
+    CExportDialog(const QString& name, double fullVertices, std::size_t rowTrees = 0, QWidget* parent = nullptr);
 
     QString path() const;
     const ExportOptions& options() const { return m_options; }
+    bool wantsRow() const;
 
     void accept() override;
 
 private:
+    void addTrees(QFormLayout& form);
     void addEngines(QFormLayout& form);
     void takeEngine(int index);
     void take(const ExportSettings& settings);
@@ -40,9 +42,10 @@ private:
     const Format& format() const;
 
     double m_fullVertices;
+    std::size_t m_rowTrees;
     ExportOptions m_options;
     std::vector<std::function<void()>> m_show; ///< the options' values in their editors
-    QComboBox *m_engine, *m_format;
+    QComboBox *m_trees, *m_engine, *m_format;
     QLabel* m_notes;
     QLineEdit* m_path;
     QLabel *m_losses, *m_size, *m_conflict;

@@ -13,16 +13,22 @@ void CExportJob::start() {
 
 void CExportJob::work() {
     try {
-        CTreeCreator creator(true, m_task.limits);
-        creator.setAge(m_task.age);
-        exportTree(creator, m_task.params, m_task.options, m_task.treeFolder, m_task.path, m_progress, m_task.model,
-                   m_task.motion);
+        if (m_task.row.empty())
+            writeTree();
+        else
+            exportRow(m_task.row, m_task.options, m_task.limits, m_task.treeFolder, m_task.path, m_progress);
         emit finished({}, false);
     } catch (const CCancelled&) {
         emit finished({}, true);
     } catch (const std::exception& e) {
         emit finished(QString::fromUtf8(e.what()), false);
     }
+}
+
+void CExportJob::writeTree() {
+    CTreeCreator creator(true, m_task.limits);
+    creator.setAge(m_task.age);
+    exportTree(creator, m_task.params, m_task.options, m_task.treeFolder, m_task.path, m_progress, m_task.model, m_task.motion);
 }
 
 } // namespace stromar

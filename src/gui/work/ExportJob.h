@@ -1,5 +1,6 @@
 #pragma once
 #include "stromar/app/Export.h"
+#include "stromar/app/ExportRow.h"
 #include <QObject>
 #include <QString>
 #include <filesystem>
@@ -19,6 +20,7 @@ public:
         SizeLimits limits;
         double age = 1;
         Motion motion{}; ///< of clips
+        std::vector<RowTree> row{}; ///< all trees beside each other instead of the one
     };
 
     explicit CExportJob(Task task, QObject* parent = nullptr) : QObject(parent), m_task(std::move(task)) {}
@@ -36,6 +38,7 @@ signals:
 
 private:
     void work();
+    void writeTree();
 
     Task m_task;
     CProgress m_progress;

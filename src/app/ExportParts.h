@@ -1,0 +1,45 @@
+#pragma once
+#include "Arrangement.h"
+#include "stromar/app/ExportOptions.h"
+#include "stromar/app/Prediction.h"
+#include "stromar/model/ExportModel.h"
+#include "stromar/model/TreeModel.h"
+#include <filesystem>
+
+// What exports of one tree and of several have in common.
+
+namespace stromar {
+
+class CFileSet;
+
+/// The model's name with only letters that every format and reader takes inside a line, a name or a path.
+std::string plainName(const std::filesystem::path& path);
+/// oak.glb → oak_LOD1.glb
+std::filesystem::path withSuffix(const std::filesystem::path& path, const std::string& suffix);
+/// Throws CError where there is no such format, it cannot do what is wanted, or there is no such folder.
+void refuseUnless(const ExportOptions& options, const Format* format, const std::filesystem::path& path);
+
+/// A model as files show it: the wood in one piece, perhaps with the relief of its bark.
+std::shared_ptr<const TreeModel> finishedModel(const std::shared_ptr<const TreeModel>& model, const ExportOptions& options,
+                                               const std::filesystem::path& treeFolder, const SizeLimits& limits, const CProgress& progress);
+/// What of a finished model goes into the file.
+Meshes meshesFor(const TreeModel& model, const ExportOptions& options, const CProgress& progress);
+
+Arrangement arrangementFor(const ExportOptions& options, const Format& format);
+Meshes arranged(const Meshes& meshes, const Arrangement& to);
+/// The backs of leaves, with what their vertices carry. `metre` in the unit of the model.
+void addBacks(ExportModel& model, float metre);
+
+/// Where a model goes.
+struct Output {
+    std::filesystem::path path;
+    std::filesystem::path named; ///< that its pictures are named after: shared by the frames of a motion
+    bool copiesPictures = true;  ///< else they are there
+};
+/// Whether files have a material for the surface: some of the meshes show it, or every file has it.
+bool needsMaterial(const TreeModel& model, const std::vector<Meshes>& lods, Surface surface);
+/// How a surface looks; its pictures are put where the options want them.
+Material materialOf(const TreeModel& model, Surface surface, const ExportOptions& options, const Format& format,
+                    const std::filesystem::path& treeFolder, const Output& to, CFileSet& files);
+
+} // namespace stromar
