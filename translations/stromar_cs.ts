@@ -590,6 +590,30 @@
         <source>The four levels of detail and the simple model, with their triangles</source>
         <translation>Čtyři úrovně detailu a jednoduchý model s počty trojúhelníků</translation>
     </message>
+    <message>
+        <source>Look From</source>
+        <translation>Pohled ze strany</translation>
+    </message>
+    <message>
+        <source>Backdrop</source>
+        <translation>Pozadí</translation>
+    </message>
+    <message>
+        <source>Shading</source>
+        <translation>Stínování</translation>
+    </message>
+    <message>
+        <source>Level of Detail</source>
+        <translation>Úroveň detailu</translation>
+    </message>
+    <message>
+        <source>Compare</source>
+        <translation>Porovnat</translation>
+    </message>
+    <message>
+        <source>Side by Side</source>
+        <translation>Vedle sebe</translation>
+    </message>
 </context>
 <context>
     <name>Counts</name>
@@ -3695,6 +3719,30 @@
         <source>, did you mean &apos;%1&apos;?</source>
         <translation>, mysleli jste „%1“?</translation>
     </message>
+    <message>
+        <source>as they are</source>
+        <translation>jak jsou</translation>
+    </message>
+    <message>
+        <source>a row of trees has a file for each level of detail; choose that or one level</source>
+        <translation>řada stromů má pro každou úroveň detailu soubor; zvolte to, nebo jednu úroveň</translation>
+    </message>
+    <message>
+        <source>a row of trees stands still; choose one tree or no wind</source>
+        <translation>řada stromů stojí v bezvětří; zvolte jeden strom, nebo žádný vítr</translation>
+    </message>
+    <message>
+        <source>a row of trees has no collision; choose one tree or none</source>
+        <translation>řada stromů nemá kolize; zvolte jeden strom, nebo žádné</translation>
+    </message>
+    <message>
+        <source>automatic</source>
+        <translation>automaticky</translation>
+    </message>
+    <message>
+        <source>never</source>
+        <translation>nikdy</translation>
+    </message>
 </context>
 <context>
     <name>stromar::CComparison</name>
@@ -3852,6 +3900,18 @@
     <message>
         <source>Cannot save the settings</source>
         <translation>Nastavení nelze uložit</translation>
+    </message>
+    <message>
+        <source>This tree alone</source>
+        <translation>Jen tento strom</translation>
+    </message>
+    <message>
+        <source>All %1 side by side, as one scene</source>
+        <translation>Všech %1 vedle sebe jako jedna scéna</translation>
+    </message>
+    <message>
+        <source>Trees</source>
+        <translation>Stromy</translation>
     </message>
 </context>
 <context>

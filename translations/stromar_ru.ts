@@ -590,6 +590,30 @@
         <source>The four levels of detail and the simple model, with their triangles</source>
         <translation>Четыре уровня детализации и простая модель с числом треугольников</translation>
     </message>
+    <message>
+        <source>Look From</source>
+        <translation>Вид</translation>
+    </message>
+    <message>
+        <source>Backdrop</source>
+        <translation>Фон</translation>
+    </message>
+    <message>
+        <source>Shading</source>
+        <translation>Затенение</translation>
+    </message>
+    <message>
+        <source>Level of Detail</source>
+        <translation>Уровень детализации</translation>
+    </message>
+    <message>
+        <source>Compare</source>
+        <translation>Сравнение</translation>
+    </message>
+    <message>
+        <source>Side by Side</source>
+        <translation>Рядом</translation>
+    </message>
 </context>
 <context>
     <name>Counts</name>
@@ -3695,6 +3719,30 @@
         <source>, did you mean &apos;%1&apos;?</source>
         <translation>, возможно, «%1»?</translation>
     </message>
+    <message>
+        <source>as they are</source>
+        <translation>как есть</translation>
+    </message>
+    <message>
+        <source>a row of trees has a file for each level of detail; choose that or one level</source>
+        <translation>у ряда деревьев по файлу на каждый уровень детализации; выберите это или один уровень</translation>
+    </message>
+    <message>
+        <source>a row of trees stands still; choose one tree or no wind</source>
+        <translation>ряд деревьев неподвижен; выберите одно дерево или без ветра</translation>
+    </message>
+    <message>
+        <source>a row of trees has no collision; choose one tree or none</source>
+        <translation>у ряда деревьев нет столкновений; выберите одно дерево или без них</translation>
+    </message>
+    <message>
+        <source>automatic</source>
+        <translation>автоматически</translation>
+    </message>
+    <message>
+        <source>never</source>
+        <translation>никогда</translation>
+    </message>
 </context>
 <context>
     <name>stromar::CComparison</name>
@@ -3852,6 +3900,18 @@
     <message>
         <source>Cannot save the settings</source>
         <translation>Настройки сохранить нельзя</translation>
+    </message>
+    <message>
+        <source>This tree alone</source>
+        <translation>Только это дерево</translation>
+    </message>
+    <message>
+        <source>All %1 side by side, as one scene</source>
+        <translation>Все %1 рядом, одной сценой</translation>
+    </message>
+    <message>
+        <source>Trees</source>
+        <translation>Деревья</translation>
     </message>
 </context>
 <context>

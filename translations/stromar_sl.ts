@@ -590,6 +590,30 @@
         <source>The four levels of detail and the simple model, with their triangles</source>
         <translation>Štiri ravni podrobnosti in preprosti model s številom trikotnikov</translation>
     </message>
+    <message>
+        <source>Look From</source>
+        <translation>Pogled z</translation>
+    </message>
+    <message>
+        <source>Backdrop</source>
+        <translation>Ozadje</translation>
+    </message>
+    <message>
+        <source>Shading</source>
+        <translation>Senčenje</translation>
+    </message>
+    <message>
+        <source>Level of Detail</source>
+        <translation>Raven podrobnosti</translation>
+    </message>
+    <message>
+        <source>Compare</source>
+        <translation>Primerjava</translation>
+    </message>
+    <message>
+        <source>Side by Side</source>
+        <translation>Drug ob drugem</translation>
+    </message>
 </context>
 <context>
     <name>Counts</name>
@@ -3695,6 +3719,30 @@
         <source>, did you mean &apos;%1&apos;?</source>
         <translation>, ste mislili »%1«?</translation>
     </message>
+    <message>
+        <source>as they are</source>
+        <translation>kakor so</translation>
+    </message>
+    <message>
+        <source>a row of trees has a file for each level of detail; choose that or one level</source>
+        <translation>vrsta dreves ima za vsako raven podrobnosti svojo datoteko; izberite to ali eno raven</translation>
+    </message>
+    <message>
+        <source>a row of trees stands still; choose one tree or no wind</source>
+        <translation>vrsta dreves miruje; izberite eno drevo ali brez vetra</translation>
+    </message>
+    <message>
+        <source>a row of trees has no collision; choose one tree or none</source>
+        <translation>vrsta dreves nima trkov; izberite eno drevo ali brez njih</translation>
+    </message>
+    <message>
+        <source>automatic</source>
+        <translation>samodejno</translation>
+    </message>
+    <message>
+        <source>never</source>
+        <translation>nikoli</translation>
+    </message>
 </context>
 <context>
     <name>stromar::CComparison</name>
@@ -3852,6 +3900,18 @@
     <message>
         <source>Cannot save the settings</source>
         <translation>Nastavitev ni mogoče shraniti</translation>
+    </message>
+    <message>
+        <source>This tree alone</source>
+        <translation>Samo to drevo</translation>
+    </message>
+    <message>
+        <source>All %1 side by side, as one scene</source>
+        <translation>Vseh %1 drugo ob drugem kot en prizor</translation>
+    </message>
+    <message>
+        <source>Trees</source>
+        <translation>Drevesa</translation>
     </message>
 </context>
 <context>

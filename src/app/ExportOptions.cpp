@@ -83,7 +83,8 @@ constexpr ExportChoice kChoices[] = {
      .label = N_("Max texture size"),
      .help = N_("Pixels that a picture may be wide or high: larger ones are halved until they are no larger; 0: as they are. PNG pictures only."),
      .field = &ExportOptions::textureSize,
-     .range = {0, kMaxTexture}},
+     .range = {0, kMaxTexture},
+     .whenZero = N_("as they are")},
     {.key = "normal-maps",
      .label = N_("Normal maps"),
      .help = N_("Which way the green of normal maps points: up, as OpenGL, Blender, Unity and Godot have it, or down, as DirectX and Unreal."),
@@ -136,7 +137,8 @@ constexpr ExportChoice kChoices[] = {
      .label = N_("Bones"),
      .help = N_("How many of the thickest stems get a bone of their own; the others follow theirs. Only with bones."),
      .field = &ExportOptions::bones,
-     .range = {1, kMaxBones}},
+     .range = {1, kMaxBones},
+     .counts = [](const ExportOptions& o) { return o.wind == static_cast<int>(ExportedWind::Bones); }},
     {.key = "displacement",
      .label = N_("Displacement"),
      .help = N_("The relief of the bark as triangles, in cells of so many metres: 0.02 for a trunk seen from near; 0: none. Only "
@@ -147,7 +149,8 @@ constexpr ExportChoice kChoices[] = {
      .label = N_("Strength of displacement"),
      .help = N_("How deep displaced bark is: 1 is what the picture of its normals shows. Seen from near it may be more."),
      .number = &ExportOptions::displacementStrength,
-     .range = {0, 10}},
+     .range = {0, 10},
+     .counts = [](const ExportOptions& o) { return o.displacement > 0; }},
     {.key = "watertight",
      .label = N_("One solid"),
      .help = N_("For printing: all wood as one closed surface, without leaves. Of up to 5,000 stems."),
@@ -159,7 +162,8 @@ constexpr ExportChoice kChoices[] = {
      .label = N_("Voxel size"),
      .help = N_("The edge of the cubes that a solid is made of, in metres of the tree. Thinner wood becomes as thick."),
      .number = &ExportOptions::voxelSize,
-     .range = {1e-4, 100}},
+     .range = {1e-4, 100},
+     .counts = &isSolid},
 };
 } // namespace
 

@@ -124,9 +124,9 @@ void writeRow(std::span<const RowTree> trees, const Detail& detail, const Export
 
 std::string_view rowConflictOf(const ExportOptions& options, const Format& format) {
     if (const std::string_view conflict = conflictOf(options, format); !conflict.empty()) return conflict;
-    if (options.lods == static_cast<int>(ExportedLods::InOneFile)) return N_("a row of trees has a file for each level of detail; choose that or one level");
-    if (options.wind != static_cast<int>(ExportedWind::None)) return N_("a row of trees stands still; choose one tree or no wind");
-    if (options.collision != static_cast<int>(ExportedCollision::None)) return N_("a row of trees has no collision; choose one tree or none");
+    if (options.lods == static_cast<int>(ExportedLods::InOneFile)) return NC_("stromar", "a row of trees has a file for each level of detail; choose that or one level");
+    if (options.wind != static_cast<int>(ExportedWind::None)) return NC_("stromar", "a row of trees stands still; choose one tree or no wind");
+    if (options.collision != static_cast<int>(ExportedCollision::None)) return NC_("stromar", "a row of trees has no collision; choose one tree or none");
     return {};
 }
 

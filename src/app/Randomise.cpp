@@ -35,14 +35,18 @@ ParamValue moved(const ParamRef& ref, const CParams& params, double amount, cons
     return CCurve(std::move(points));
 }
 
+/// What a tree is recognised by.
 struct Extent {
-    double stems = 0, leaves = 0, height = 0;
+    double stems = 0, leaves = 0, height = 0, width = 0, girth = 0;
 };
 
 Extent extentOf(const CParams& params, const SizeLimits& limits, const CProgress& progress) {
     const auto model = CTreeCreator(true, limits).create(params, detailOf(Model::Simple), progress);
     const auto bounds = model->bounds();
-    return {double(model->tree->stemCount()), double(model->tree->organs(Organ::Leaf)->total), bounds ? double(bounds->max.z) : 0};
+    const glm::vec3 size = bounds ? bounds->max - bounds->min : glm::vec3(0);
+    const auto& trunks = model->tree->generationCount() > 0 ? model->tree->generation(0).stems : std::vector<CStem>();
+    return {double(model->tree->stemCount()), double(model->tree->organs(Organ::Leaf)->total), size.z, std::max(size.x, size.y),
+            trunks.empty() ? 0.0 : trunks[0].radius};
 }
 
 bool isLike(double value, double before, double times) { return value >= before / times && value <= before * times; }
@@ -50,7 +54,8 @@ bool isLike(double value, double before, double times) { return value >= before 
 bool isLike(const CParams& params, const Extent& before, const SizeLimits& limits, const CProgress& progress) {
     try {
         const Extent now = extentOf(params, limits, progress);
-        return isLike(now.stems, before.stems, 5) && isLike(now.leaves, before.leaves, 5) && isLike(now.height, before.height, 3);
+        return isLike(now.stems, before.stems, 3) && isLike(now.leaves, before.leaves, 3) && isLike(now.height, before.height, 2) &&
+               isLike(now.width, before.width, 2) && isLike(now.girth, before.girth, 2.5);
     } catch (const CError&) {
         return false; // too large
     }

@@ -360,6 +360,7 @@ float skyVisibility(vec2 place) {
 
 // Blades of grass: where a tuft stands in the unit circle and its shade, and a corner's way from there.
 inline constexpr const char* kGrassVertexShader = R"(#version 120
+uniform mat4 osg_ViewMatrixInverse;
 uniform vec2 grassSize;
 uniform mat4 shadowMatrix;
 varying vec3 place, inShadow;
@@ -367,7 +368,8 @@ varying float up, shade;
 void main() {
     vec3 offset = gl_MultiTexCoord0.xyz * grassSize.y;
     place = vec3(gl_Vertex.xy * grassSize.x, 0.0) + offset;
-    gl_Position = gl_ModelViewProjectionMatrix * vec4(place, 1.0);
+    // Nothing of it is seen through the ground.
+    gl_Position = osg_ViewMatrixInverse[3].z < 0.0 ? vec4(2.0, 2.0, 2.0, 1.0) : gl_ModelViewProjectionMatrix * vec4(place, 1.0);
     inShadow = (shadowMatrix * vec4(place + vec3(0.0, 0.0, 0.02), 1.0)).xyz;
     up = offset.z > 0.0 ? 1.0 : 0.0;
     shade = gl_Vertex.z;

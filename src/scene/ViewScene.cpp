@@ -57,8 +57,11 @@ SwayPlaces ofVertices(const SwayPlaces& instances, std::size_t vertices) {
 
 CViewScene::CViewScene()
     : m_root(new osg::Group), m_tree(new osg::Group), m_wireframe(new osg::Group), m_stand(new osg::Group),
-      m_background(makeBackground()), m_reference(makeReference()), m_main(std::make_unique<CTreeNode>()), m_state(m_root->getOrCreateStateSet()) {
+      m_background(makeBackground()), m_reference(makeReference()), m_main(std::make_unique<CTreeNode>()), m_standIn(std::make_unique<CTreeNode>()), m_state(m_root->getOrCreateStateSet()) {
     m_stand->addChild(m_main->node());
+    m_stand->addChild(m_standIn->node());
+    m_standIn->node()->setNodeMask(0);
+    setFloat(m_standIn->node()->getOrCreateStateSet(), "swaying", 0);
     m_shadows = std::make_unique<CShadowMap>(m_stand);
     m_shadows->addTo(m_state, kShadowUnit);
     m_swayTables = std::make_unique<CSwayTables>();
@@ -99,11 +102,26 @@ CViewScene::CViewScene()
 CViewScene::~CViewScene() = default;
 
 /// The edited one, then those beside it.
-std::vector<CTreeNode*> CViewScene::trees() const {
+std::vector<CTreeNode*> CViewScene::standing() const {
     std::vector<CTreeNode*> all{m_main.get()};
     for (const auto& other : m_others) all.push_back(other.get());
     return all;
 }
+
+/// With the simpler one that stands in for the first.
+std::vector<CTreeNode*> CViewScene::trees() const {
+    std::vector<CTreeNode*> all = standing();
+    all.push_back(m_standIn.get());
+    return all;
+}
+
+void CViewScene::setStandIn(const std::vector<ViewPart>& parts) {
+    m_standIn->show(parts, m_instancing);
+    m_standIn->showLeaves(m_look.leaves);
+    m_instancesAreNew = true;
+}
+
+bool CViewScene::hasStandIn() const { return !m_standIn->parts().empty(); }
 
 void CViewScene::show(const std::vector<ViewPart>& parts, Shadows shadows) {
     m_shadowsBehind = shadows == Shadows::Kept;
@@ -195,7 +213,9 @@ void CViewScene::setPass(const ViewPass& pass, double pixel, double distance) {
     m_pass = pass;
     if (m_instancing)
         for (CTreeNode* tree : trees()) tree->limitInstances(pass.organVertices);
-    if (pass.organVertices > m_shadowVertices) m_shadows->setStale();
+    m_main->node()->setNodeMask(drawsStandIn() ? 0 : ~0u);
+    m_standIn->node()->setNodeMask(drawsStandIn() ? ~0u : 0);
+    if (pass.organVertices > m_shadowVertices || (m_shadowOfStandIn && !drawsStandIn())) m_shadows->setStale();
     if (!sameSun) aimShadows(m_shadows->aimedAt());
 }
 
@@ -363,6 +383,7 @@ std::optional<ViewHit> CViewScene::pick(const osg::Vec3d& from, const osg::Vec3d
 void CViewScene::setSurface(Surface surface, const SurfaceMaps& maps) {
     if (surfaceOf(surface).cutOut) m_shadows->setStale();
     m_main->setSurface(surface, maps);
+    m_standIn->setSurface(surface, maps);
 }
 
 void CViewScene::startContext(int samples, bool instancing) {
@@ -389,7 +410,10 @@ void CViewScene::setQuality(int samples) {
 }
 
 void CViewScene::finishFrame() {
-    if (m_shadows->stale()) m_shadowVertices = m_pass.organVertices;
+    if (m_shadows->stale()) {
+        m_shadowVertices = m_pass.organVertices;
+        m_shadowOfStandIn = drawsStandIn();
+    }
     m_shadows->setDrawn();
     if (!m_instancesAreNew || !m_look.leaves) return;
     for (CTreeNode* tree : trees()) tree->releaseInstances();
@@ -398,13 +422,13 @@ void CViewScene::finishFrame() {
 
 osg::BoundingBox CViewScene::bounds() const {
     osg::BoundingBox box;
-    for (const CTreeNode* tree : trees()) box.expandBy(tree->bounds());
+    for (const CTreeNode* tree : standing()) box.expandBy(tree->bounds());
     return box;
 }
 
 std::vector<osg::Vec3f> CViewScene::outline() const {
     std::vector<osg::Vec3f> points;
-    for (const CTreeNode* tree : trees())
+    for (const CTreeNode* tree : standing())
         for (const osg::Vec3f& point : outlineOf(tree->parts(), kOutlinePoints)) points.push_back(point + tree->place());
     return points;
 }

@@ -83,8 +83,7 @@ void BM_OrbitFrame(benchmark::State& state, const char* name) {
     CMainWindow window;
     window.show();
     window.files().open(preset(name));
-    window.growth().showOnly(Model::Full);
-    waitForPicture(window);
+    waitForPicture(window); // of the simple model, then the full one
     while (window.busy()) QCoreApplication::processEvents();
     CViewport& view = window.viewport();
     int x = 130;

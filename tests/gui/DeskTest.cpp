@@ -10,6 +10,7 @@
 #include "stromar/params/methods/weberpenn/WeberPennParams.h"
 #include "stromar/params/TreeFile.h"
 #include "stromar/util/FileSet.h"
+#include <QLineEdit>
 #include <QAbstractItemView>
 #include <QAccessible>
 #include <QCheckBox>
@@ -351,12 +352,14 @@ TEST_F(DeskTest, KeysGoToTheWidgetThatUsesThem) {
     EXPECT_LT((window.viewport().camera().eye() - eye).length(), 1e-9) << "and does not recentre";
     auto* shape = window.panel().editor(paramRef("Shape"))->findChild<QComboBox*>();
     shape->setFocus();
+    const double form = value("Shape");
     QTest::keyClick(shape, Qt::Key_T);
-    EXPECT_FALSE(action("trackball")->isChecked()) << "a letter looks for a word";
+    EXPECT_TRUE(action("trackball")->isChecked()) << "no text is typed in a closed list";
+    QTest::keyClick(shape, Qt::Key_C);
+    EXPECT_EQ(value("Shape"), form) << "a letter does not choose another";
     window.viewport().setFocus();
     QTest::keyClick(&window.viewport(), Qt::Key_T);
-    EXPECT_TRUE(action("trackball")->isChecked());
-    action("trackball")->trigger();
+    EXPECT_FALSE(action("trackball")->isChecked());
     auto* box = window.panel().editor(paramRef("Scale"))->findChild<QDoubleSpinBox*>();
     box->setFocus();
     QTest::keyClick(box, Qt::Key_Up);
@@ -364,6 +367,34 @@ TEST_F(DeskTest, KeysGoToTheWidgetThatUsesThem) {
     EXPECT_GT(raised, 13);
     QTest::keyClick(box, Qt::Key_Z, Qt::ControlModifier);
     EXPECT_EQ(value("Scale"), 13) << "undo is the document's";
+}
+
+TEST_F(DeskTest, CommandsComeBeforeWhatOtherEditorsDoWithTheirKeys) {
+    window.panel().tabs().setCurrentIndex(window.panel().tabOf(Group::Tree));
+    auto* box = window.panel().editor(paramRef("Scale"))->findChild<QDoubleSpinBox*>();
+    box->setFocus();
+    bool opened = false;
+    QTimer::singleShot(300, &window, [&] {
+        if (QWidget* dialog = QApplication::activeModalWidget()) opened = true, dialog->close();
+    });
+    QTest::keyClick(box->findChild<QLineEdit*>(), Qt::Key_E, Qt::ControlModifier);
+    EXPECT_TRUE(waitFor([&] { return opened; })) << "Ctrl+E exports";
+    QTest::keyClick(box->findChild<QLineEdit*>(), Qt::Key_A, Qt::ControlModifier);
+    EXPECT_TRUE(box->findChild<QLineEdit*>()->hasSelectedText()) << "what edits text is the field's";
+}
+
+TEST_F(DeskTest, UndoInALineOfTextIsTheDocuments) {
+    window.panel().tabs().setCurrentIndex(window.panel().tabOf(Group::Textures));
+    auto* line = window.panel().findChild<QLineEdit*>(QStringLiteral("BarkTexture"));
+    const std::string before = window.document().params().text.barkTexture;
+    line->setFocus();
+    line->selectAll();
+    QTest::keyClicks(line, QStringLiteral("bark:birch"));
+    QTest::keyClick(line, Qt::Key_Return);
+    ASSERT_EQ(window.document().params().text.barkTexture, "bark:birch");
+    QTest::keyClick(line, Qt::Key_Z, Qt::ControlModifier);
+    EXPECT_EQ(window.document().params().text.barkTexture, before);
+    EXPECT_EQ(line->text().toStdString(), before);
 }
 
 TEST_F(DeskTest, EnterAcceptsInAnOpenedDropDown) {

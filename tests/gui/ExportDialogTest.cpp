@@ -58,6 +58,34 @@ TEST(ExportDialog, TreesSideBySideAreOneSceneUnlessOneIsWanted) {
     EXPECT_TRUE(row.canExport()) << row.conflict().toStdString();
 }
 
+TEST(ExportDialog, FitsOnASmallScreenAndCutsNoText) {
+    Dialog dialog;
+    dialog.show();
+    ASSERT_TRUE(QTest::qWaitForWindowExposed(&dialog));
+    dialog.resize(560, 600);
+    dialog.chooseFormat(".dae");
+    dialog.combo("engine")->setCurrentIndex(1);
+    QTest::qWait(50);
+    EXPECT_LE(dialog.minimumSizeHint().height(), 640);
+    for (const QLabel* label : dialog.findChildren<QLabel*>())
+        if (label->isVisible() && label->wordWrap()) {
+            EXPECT_GE(label->height(), label->heightForWidth(label->width())) << label->text().toStdString();
+        }
+    for (const char* always : {"path", "conflict"}) {
+        const auto* widget = dialog.findChild<QWidget*>(QLatin1String(always));
+        EXPECT_TRUE(dialog.rect().contains(QRect(widget->mapTo(&dialog, QPoint()), widget->size()))) << always;
+    }
+}
+
+TEST(ExportDialog, WhatDoesNotCountIsGrey) {
+    Dialog dialog;
+    const auto* bones = dialog.findChild<QWidget*>(QStringLiteral("bones"));
+    EXPECT_FALSE(bones->isEnabled());
+    dialog.combo("wind")->setCurrentIndex(static_cast<int>(ExportedWind::Bones));
+    EXPECT_TRUE(bones->isEnabled());
+    dialog.combo("wind")->setCurrentIndex(static_cast<int>(ExportedWind::None));
+}
+
 TEST(ExportDialog, StartsWithTheDefaults) {
     QSettings().remove(QStringLiteral("export"));
     Dialog dialog;

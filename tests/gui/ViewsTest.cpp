@@ -211,6 +211,25 @@ TEST_F(ViewsTest, TreesStandSideBySide) {
     EXPECT_EQ(view().scene().bounds().xMax(), alone.xMax());
 }
 
+TEST_F(ViewsTest, AViewThatTurnsTooSlowlyShowsASimplerModelUntilItRests) {
+    window.files().open(QStringLiteral(STROMAR_SOURCE "/presets/english_oak.tree"));
+    ASSERT_TRUE(waitFor([&] { return !window.busy() && window.shown() && window.shown()->model->detail == &detailOf(Model::Full); }, 120000));
+    const auto isSlow = [&] {
+        const int before = view().framesDrawn();
+        QElapsedTimer clock;
+        clock.start();
+        view().update();
+        return waitFor([&] { return view().framesDrawn() > before; }) && clock.elapsed() > 95;
+    };
+    if (!isSlow()) GTEST_SKIP() << "this machine turns it quickly enough";
+    drag({300, 200}, {360, 200});
+    EXPECT_TRUE(waitFor([&] {
+        drag({300, 200}, {320, 200});
+        return view().drawsStandIn();
+    }));
+    EXPECT_TRUE(waitFor([&] { return !view().drawsStandIn(); }, 5000)) << "at rest";
+}
+
 TEST_F(ViewsTest, TreesSideBySideAreExportedAsOneScene) {
     EXPECT_TRUE(window.sideBySide().trees().empty()) << "alone";
     action("ages")->trigger();

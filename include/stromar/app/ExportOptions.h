@@ -42,6 +42,8 @@ struct ExportChoice {
     double ExportOptions::*number = nullptr;
     Range range = {0, 0}; ///< of a number
     double ExportOptions::*argument = nullptr; ///< a number that may follow a word: another row's
+    std::string_view whenZero = {};            ///< what the window says instead of 0
+    bool (*counts)(const ExportOptions&) = nullptr; ///< whether it matters beside the other choices; null: always
 };
 std::span<const ExportChoice> exportChoices();
 

@@ -15,6 +15,7 @@ struct ViewPass {
     double pattern = 0;     ///< of the shadows' noise, 0..1
     /// At most so many of a kind of organ, enlarged to stand for all.
     std::size_t organVertices = std::numeric_limits<std::size_t>::max();
+    bool standIn = false; ///< what CViewScene::setStandIn() got in place of the tree, in still air
     bool sunDisc = false; ///< of many, where shadows of thin wood need no help
     bool alone = true; ///< no mean of several: wood thinner than a pixel is drawn as wide as one, and fainter
 

@@ -89,6 +89,9 @@ public:
     /// before until renewShadows(): a tree that changes many times a second saves half the drawing.
     void show(const std::vector<ViewPart>& parts, Shadows shadows = Shadows::New);
     void renewShadows();
+    /// A simpler model of the tree that is shown, for passes that want one; nothing: there is none.
+    void setStandIn(const std::vector<ViewPart>& parts);
+    bool hasStandIn() const;
     /// The tree that is shown in a pose of the wind; `sway` is of its model. Shadows follow: at once, or with a later pose.
     void setPose(const std::shared_ptr<const ModelSway>& sway, const std::shared_ptr<const WindPose>& pose, double seconds, double loop,
                  Shadows shadows = Shadows::New);
@@ -120,7 +123,9 @@ public:
 
 private:
     void setQuality(int samples);
+    std::vector<CTreeNode*> standing() const;
     std::vector<CTreeNode*> trees() const;
+    bool drawsStandIn() const { return m_pass.standIn && hasStandIn() && !m_sway; }
     void updateGround();
     void showBackdropPicture();
     void showReference();
@@ -134,7 +139,7 @@ private:
 
     osg::ref_ptr<osg::Group> m_root, m_tree, m_wireframe, m_person, m_stand; ///< m_stand: all trees
     osg::ref_ptr<osg::Geometry> m_background, m_reference;
-    std::unique_ptr<CTreeNode> m_main;
+    std::unique_ptr<CTreeNode> m_main, m_standIn;
     std::vector<std::unique_ptr<CTreeNode>> m_others;
     std::unique_ptr<CGrass> m_grass;
     std::unique_ptr<CShadowMap> m_shadows;
@@ -151,6 +156,7 @@ private:
     ViewPass m_pass;
     bool m_shadowsBehind = false; ///< they are those of an older tree
     std::size_t m_shadowVertices = 0; ///< of a kind of organ, at most, when they were drawn
+    bool m_shadowOfStandIn = false;
     int m_tinted = ViewPart::kNone;
 };
 

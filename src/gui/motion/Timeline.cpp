@@ -2,10 +2,10 @@
 #include "params/ParamSlider.h"
 #include <QComboBox>
 #include <QHBoxLayout>
+#include <QIcon>
 #include <QLabel>
 #include <QLocale>
 #include <QSignalBlocker>
-#include <QStyle>
 #include <QToolButton>
 #include <algorithm>
 #include <cmath>
@@ -21,6 +21,9 @@ constexpr double kSpeeds[] = {0.25, 0.5, 1, 2, 4};
 constexpr int kUsualSpeed = 2;
 constexpr int kNarrow = 160, kMiddling = 270, kWide = 400; // pixels
 
+/// The style's own are black in every theme.
+QIcon iconOf(const char* name) { return QIcon(QStringLiteral(":/icons/%1.svg").arg(QLatin1String(name))); }
+
 int positionOf(double age) { return static_cast<int>(std::lround(age * kSteps * CParamSlider::kFinePerStep)); }
 } // namespace
 
@@ -31,11 +34,10 @@ CTimeline::CTimeline(QWidget* parent)
     row->setSpacing(2);
     setMinimumWidth(kNarrow); // the picture says how narrow the window may be
     m_slider->setMinimumWidth(20);
-    const auto icon = [this](QStyle::StandardPixmap which) { return style()->standardIcon(which, nullptr, this); };
-    auto* back = addButton("timelineBack", icon(QStyle::SP_MediaSeekBackward), tr("A step back"));
-    m_play = addButton("timelinePlay", icon(QStyle::SP_MediaPlay), tr("Play"));
+    auto* back = addButton("timelineBack", iconOf("stepBack"), tr("A step back"));
+    m_play = addButton("timelinePlay", iconOf("play"), tr("Play"));
     m_play->setCheckable(true);
-    auto* forward = addButton("timelineForward", icon(QStyle::SP_MediaSeekForward), tr("A step forward"));
+    auto* forward = addButton("timelineForward", iconOf("stepForward"), tr("A step forward"));
     m_slider->setObjectName(QStringLiteral("age"));
     m_slider->setAccessibleName(tr("Age"));
     m_slider->setToolTip(tr("How old the tree is, or how far it has fallen"));
@@ -52,9 +54,9 @@ CTimeline::CTimeline(QWidget* parent)
     for (const double speed : kSpeeds) m_speed->addItem(QStringLiteral("%1×").arg(QLocale().toString(speed)), speed);
     m_speed->setCurrentIndex(kUsualSpeed);
     row->addWidget(m_speed);
-    m_loop = addButton("timelineLoop", icon(QStyle::SP_BrowserReload), tr("Begin anew at the end"));
+    m_loop = addButton("timelineLoop", iconOf("loop"), tr("Begin anew at the end"));
     m_loop->setCheckable(true);
-    auto* record = addButton("timelineRecord", icon(QStyle::SP_DialogSaveButton), tr("Save pictures or a video of it"));
+    auto* record = addButton("timelineRecord", iconOf("record"), tr("Save pictures or a video of it"));
     m_timer.setInterval(kTickMs);
     m_timer.setTimerType(Qt::PreciseTimer);
     connect(&m_timer, &QTimer::timeout, this, &CTimeline::advance);
@@ -148,7 +150,7 @@ void CTimeline::step(double by) {
 void CTimeline::setPlaying(bool on) {
     if (on == playing()) return;
     m_play->setChecked(on);
-    m_play->setIcon(style()->standardIcon(on ? QStyle::SP_MediaPause : QStyle::SP_MediaPlay, nullptr, this));
+    m_play->setIcon(iconOf(on ? "pause" : "play"));
     if (on) {
         m_clock.start();
         m_timer.start();

@@ -3,6 +3,7 @@
 #include "params/CodeEditor.h"
 #include "params/DefineSlider.h"
 #include "window/QtText.h"
+#include "window/Keys.h"
 #include "stromar/params/ParamText.h"
 #include "stromar/util/FileSet.h"
 #include "stromar/util/Text.h"
@@ -248,7 +249,7 @@ bool CLanguageEditor::eventFilter(QObject* watched, QEvent* event) {
         return true;
     }
     if (!key) return QWidget::eventFilter(watched, event);
-    const bool isHistory = key->matches(QKeySequence::Undo) || key->matches(QKeySequence::Redo);
+    const bool isHistory = isUndo(*key);
     if (watched == m_code && isHistory && m_code->toPlainText() == m_committed) {
         event->ignore(); // the document's
         return true;

@@ -7,6 +7,7 @@
 #include "params/ParamSlider.h"
 #include "window/QtText.h"
 #include "window/Settings.h"
+#include "window/Keys.h"
 #include <QCheckBox>
 #include <QComboBox>
 #include <QDoubleSpinBox>
@@ -37,8 +38,6 @@ public:
         setValue(value() + (steps > 0 ? 1 : -1) * std::pow(10, -decimals()));
     }
 };
-
-bool isUndo(const QKeyEvent& key) { return key.matches(QKeySequence::Undo) || key.matches(QKeySequence::Redo); }
 
 /// Whether a box holds letters that are not yet its value.
 bool isTyping(QObject* editor) {

@@ -6,6 +6,7 @@
 #include "params/ParamRow.h"
 #include "params/ValuesMenu.h"
 #include "window/QtText.h"
+#include "window/Keys.h"
 #include "stromar/app/Methods.h"
 #include "stromar/mesh/LeafMeshes.h"
 #include "stromar/params/BuiltInMesh.h"
@@ -46,6 +47,7 @@ protected:
             QStyleOptionTab option;
             initStyleOption(&option, i);
             painter.drawControl(QStyle::CE_TabBarTabShape, option);
+            if (i == currentIndex()) painter.fillRect(QRect(tabRect(i).topLeft(), QSize(3, tabRect(i).height())), palette().highlight());
             const QRect text = tabRect(i).adjusted(fontMetrics().height() / 2, 0, 0, 0);
             painter.drawItemText(text, Qt::AlignVCenter | Qt::AlignLeft, palette(), isTabEnabled(i), tabText(i),
                                  QPalette::WindowText);
@@ -368,6 +370,7 @@ void CParamPanel::addText(const ParamRef& ref) {
     m_sections.back().rows.push_back(row);
     m_sections.back().refs.push_back(ref);
     m_lines.emplace_back(ref, line);
+    line->installEventFilter(this);
     connect(line, &QLineEdit::editingFinished, this, [this, ref, line] {
         if (line->isModified()) emit edited(ref, line->text().toStdString(), 0);
         line->setModified(false);
@@ -521,6 +524,11 @@ void CParamPanel::showLine(const ParamRef& ref, int line) {
 }
 
 bool CParamPanel::eventFilter(QObject* watched, QEvent* event) {
+    if (const auto* line = qobject_cast<QLineEdit*>(watched)) {
+        const bool isDocuments = event->type() == QEvent::ShortcutOverride && isUndo(*static_cast<QKeyEvent*>(event)) && !line->isModified();
+        if (isDocuments) event->ignore();
+        return isDocuments;
+    }
     if (event->type() == QEvent::Enter || event->type() == QEvent::Leave) {
         auto* row = static_cast<CParamRow*>(watched);
         m_hovered = event->type() == QEvent::Enter ? row : m_hovered == row ? nullptr : m_hovered;

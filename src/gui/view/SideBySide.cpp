@@ -102,7 +102,10 @@ std::vector<CSideBySide::Tree> CSideBySide::ages(const TreeModel& model) const {
         trees.push_back({model.params, age, tr("Age %1 %").arg(QLocale().toString(100 * age, 'g', 3)), "age_" + percent.toStdString()});
     };
     for (const double age : kAges) add(age);
-    if (std::ranges::find(trees, model.age, &Tree::age) == trees.end()) add(model.age);
+    if (std::ranges::find(trees, model.age, &Tree::age) == trees.end()) { // instead of the one that it is nearest to
+        trees.erase(std::ranges::min_element(trees, {}, [&](const Tree& tree) { return std::abs(tree.age - model.age); }));
+        add(model.age);
+    }
     std::ranges::sort(trees, {}, &Tree::age);
     return trees;
 }

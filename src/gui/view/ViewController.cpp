@@ -79,6 +79,7 @@ CViewController::CViewController(CViewport& viewport, CParamPanel& panel, CDocum
             if (!guide.group.name.empty() && tab == m_panel.tabOf(guide.group)) m_guide = &guide;
         updateOverlay();
     });
+    connect(&m_document, &CDocument::replaced, this, &CViewController::clearSelection);
     connect(&m_viewport, &CViewport::picked, this, &CViewController::onPicked);
     connect(&m_viewport, &CViewport::guideDragged, this, &CViewController::onDragged);
     connect(&m_viewport, &CViewport::guideReleased, this, [this] {
@@ -279,7 +280,9 @@ QStringList CViewController::quantitiesAt(const SegmentPlace& place) const {
 }
 
 void CViewController::clearSelection() {
+    m_guide = nullptr;
     m_selected.reset();
+    updateOverlay();
     updateSelection();
 }
 
@@ -451,13 +454,15 @@ void CViewController::savePicture(QWidget* parent) {
     QProgressDialog progress(tr("Writing pictures"), tr("Cancel"), 0, wanted.frames, parent);
     progress.setWindowModality(Qt::WindowModal);
     progress.setMinimumDuration(wanted.frames > 1 ? 0 : kPatience);
-    progress.setValue(0); // painted before the first picture takes its time
+    progress.setValue(0);
+    QCoreApplication::processEvents(QEventLoop::ExcludeUserInputEvents); // the dialog that asked is gone, and this one painted
     CCamera camera = m_viewport.camera();
     const int passes = wanted.frames == 1 ? CRestPicture::kPasses : CRestPicture::kFramePasses;
     int written = 0;
     for (; written < wanted.frames && !progress.wasCanceled(); ++written) {
         const QString file = wanted.fileOf(written);
         if (!writeImage(m_viewport.picture(wanted.size, look, camera, passes), file)) {
+            progress.close(); // it would lie above the message
             QMessageBox::critical(parent, tr("Cannot save the picture"), tr("%1 cannot be written.").arg(file));
             return;
         }

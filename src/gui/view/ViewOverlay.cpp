@@ -20,13 +20,18 @@ const QColor kWind(120, 200, 255);
 constexpr double kLevel = 0.02; // of a measure that goes neither up nor down, or nowhere else
 constexpr double kArrowStart = 0.35, kArrowEnd = 1.15; // of the tree's reach
 
+/// What rows of text take.
+QSizeF plateSize(const QFontMetricsF& metrics, const QStringList& rows) {
+    double wide = 0;
+    for (const QString& row : rows) wide = std::max(wide, metrics.horizontalAdvance(row));
+    return {wide + 14, metrics.height() * double(rows.size()) + 8};
+}
+
 /// Rows of text on a plate that is readable before a light and a dark ground; moved until it lies in the view.
 void drawPlate(QPainter& painter, const QPointF& corner, Qt::Corner which, const QStringList& rows,
                const QColor& ink = Qt::white) {
     const QFontMetricsF metrics(painter.font());
-    double wide = 0;
-    for (const QString& row : rows) wide = std::max(wide, metrics.horizontalAdvance(row));
-    QRectF plate(corner, QSizeF(wide + 14, metrics.height() * double(rows.size()) + 8));
+    QRectF plate(corner, plateSize(metrics, rows));
     if (which == Qt::TopRightCorner || which == Qt::BottomRightCorner) plate.moveRight(corner.x());
     if (which == Qt::BottomLeftCorner || which == Qt::BottomRightCorner) plate.moveBottom(corner.y());
     const QRectF view = painter.viewport();
@@ -336,18 +341,35 @@ void CViewOverlay::paintRuler(QPainter& painter) const {
     drawPlate(painter, *end + QPointF(12, -8), Qt::TopLeftCorner, rows);
 }
 
+/// Above their places; those that would lie on each other step up.
+void CViewOverlay::drawLabels(QPainter& painter) const {
+    std::vector<QRectF> taken;
+    for (const auto& [place, text] : m_model.labels) {
+        const auto at = toWidget(place);
+        if (!at) continue;
+        const QStringList rows = text.split(QLatin1Char('\n'));
+        QRectF plate(QPointF(), plateSize(fontMetrics(), rows));
+        plate.moveCenter({at->x(), 0});
+        plate.moveBottom(at->y() - 6);
+        for (bool free = false; !free;) {
+            const auto other = std::ranges::find_if(taken, [&](const QRectF& known) { return known.intersects(plate); });
+            free = other == taken.end() || plate.top() < 0;
+            if (!free) plate.moveBottom(other->top() - 2);
+        }
+        drawPlate(painter, plate.topLeft(), Qt::TopLeftCorner, rows);
+        taken.push_back(plate);
+    }
+}
+
 void CViewOverlay::paintWords(QPainter& painter) const {
     const auto drawCentred = [&](const QPointF& at, const QString& text) {
         const QStringList rows = text.split(QLatin1Char('\n'));
-        int wide = 0;
-        for (const QString& row : rows) wide = std::max(wide, fontMetrics().horizontalAdvance(row));
-        drawPlate(painter, at - QPointF(wide / 2.0 + 7, 6), Qt::BottomLeftCorner, rows);
+        drawPlate(painter, at - QPointF(plateSize(fontMetrics(), rows).width() / 2, 6), Qt::BottomLeftCorner, rows);
     };
     if (!m_model.statistics.isEmpty()) drawPlate(painter, {8, 8}, Qt::TopLeftCorner, m_model.statistics);
     if (m_model.person)
         if (const auto at = toWidget(*m_model.person)) drawCentred(*at, m_model.personText);
-    for (const auto& [place, text] : m_model.labels)
-        if (const auto at = toWidget(place)) drawCentred(*at, text);
+    drawLabels(painter);
     if (!m_model.badge.isEmpty()) drawCentred({width() / 2.0, 46}, m_model.badge);
     if (!m_model.selectionText.isEmpty())
         drawPlate(painter, {width() - 8.0, height() - 8.0}, Qt::BottomRightCorner,

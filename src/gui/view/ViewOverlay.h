@@ -91,6 +91,7 @@ private:
     std::optional<std::pair<QPointF, QPointF>> windArrow() const;
     void paintRuler(QPainter& painter) const;
     void paintWords(QPainter& painter) const;
+    void drawLabels(QPainter& painter) const;
     void paintWipe(QPainter& painter) const;
     void drawLine(QPainter& painter, const std::vector<osg::Vec3d>& points) const;
     std::vector<std::vector<osg::Vec3d>> selectedLines() const;

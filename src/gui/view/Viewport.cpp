@@ -76,17 +76,23 @@ void CViewport::paintGL() {
     const QSize pixels = (QSizeF(size()) * devicePixelRatioF()).toSize();
     ViewPass plain;
     plain.organVertices = m_organVertices; // a view that rests has all
+    plain.standIn = drawsStandIn();
     m_renderer.draw(defaultFramebufferObject(), pixels.width(), pixels.height(), m_camera, plain);
     m_frameNs = clock.nsecsElapsed();
-    adaptLeaves();
+    adaptToHand();
     ++m_frames;
     emit drawn();
 }
 
-/// A view that moves too slowly gets fewer leaves, larger ones; a quick one more.
-void CViewport::adaptLeaves() {
-    const bool moves = m_sinceMoved.isValid() && m_sinceMoved.elapsed() < kMoving.count();
-    if (!moves) return;
+bool CViewport::moves() const { return m_sinceMoved.isValid() && m_sinceMoved.elapsed() < kMoving.count(); }
+
+/// A view that moves too slowly gets a simpler model of the tree, then fewer leaves, larger ones; a quick one more leaves.
+void CViewport::adaptToHand() {
+    if (!moves()) return;
+    if (m_frameNs > kSlowNs && !m_wantsStandIn && m_scene.hasStandIn()) {
+        m_wantsStandIn = true;
+        return;
+    }
     const std::size_t most = display::bestSamples() > 0 ? kMovingVertices : kMovingVerticesInSoftware;
     if (m_frameNs > kSlowNs) m_organVertices = std::max(kFewestVertices, m_organVertices / 2);
     if (m_frameNs < kSmoothNs) m_organVertices = std::min(most, 2 * m_organVertices);
@@ -106,10 +112,16 @@ void CViewport::changed() {
 }
 
 void CViewport::show(const std::vector<ViewPart>& parts) {
+    setStandIn({});
     m_scene.show(parts, m_settle.isActive() ? CViewScene::Shadows::Kept : CViewScene::Shadows::New);
     m_overlay->setPose(nullptr, nullptr); // until the next one
     m_settle.start(kSettle);
     changed();
+}
+
+void CViewport::setStandIn(const std::vector<ViewPart>& parts) {
+    m_scene.setStandIn(parts);
+    m_wantsStandIn = false;
 }
 
 void CViewport::showBeside(const std::vector<TreeBeside>& others) {

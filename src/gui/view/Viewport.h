@@ -18,8 +18,11 @@ public:
     explicit CViewport(QWidget* parent = nullptr);
     ~CViewport() override;
 
-    /// Replaces the tree; the view stays.
+    /// Replaces the tree; the view stays. A model that stood in for the one before is gone.
     void show(const std::vector<ViewPart>& parts);
+    /// What is drawn in place of the tree while the view moves and the tree itself is too slow.
+    void setStandIn(const std::vector<ViewPart>& parts);
+    bool drawsStandIn() const { return m_wantsStandIn && moves(); }
     using QOpenGLWidget::show;
     /// As CViewScene::showBeside().
     void showBeside(const std::vector<TreeBeside>& others);
@@ -103,7 +106,8 @@ private:
     void measureTo(const QPointF& at);
     void changed();
     void redraw();
-    void adaptLeaves();
+    bool moves() const;
+    void adaptToHand();
     QImage restPass(const ViewPass& pass);
     std::unique_ptr<QOpenGLFramebufferObject> makeBuffer(const QSize& pixels);
     QImage draw(QOpenGLFramebufferObject& buffer, const CCamera& camera, const ViewPass& pass);
@@ -123,6 +127,7 @@ private:
     bool m_windHeld = false; ///< the arrow is being dragged
     bool m_wipeHeld = false; ///< the line between before and after
     std::size_t m_organVertices = 0; ///< of leaves in a picture that moves
+    bool m_wantsStandIn = false;     ///< pictures that move are too slow with the tree itself
     QElapsedTimer m_sinceMoved;
     bool m_measuring = false;
     int m_posesSinceShadows = 0;

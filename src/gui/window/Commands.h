@@ -24,7 +24,8 @@ struct Command {
         Switch,
         KeptSwitch ///< its state is kept between runs
     } kind = Kind::Plain;
-    const char* group = ""; ///< of switches of which one is on
+    const char* group = "";   ///< of switches of which one is on
+    const char* submenu = ""; ///< of the menu; "" none
 };
 
 std::span<const Command> commandTable();

@@ -220,21 +220,34 @@ void CMainWindow::onContextLost() {
     m_notice->setText(tr("The graphics driver has started again"));
 }
 
+namespace {
+/// Fields take what other systems' editors do, as Ctrl+E for the end of the line; here it is a command's. What edits text is the field's.
+bool belongsToCommand(const QObject& watched, const QKeyEvent& key) {
+    if (!watched.inherits("QLineEdit") && !watched.inherits("QAbstractSpinBox")) return false;
+    constexpr QKeySequence::StandardKey kEditing[] = {QKeySequence::Copy, QKeySequence::Cut,  QKeySequence::Paste,
+                                                      QKeySequence::Undo, QKeySequence::Redo, QKeySequence::SelectAll};
+    if (std::ranges::any_of(kEditing, [&](QKeySequence::StandardKey own) { return key.matches(own); })) return false;
+    const QKeySequence pressed(key.keyCombination());
+    return (key.modifiers() & Qt::ControlModifier) && std::ranges::any_of(commandTable(), [&](const Command& command) {
+        return pressed == QKeySequence(QLatin1String(command.shortcut));
+    });
+}
+} // namespace
+
 /// Keys without Ctrl belong to what is popped up, or to the widget that has the focus when it has a use for them, else to the
 /// commands.
 bool CMainWindow::eventFilter(QObject* watched, QEvent* event) {
-    if (event->type() != QEvent::ShortcutOverride || QApplication::activePopupWidget())
-        return QMainWindow::eventFilter(watched, event);
+    const bool asks = event->type() == QEvent::ShortcutOverride, presses = event->type() == QEvent::KeyPress;
+    if ((!asks && !presses) || QApplication::activePopupWidget()) return QMainWindow::eventFilter(watched, event);
     const auto* key = static_cast<QKeyEvent*>(event);
     const bool plain = !(key->modifiers() & ~(Qt::ShiftModifier | Qt::KeypadModifier)) && !key->text().isEmpty();
-    const bool presses = qobject_cast<QAbstractButton*>(watched) && key->key() == Qt::Key_Space;
-    const bool enters = key->key() == Qt::Key_Return || key->key() == Qt::Key_Enter;
-    const bool searches = qobject_cast<QComboBox*>(watched) && !enters;
-    if (plain && key->key() != Qt::Key_Escape && (presses || searches)) {
+    if (presses) // a closed list is no place to type in
+        return (plain && key->text()[0].isPrint() && key->key() != Qt::Key_Space && qobject_cast<QComboBox*>(watched)) || QMainWindow::eventFilter(watched, event);
+    if (plain && qobject_cast<QAbstractButton*>(watched) && key->key() == Qt::Key_Space) {
         event->accept();
         return true;
     }
-    return QMainWindow::eventFilter(watched, event);
+    return belongsToCommand(*watched, *key) || QMainWindow::eventFilter(watched, event);
 }
 
 void CMainWindow::closeEvent(QCloseEvent* event) {
@@ -307,6 +320,7 @@ void CMainWindow::showPresets() {
 void CMainWindow::onCreated(const std::shared_ptr<const ViewModel>& view) {
     const bool own = view->model->params == m_document->params();
     if (m_recentreNext && !own && m_document->params() == m_replacedBy) return; // late, of the document before
+    if (view->model->detail->model == Model::Simple) m_simple = view;
     m_shown = view;
     m_comparison->setNow(view);
     showNow();
@@ -324,9 +338,17 @@ void CMainWindow::showNow() {
     m_viewport->overlay().model().badge.clear();
     m_windController->setPaused(m_fall->felling().has_value());
     m_fall->show(m_shown);
+    m_viewport->setStandIn(standInParts());
     m_viewController->show(m_shown);
     m_windController->show(m_shown);
     m_sideBySide->follow(m_shown, m_document->folder(), m_growth->limits());
+}
+
+/// The simple model came before the full one, and is a quicker sight of the same tree.
+std::vector<ViewPart> CMainWindow::standInParts() const {
+    if (!m_simple || m_fall->felling() || m_shown->model->detail != &detailOf(Model::Full)) return {};
+    const bool same = m_simple->model->params == m_shown->model->params && m_simple->model->age == m_shown->model->age;
+    return same ? m_simple->parts : std::vector<ViewPart>();
 }
 
 void CMainWindow::onSurfaceRead(Surface surface, const std::shared_ptr<const SurfaceMaps>& maps) {
@@ -451,6 +473,7 @@ void CMainWindow::setReference(bool on) {
 }
 
 void CMainWindow::setRow(CSideBySide::Row row) {
+    if (row != CSideBySide::Row::Alone) findChild<QAction*>(QStringLiteral("wipe"))->setChecked(false);
     m_sideBySide->setSeeds(m_variants->seeds());
     m_sideBySide->setRow(row);
 }

@@ -128,6 +128,7 @@ private:
     void onChanged();
     void onCreated(const std::shared_ptr<const ViewModel>& view);
     void showNow();
+    std::vector<ViewPart> standInParts() const;
     void showNothing();
     void onRefused();
     void onFailed(const QString& why);
@@ -169,6 +170,7 @@ private:
     QProgressBar* m_progress = nullptr;
     QTimer m_progressTimer;
     std::shared_ptr<const ViewModel> m_shown;
+    std::shared_ptr<const ViewModel> m_simple; ///< the last one
     QByteArray m_firstLayout;
     CParams m_replacedBy; ///< what the document was when it was opened
     bool m_recentreNext = true;

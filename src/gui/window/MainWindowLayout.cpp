@@ -122,6 +122,15 @@ QAction* CMainWindow::makeAction(const Command& command) {
     return action;
 }
 
+namespace {
+/// The one of that title, perhaps new.
+QMenu& submenuOf(QMenu& menu, const QString& title) {
+    for (QAction* action : menu.actions())
+        if (action->menu() && action->text() == title) return *action->menu();
+    return *menu.addMenu(title);
+}
+} // namespace
+
 void CMainWindow::makeActions() {
     QToolBar* bar = addToolBar(tr("Tools"));
     bar->setObjectName(QStringLiteral("tools"));
@@ -129,15 +138,17 @@ void CMainWindow::makeActions() {
     QMap<QString, QActionGroup*> groups;
     QMenu* menu = nullptr;
     Menu last = Menu::File;
+    const char* lastSubmenu = "";
     for (const Command& command : commandTable()) {
         const bool newMenu = !menu || command.menu != last;
         if (newMenu) menu = menuBar()->addMenu(tr2(menuTitle(command.menu)));
         if (newMenu && command.menu == Menu::Window)
             for (QDockWidget* dock : findChildren<QDockWidget*>()) menu->addAction(dock->toggleViewAction());
-        if (!menu->isEmpty() && command.startsGroup) menu->addSeparator();
+        if (!menu->isEmpty() && command.startsGroup && (!*command.submenu || !*lastSubmenu)) menu->addSeparator();
+        lastSubmenu = command.submenu;
         last = command.menu;
         QAction* action = makeAction(command);
-        menu->addAction(action);
+        (*command.submenu ? submenuOf(*menu, tr2(command.submenu)) : *menu).addAction(action);
         if (*command.group) {
             QActionGroup*& group = groups[QLatin1String(command.group)];
             if (!group) group = new QActionGroup(this);
@@ -153,7 +164,7 @@ void CMainWindow::makeActions() {
         if (QLatin1String(command.name) == QLatin1String("saveCamera")) m_cameras->addTo(*menu->addMenu(tr("Saved Cameras")));
     }
     assignMnemonics(menuBar()->actions());
-    for (const QAction* title : menuBar()->actions()) assignMnemonics(title->menu()->actions());
+    for (const QMenu* each : menuBar()->findChildren<QMenu*>()) assignMnemonics(each->actions());
     m_files->fillRecentMenu(*m_recentMenu);
     auto* more = bar->findChild<QToolButton*>(QStringLiteral("qt_toolbar_ext_button"));
     more->setText(QStringLiteral("»")); // the style's picture is black in every theme

@@ -7,6 +7,10 @@
 
 namespace stromar {
 
+namespace {
+constexpr int kButton = 1000; // so much more of the room than the stretch in front
+} // namespace
+
 CMessageBar::CMessageBar(QWidget* parent) : QFrame(parent), m_text(new QLabel), m_row(new QHBoxLayout) {
     setFrameShape(QFrame::StyledPanel);
     setAutoFillBackground(true);
@@ -17,7 +21,7 @@ CMessageBar::CMessageBar(QWidget* parent) : QFrame(parent), m_text(new QLabel), 
     auto* column = new QVBoxLayout(this);
     column->addWidget(m_text);
     column->addLayout(m_row);
-    m_row->addStretch(1);
+    m_row->addStretch(1); // what the buttons leave
     hide();
 }
 
@@ -27,7 +31,7 @@ void CMessageBar::ask(const QString& about, const QString& text, const std::vect
     for (QWidget* button : m_buttons) button->deleteLater();
     m_buttons.clear();
     m_about = about;
-    m_text->setText(text);
+    m_text->setText(text.left(1).toUpper() + text.mid(1));
     for (const Choice& choice : choices) {
         auto* button = new QPushButton(choice.text);
         button->setSizePolicy(QSizePolicy::Ignored, QSizePolicy::Fixed); // the window is as wide as the user wants it
@@ -37,7 +41,7 @@ void CMessageBar::ask(const QString& about, const QString& text, const std::vect
             dismiss(about);
             run();
         });
-        m_row->addWidget(button, 1);
+        m_row->addWidget(button, kButton);
         m_buttons.push_back(button);
     }
     auto* close = new QToolButton;

@@ -30,6 +30,7 @@ QWidget* makeNumber(const Setting& setting) {
     box->setRange(setting.min, setting.max);
     box->setSingleStep(setting.step);
     box->setSuffix(trText(setting.unit));
+    if (*setting.whenZero) box->setSpecialValueText(trText(setting.whenZero));
     box->setValue(CSettings::instance().number(setting.key));
     QObject::connect(box, &QSpinBox::valueChanged, box,
                      [&setting](int value) { CSettings::instance().set(setting.key, QString::number(value)); });

@@ -25,6 +25,7 @@ struct Setting {
     int min, max, step;                  ///< of a number
     const char* standard;                ///< default, as text
     std::vector<SettingWord> (*words)(); ///< of a choice
+    const char* whenZero = "";           ///< what a number says instead of 0; marked for translation
 };
 
 std::span<const Setting> settingTable();

@@ -1,5 +1,6 @@
 #include "work/ExportDialog.h"
 #include "window/QtText.h"
+#include "window/WrappedLabel.h"
 #include "stromar/app/Export.h"
 #include "stromar/app/ExportRow.h"
 #include <QComboBox>
@@ -14,6 +15,9 @@
 #include <QLocale>
 #include <QMessageBox>
 #include <QPushButton>
+#include <QScreen>
+#include <QScrollArea>
+#include <QScrollBar>
 #include <QSettings>
 #include <QSignalBlocker>
 #include <QSpinBox>
@@ -23,36 +27,46 @@
 namespace stromar {
 
 namespace {
+constexpr int kMargins = 60, kBelow = 230, kFrame = 50; // pixels: around the rows, below them, of the window
 constexpr const char *kEngineKey = "export/for", *kFormatKey = "export/format", *kFolderKey = "export/folder";
 
 QString keyOf(const ExportChoice& choice) { return QStringLiteral("export/") + toQString(choice.key); }
 } // namespace
 
 CExportDialog::CExportDialog(const QString& name, double fullVertices, std::size_t rowTrees, QWidget* parent)
-    : QDialog(parent), m_fullVertices(fullVertices), m_rowTrees(rowTrees), m_trees(new QComboBox), m_engine(new QComboBox), m_format(new QComboBox), m_notes(new QLabel), m_path(new QLineEdit),
-      m_losses(new QLabel), m_size(new QLabel), m_conflict(new QLabel) {
+    : QDialog(parent), m_fullVertices(fullVertices), m_rowTrees(rowTrees), m_trees(new QComboBox), m_engine(new QComboBox), m_format(new QComboBox), m_notes(new CWrappedLabel), m_path(new QLineEdit),
+      m_losses(new CWrappedLabel), m_size(new QLabel), m_conflict(new CWrappedLabel) {
     setWindowTitle(tr("Export"));
-    auto* form = new QFormLayout;
+    auto* rows = new QWidget;
+    auto* form = new QFormLayout(rows);
     addTrees(*form);
     addEngines(*form);
     addFormats(*form);
     for (const ExportChoice& choice : exportChoices()) addChoice(choice, *form);
-    addPlace(*form, name);
-    form->addRow(tr("Lost in this format"), m_losses);
-    form->addRow(tr("Size, about"), m_size);
-    for (QLabel* label : {m_losses, m_conflict, m_notes}) label->setWordWrap(true);
+    auto* below = new QFormLayout; // always in sight
+    addPlace(*below, name);
+    below->addRow(tr("Lost in this format"), m_losses);
+    below->addRow(tr("Size, about"), m_size);
     m_conflict->setObjectName(QStringLiteral("conflict"));
     auto* buttons = new QDialogButtonBox(QDialogButtonBox::Cancel);
     m_export = buttons->addButton(tr("Export"), QDialogButtonBox::AcceptRole);
     connect(buttons, &QDialogButtonBox::accepted, this, &CExportDialog::accept);
     connect(buttons, &QDialogButtonBox::rejected, this, &QDialog::reject);
+    auto* scroll = new QScrollArea; // small screens have no room for all
+    scroll->setWidget(rows);
+    scroll->setWidgetResizable(true);
+    scroll->setFrameShape(QFrame::NoFrame);
+    scroll->setHorizontalScrollBarPolicy(Qt::ScrollBarAlwaysOff);
     auto* whole = new QVBoxLayout(this);
-    whole->addLayout(form);
+    whole->addWidget(scroll, 1);
+    whole->addLayout(below);
     whole->addWidget(m_conflict);
-    whole->addStretch();
     whole->addWidget(buttons);
     setMinimumWidth(520);
     update();
+    const QSize wanted = rows->sizeHint();
+    scroll->setMinimumWidth(rows->minimumSizeHint().width() + scroll->verticalScrollBar()->sizeHint().width());
+    resize(std::max(560, wanted.width() + kMargins), std::min(wanted.height() + kBelow, screen()->availableGeometry().height() - kFrame));
 }
 
 QString CExportDialog::path() const { return QDir::fromNativeSeparators(m_path->text().trimmed()); }
@@ -168,6 +182,7 @@ void CExportDialog::addChoice(const ExportChoice& choice, QFormLayout& form) {
     } else if (choice.words.empty()) {
         auto* box = new QSpinBox;
         box->setRange(static_cast<int>(choice.range.min), static_cast<int>(choice.range.max));
+        box->setSpecialValueText(trText(choice.whenZero));
         box->setValue(last.isValid() ? last.toInt() : m_options.*choice.field);
         m_options.*choice.field = box->value();
         connect(box, &QSpinBox::valueChanged, this, [this, &choice](int value) {
@@ -240,6 +255,8 @@ void CExportDialog::update() {
     m_conflict->setText(!conflict.empty() ? trText(conflict).replace(QLatin1String("%1"), toQString(format().ending))
                         : wrongEnding     ? tr("The file's name has to end in %1").arg(toQString(format().ending))
                                           : QString());
+    for (const ExportChoice& choice : exportChoices())
+        if (choice.counts) findChild<QWidget*>(toQString(choice.key))->setEnabled(choice.counts(m_options));
     m_export->setEnabled(m_conflict->text().isEmpty());
 }
 
@@ -252,7 +269,7 @@ void CExportDialog::accept() {
     QSettings settings;
     settings.setValue(QLatin1String(kEngineKey), m_engine->currentData());
     settings.setValue(QLatin1String(kFormatKey), m_format->currentData());
-    settings.setValue(QLatin1String(kFolderKey), file.absolutePath());
+    if (file.absoluteDir().exists()) settings.setValue(QLatin1String(kFolderKey), file.absolutePath());
     for (const ExportChoice& choice : exportChoices())
         settings.setValue(keyOf(choice),
                           choice.number ? QVariant(m_options.*choice.number) : QVariant(m_options.*choice.field));

@@ -116,7 +116,7 @@ constexpr ParamInfo kRows[] = {
      .inactive = kNeedsAnySplits, .demo = {"Levels=2 1Branches=4 1Length=0.7 1DownAngle=12 1CurveRes=6 1SegSplits=1 1SplitAngle=35"}},
     {.key = "Trunks", .label = N_("Trunks"), .synonyms = N_("shrub clump multi-stem"), .group = Group::Tree, .section = N_("Several trunks"), .field = field<&WeberPennParams::trunks>,
      .range = {1, 200}, .useful = {1, 20}, .step = 1, .defaults = {1}, .invalidates = kFromTrunk,
-     .help = N_("How many trunks rise from one base: shrubs, clumps of bamboo."),
+     .help = N_("How many trunks rise from one base: shrubs, clumps of bamboo."), .atRandom = false,
      .demo = {"Levels=2 TrunksSpread=0.4 TrunksLean=15", {1, 3, 8}}},
     {.key = "TrunksSpread", .label = N_("Spread"), .group = Group::Tree, .section = N_("Several trunks"), .unit = Unit::Metre,
      .field = field<&WeberPennParams::trunksSpread>, .range = {0, 100}, .useful = {0, 3}, .step = 0.05, .decimals = 2, .defaults = {0.2},
