@@ -28,6 +28,7 @@ constexpr double kSunRadius = 0.012; // radians: the disc and the glow about it
 constexpr double kThinnestWood = 0.65; // pixels, a radius: of tubes of three sides no row of pixels is without one
 constexpr float kShadowRoom = 0.1f; // about a moving tree, of its size
 constexpr std::size_t kOutlinePoints = 2000; // of a part
+constexpr std::size_t kHides = 2000;                // leaves, the twigs behind them
 constexpr int kBestShadow = 2048, kFastShadow = 1024; // pixels of a side
 
 osg::ref_ptr<osg::Program> makeLitProgram(const char* looks) {
@@ -116,6 +117,16 @@ std::vector<CTreeNode*> CViewScene::trees() const {
 }
 
 void CViewScene::setStandIn(const std::vector<ViewPart>& parts) {
+    m_standInParts = parts;
+    showStandIn();
+}
+
+void CViewScene::showStandIn() {
+    std::vector<ViewPart> parts = m_standInParts;
+    const bool hidden = m_look.leaves && std::ranges::any_of(parts, [](const ViewPart& part) { return part.organs && part.organs->count() > kHides; });
+    int last = 0;
+    for (const ViewPart& part : parts) last = std::max(last, part.generation);
+    if (hidden && last > 0) std::erase_if(parts, [last](const ViewPart& part) { return part.generation == last; });
     m_standIn->show(parts, m_instancing);
     m_standIn->showLeaves(m_look.leaves);
     m_instancesAreNew = true;
@@ -273,7 +284,9 @@ std::vector<ViewPart> viewPartsOf(const TreeModel& model, const std::vector<View
 void CViewScene::setLook(const ViewLook& look) {
     const bool samePicture = look.picture == m_look.picture && look.backdrop == m_look.backdrop;
     const bool sameLight = look.light == m_look.light && look.leaves == m_look.leaves && samePicture;
+    const bool otherLeaves = look.leaves != m_look.leaves;
     m_look = look;
+    if (otherLeaves) showStandIn();
     if (look.picture && !samePicture) showBackdropPicture();
     setInteger(m_state, "backdrop", static_cast<int>(look.backdrop));
     setInteger(m_state, "view", static_cast<int>(look.shading));

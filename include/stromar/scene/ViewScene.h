@@ -89,7 +89,8 @@ public:
     /// before until renewShadows(): a tree that changes many times a second saves half the drawing.
     void show(const std::vector<ViewPart>& parts, Shadows shadows = Shadows::New);
     void renewShadows();
-    /// A simpler model of the tree that is shown, for passes that want one; nothing: there is none.
+    /// A simpler model of the tree that is shown, for passes that want one; nothing: there is none. Of a tree with leaves it is drawn
+    /// without the twigs that bear most of them: they are most of its triangles, and hidden.
     void setStandIn(const std::vector<ViewPart>& parts);
     bool hasStandIn() const;
     /// The tree that is shown in a pose of the wind; `sway` is of its model. Shadows follow: at once, or with a later pose.
@@ -131,6 +132,7 @@ private:
     void showReference();
     void updateLight();
     void hangParts();
+    void showStandIn();
     void aimAtPose();
     void aimShadows(const osg::BoundingBox& box);
     std::shared_ptr<const CMesh> swayedMesh(const ViewPart& part) const;
@@ -140,6 +142,7 @@ private:
     osg::ref_ptr<osg::Group> m_root, m_tree, m_wireframe, m_person, m_stand; ///< m_stand: all trees
     osg::ref_ptr<osg::Geometry> m_background, m_reference;
     std::unique_ptr<CTreeNode> m_main, m_standIn;
+    std::vector<ViewPart> m_standInParts; ///< all of them
     std::vector<std::unique_ptr<CTreeNode>> m_others;
     std::unique_ptr<CGrass> m_grass;
     std::unique_ptr<CShadowMap> m_shadows;

@@ -13,8 +13,8 @@ namespace {
 constexpr std::chrono::milliseconds kSettle{200}, kMoving{1000};
 constexpr double kClickPixels = 4; // a drag is longer
 constexpr std::size_t kMovingVertices = 4'000'000, kMovingVerticesInSoftware = 160'000; // of all leaves
-constexpr std::size_t kFewestVertices = 20'000;
-constexpr qint64 kSlowNs = 90'000'000, kSmoothNs = 35'000'000; // a moving picture that wants fewer leaves, or may have more
+constexpr std::size_t kFewestVertices = 60'000;
+constexpr qint64 kSlowNs = 90'000'000, kSmoothNs = 50'000'000; // a moving picture that wants fewer leaves, or may have more
 constexpr qint64 kQuickNs = 12'000'000; // a picture with its shadows
 constexpr int kShadowEvery = 6;         // poses, where it is slower
 constexpr double kAir = 1.12; // about a tree that fills the view

@@ -344,11 +344,15 @@ void CMainWindow::showNow() {
     m_sideBySide->follow(m_shown, m_document->folder(), m_growth->limits());
 }
 
-/// The simple model came before the full one, and is a quicker sight of the same tree.
+/// The wood of the simple model, which came before the full one, with the leaves of the full one: a view draws as many as it has time for.
 std::vector<ViewPart> CMainWindow::standInParts() const {
     if (!m_simple || m_fall->felling() || m_shown->model->detail != &detailOf(Model::Full)) return {};
     const bool same = m_simple->model->params == m_shown->model->params && m_simple->model->age == m_shown->model->age;
-    return same ? m_simple->parts : std::vector<ViewPart>();
+    std::vector<ViewPart> parts;
+    if (!same) return parts;
+    std::ranges::copy_if(m_simple->parts, std::back_inserter(parts), [](const ViewPart& part) { return part.mesh != nullptr; });
+    std::ranges::copy_if(m_shown->parts, std::back_inserter(parts), [](const ViewPart& part) { return part.organs != nullptr; });
+    return parts;
 }
 
 void CMainWindow::onSurfaceRead(Surface surface, const std::shared_ptr<const SurfaceMaps>& maps) {
