@@ -170,6 +170,11 @@ void addMaps(Material& material, const fs::path& whole, const ExportOptions& opt
     if (const auto normal = mapOf(whole, "_normal")) material.normal = place(preparedPicture(*normal, PictureUse::Normal, options), "_normal");
     const auto rough = mapOf(whole, "_roughness");
     if (!rough) return;
+    const bool wantsPicture = options.packedMaps != static_cast<int>(ExportedPackedMaps::None);
+    if (const auto same = wantsPicture ? std::nullopt : uniformGrey(*rough)) {
+        material.roughnessFactor = float(*same) / 255;
+        return;
+    }
     material.packed = options.packedMaps == static_cast<int>(ExportedPackedMaps::Orm) && lowerCase(rough->extension().string()) == ".png";
     material.roughness = place(preparedPicture(*rough, PictureUse::Roughness, options), material.packed ? "_orm" : "_roughness");
 }
@@ -186,6 +191,7 @@ Material materialOf(const TreeModel& model, Surface surface, const ExportOptions
     if (textures == ExportedTextures::Format)
         textures = format.pictures >= Pictures::Inside ? ExportedTextures::Embed : ExportedTextures::Copy;
     Material material{surface, info.name, {}, {}, info.colour, info.cutOut};
+    material.roughnessFactor = info.cutOut ? 0.7f : 0.9f;
     if (format.pictures == Pictures::None) return material;
     const fs::path whole = textureOf(model, surface, treeFolder);
     material.picture = preparedPicture(whole, info.cutOut ? PictureUse::CutOutAlbedo : PictureUse::Albedo, options);

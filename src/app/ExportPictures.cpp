@@ -6,6 +6,8 @@
 #include "stromar/util/Text.h"
 #include <algorithm>
 #include <cmath>
+#include <map>
+#include <mutex>
 
 namespace stromar {
 
@@ -91,7 +93,25 @@ fs::path keptFile(const fs::path& source, PictureUse use, const ExportOptions& o
     for (const int choice : {static_cast<int>(use), options.textureSize, options.normalMaps, options.packedMaps}) all += ' ' + std::to_string(choice);
     return pictureCache() / "exports" / (nameOfHash(hashOfText(all)) + ".png");
 }
+
+std::optional<int> readUniformGrey(const fs::path& picture) {
+    const TextureMaps maps = readPng(picture);
+    if (maps.albedo.empty()) return {};
+    const auto first = maps.albedo.front();
+    return std::ranges::all_of(maps.albedo, [&](const auto& pixel) { return pixel == first; }) ? std::optional<int>(first[1]) : std::nullopt;
+}
 } // namespace
+
+std::optional<int> uniformGrey(const fs::path& picture) {
+    static std::mutex mutex;
+    static std::map<std::pair<fs::path, fs::file_time_type>, std::optional<int>> known;
+    if (lowerCase(picture.extension().string()) != ".png") return {};
+    std::error_code problem; // reading says it better
+    const std::pair key(picture, fs::last_write_time(picture, problem));
+    const std::lock_guard lock(mutex);
+    const auto found = known.find(key);
+    return found != known.end() ? found->second : known[key] = readUniformGrey(picture);
+}
 
 fs::path preparedPicture(const fs::path& source, PictureUse use, const ExportOptions& options) {
     if (lowerCase(source.extension().string()) != ".png") return source;

@@ -17,7 +17,7 @@ namespace fs = std::filesystem;
 namespace {
 constexpr int kTileSize = 1024, kPreviewTileSize = 192, kCutOutSize = 512, kPreviewSize = 96;
 constexpr double kSeasonSteps = 0.2;      // of a month: the picture follows the slider in so many
-constexpr std::uint64_t kLookVersion = 2; // rises when the same recipe is drawn differently
+constexpr std::uint64_t kLookVersion = 3; // rises when the same recipe is drawn differently
 
 int sizeOf(Surface surface, PictureQuality quality) {
     if (!surfaceOf(surface).cutOut) return quality == PictureQuality::Preview ? kPreviewTileSize : kTileSize;

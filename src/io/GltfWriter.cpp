@@ -83,7 +83,7 @@ private:
             tinygltf::Material material;
             material.name = look.name;
             material.pbrMetallicRoughness.metallicFactor = 0;
-            material.pbrMetallicRoughness.roughnessFactor = look.cutOut ? 0.7 : 0.9;
+            material.pbrMetallicRoughness.roughnessFactor = double(look.roughnessFactor);
             material.doubleSided = look.cutOut;
             if (look.cutOut) {
                 material.alphaMode = "MASK";

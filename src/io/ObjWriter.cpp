@@ -17,7 +17,10 @@ void writeMaterials(const ExportModel& model, std::ostream& stream) {
         if (const std::string& mask = look.opacity.texture.empty() ? look.texture : look.opacity.texture; look.cutOut && !mask.empty())
             out << "map_d " << mask << "\n";
         if (const std::string& normal = look.normal.texture; !normal.empty()) out << "norm " << normal << "\nmap_Bump " << normal << "\n";
-        if (!look.roughness.texture.empty()) out << "Pr 1\nmap_Pr " << look.roughness.texture << "\n";
+        if (look.roughness.texture.empty())
+            out << "Pr " << look.roughnessFactor << "\n";
+        else
+            out << "Pr 1\nmap_Pr " << look.roughness.texture << "\n";
         out << "\n";
     }
     out.flush();

@@ -128,7 +128,7 @@ private:
             if (has(pictures, "roughness"))
                 connected("float inputs:roughness", "roughness", "r");
             else
-                out << "                float inputs:roughness = " << (look.cutOut ? 0.7f : 0.9f) << "\n";
+                out << "                float inputs:roughness = " << look.roughnessFactor << "\n";
             out << "                float inputs:metallic = 0\n";
         }
         out << "                token outputs:surface\n            }\n\n";

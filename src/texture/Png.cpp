@@ -1,6 +1,7 @@
 #include "stromar/texture/PictureSize.h"
 #include "stromar/texture/TextureMaps.h"
 #include "stromar/util/Error.h"
+#include <algorithm>
 #include <csetjmp>
 #include <png.h>
 
@@ -100,7 +101,12 @@ std::filesystem::path mapBeside(const std::filesystem::path& albedo, std::string
 
 void writePng(const std::vector<std::array<std::uint8_t, 4>>& pixels, int width, int height,
               const std::filesystem::path& path, CFileSet& files) {
-    writePng(files.create(path), width, height, 4, bytesOf(pixels));
+    const bool opaque = std::ranges::all_of(pixels, [](const auto& pixel) { return pixel[3] == 255; });
+    if (!opaque) return writePng(files.create(path), width, height, 4, bytesOf(pixels));
+    std::vector<std::array<std::uint8_t, 3>> colours;
+    colours.reserve(pixels.size());
+    for (const auto& [red, green, blue, alpha] : pixels) colours.push_back({red, green, blue});
+    writePng(files.create(path), width, height, 3, bytesOf(colours));
 }
 
 TextureMaps readPng(const std::filesystem::path& path) {

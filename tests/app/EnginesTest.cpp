@@ -8,6 +8,7 @@
 #include "util/TemporaryFolder.h"
 #include <algorithm>
 #include <gtest/gtest.h>
+#include <nlohmann/json.hpp>
 
 namespace stromar::test {
 
@@ -131,8 +132,7 @@ TEST_F(EngineExport, NormalsForDirectXPointDown) {
 }
 
 TEST_F(EngineExport, MapsArePacked) {
-    write({}, ".gltf");
-    const TextureMaps rough = picture("tree_bark_roughness.png");
+    const TextureMaps rough = readPng(mapBeside(textureOf(smallModel()->params, Surface::Bark, {}), "_roughness"));
     write(chosen({{"packed-maps", "orm"}}), ".gltf");
     const TextureMaps orm = picture("tree_bark_orm.png");
     const std::string text = readFile(m_folder / "tree.gltf");
@@ -147,10 +147,22 @@ TEST_F(EngineExport, MapsArePacked) {
     }
 }
 
+TEST_F(EngineExport, PicturesHoldNoMoreThanTheyShow) {
+    write({}, ".gltf");
+    EXPECT_FALSE(std::filesystem::exists(m_folder / "tree_bark_roughness.png")) << "as rough all over: a number says it";
+    EXPECT_TRUE(std::filesystem::exists(m_folder / "tree_leaf_roughness.png"));
+    const TextureMaps rough = readPng(mapBeside(textureOf(smallModel()->params, Surface::Bark, {}), "_roughness"));
+    const auto json = nlohmann::json::parse(readFile(m_folder / "tree.gltf"));
+    EXPECT_NEAR(json.at("materials").at(0).at("pbrMetallicRoughness").at("roughnessFactor").get<double>(), rough.albedo[0][1] / 255.0, 1e-4);
+    constexpr std::size_t kColourType = 25; // of a PNG file: 2 is RGB, 6 has alpha
+    EXPECT_EQ(readFile(m_folder / "tree_bark.png")[kColourType], 2);
+    EXPECT_EQ(readFile(m_folder / "tree_leaf.png")[kColourType], 6);
+}
+
 TEST_F(EngineExport, ObjHasAPictureOfOpacityAndMaps) {
     write({}, ".obj");
     const std::string library = readFile(m_folder / "tree.mtl");
-    for (const char* line : {"map_d tree_leaf_opacity.png", "norm tree_bark_normal.png", "map_Bump tree_leaf_normal.png", "map_Pr tree_bark_roughness.png"})
+    for (const char* line : {"map_d tree_leaf_opacity.png", "norm tree_bark_normal.png", "map_Bump tree_leaf_normal.png", "map_Pr tree_leaf_roughness.png"})
         EXPECT_NE(library.find(line), std::string::npos) << line;
     EXPECT_EQ(library.find("map_d tree_leaf.png"), std::string::npos) << "three.js would take its green";
     const TextureMaps mask = picture("tree_leaf_opacity.png"), leaf = picture("tree_leaf.png");

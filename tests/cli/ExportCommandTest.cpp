@@ -85,9 +85,9 @@ TEST(ExportCommand, WritesIntoTheCurrentFolder) {
     const CTemporaryFolder folder;
     const ProcessResult run = cli(exportTo("here.obj"), {.folder = folder.path().string()});
     EXPECT_EQ(run.status, 0) << run.err;
-    std::set<std::string> expected{"here.obj", "here.mtl", "here_leaf_opacity.png"};
+    std::set<std::string> expected{"here.obj", "here.mtl", "here_leaf_opacity.png", "here_leaf_roughness.png"};
     for (const std::string surface : {"bark", "bark_1", "bark_2", "leaf"})
-        for (const char* map : {"", "_normal", "_roughness"}) expected.insert("here_" + surface + map + ".png");
+        for (const char* map : {"", "_normal"}) expected.insert("here_" + surface + map + ".png");
     EXPECT_EQ(folder.names(), expected);
 }
 

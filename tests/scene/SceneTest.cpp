@@ -149,6 +149,28 @@ TEST(ViewScene, ShowsWhatItIsGiven) {
     EXPECT_FALSE(scene.bounds().valid());
 }
 
+TEST(ViewScene, AStandInIsDrawnInPlaceOfTheTreeWhereAPassWantsIt) {
+    CViewScene scene;
+    const auto meshes = aspenMeshes();
+    std::vector<ViewPart> parts, simple;
+    for (const auto& mesh : meshes) parts.push_back({makeGeometry(*mesh), mesh->surface});
+    simple.push_back({makeGeometry(*meshes[0]), meshes[0]->surface});
+    scene.show(parts);
+    scene.finishFrame();
+    const std::size_t whole = drawablesUnder(*scene.root());
+    const osg::BoundingBox room = scene.bounds();
+    ViewPass moving;
+    moving.standIn = true;
+    scene.setPass(moving, 0.001, 20);
+    EXPECT_EQ(drawablesUnder(*scene.root()), whole) << "there is none yet";
+    scene.setStandIn(simple);
+    scene.setPass(moving, 0.001, 20);
+    EXPECT_EQ(drawablesUnder(*scene.root()), whole - parts.size() + simple.size());
+    EXPECT_EQ(scene.bounds()._max, room._max) << "framed as the tree itself";
+    scene.setPass({}, 0.001, 20);
+    EXPECT_EQ(drawablesUnder(*scene.root()), whole) << "at rest";
+}
+
 TEST(ViewScene, ARayMeetsTheTree) {
     CViewScene scene;
     std::vector<ViewPart> parts;

@@ -38,6 +38,7 @@ struct Material {
     glm::vec3 colour;              ///< where no picture can be shown, 0..1
     bool cutOut;                   ///< the picture's alpha says where the surface is
     PictureRef normal{}, roughness{}; ///< maps of the relief, where the picture has some and the format takes them
+    float roughnessFactor = 0.9f;     ///< where it has no picture
     bool packed = false;              ///< roughness has occlusion in its red and metal in its blue
     PictureRef opacity{};             ///< of a cut-out picture, where the format wants a picture of its own
 };

@@ -10,7 +10,7 @@
 namespace stromar {
 
 namespace {
-constexpr std::chrono::milliseconds kSettle{200}, kMoving{1000};
+constexpr std::chrono::milliseconds kSettle{200}, kLongestSettle{1500}, kMoving{1000};
 constexpr double kClickPixels = 4; // a drag is longer
 constexpr std::size_t kMovingVertices = 4'000'000, kMovingVerticesInSoftware = 160'000; // of all leaves
 constexpr std::size_t kFewestVertices = 60'000;
@@ -20,6 +20,7 @@ constexpr int kShadowEvery = 6;         // poses, where it is slower
 constexpr double kAir = 1.12; // about a tree that fills the view
 constexpr double kDegreesPerPixel = 0.35;
 constexpr double kZoomPerPixel = 0.006, kZoomPerNotch = 0.14;
+std::size_t mostVertices() { return display::bestSamples() > 0 ? kMovingVertices : kMovingVerticesInSoftware; }
 } // namespace
 
 CViewport::CViewport(QWidget* parent)
@@ -30,7 +31,7 @@ CViewport::CViewport(QWidget* parent)
     m_camera.lookFrom(0, 5);
     setFocusPolicy(Qt::StrongFocus);
     setMouseTracking(true);
-    m_organVertices = display::bestSamples() > 0 ? kMovingVertices : kMovingVerticesInSoftware;
+    m_organVertices = mostVertices();
     setMinimumSize(160, 160);
     setAccessibleName(tr("Picture of the tree"));
     connect(&m_rest, &CRestPicture::refined, this, [this] { m_overlay->showBelow(m_rest.image()); });
@@ -75,7 +76,7 @@ void CViewport::paintGL() {
     clock.start();
     const QSize pixels = (QSizeF(size()) * devicePixelRatioF()).toSize();
     ViewPass plain;
-    plain.organVertices = m_organVertices; // a view that rests has all
+    plain.organVertices = hurries() ? m_organVertices : mostVertices(); // the passes of a view that rests have all
     plain.standIn = drawsStandIn();
     m_renderer.draw(defaultFramebufferObject(), pixels.width(), pixels.height(), m_camera, plain);
     m_frameNs = clock.nsecsElapsed();
@@ -84,18 +85,19 @@ void CViewport::paintGL() {
     emit drawn();
 }
 
+bool CViewport::hurries() const { return moves() || m_settle.isActive(); }
+
 bool CViewport::moves() const { return m_sinceMoved.isValid() && m_sinceMoved.elapsed() < kMoving.count(); }
 
 /// A view that moves too slowly gets a simpler model of the tree, then fewer leaves, larger ones; a quick one more leaves.
 void CViewport::adaptToHand() {
-    if (!moves()) return;
+    if (!hurries()) return;
     if (m_frameNs > kSlowNs && !m_wantsStandIn && m_scene.hasStandIn()) {
         m_wantsStandIn = true;
         return;
     }
-    const std::size_t most = display::bestSamples() > 0 ? kMovingVertices : kMovingVerticesInSoftware;
     if (m_frameNs > kSlowNs) m_organVertices = std::max(kFewestVertices, m_organVertices / 2);
-    if (m_frameNs < kSmoothNs) m_organVertices = std::min(most, 2 * m_organVertices);
+    if (m_frameNs < kSmoothNs) m_organVertices = std::min(mostVertices(), 2 * m_organVertices);
 }
 
 /// Where the view has changed; paintGL() is called for a window that was covered, too.
@@ -115,7 +117,10 @@ void CViewport::show(const std::vector<ViewPart>& parts) {
     setStandIn({});
     m_scene.show(parts, m_settle.isActive() ? CViewScene::Shadows::Kept : CViewScene::Shadows::New);
     m_overlay->setPose(nullptr, nullptr); // until the next one
-    m_settle.start(kSettle);
+    // A tree that grows slower than the hand moves has not come to rest between two steps.
+    const std::chrono::milliseconds sinceLast = m_sinceShown.isValid() ? std::chrono::milliseconds(m_sinceShown.elapsed()) : kLongestSettle;
+    m_settle.start(2 * sinceLast < kLongestSettle ? std::max(2 * sinceLast, kSettle) : kSettle);
+    m_sinceShown.start();
     changed();
 }
 

@@ -107,6 +107,7 @@ private:
     void changed();
     void redraw();
     bool moves() const;
+    bool hurries() const; ///< a hand waits for the next picture
     void adaptToHand();
     QImage restPass(const ViewPass& pass);
     std::unique_ptr<QOpenGLFramebufferObject> makeBuffer(const QSize& pixels);
@@ -128,7 +129,7 @@ private:
     bool m_wipeHeld = false; ///< the line between before and after
     std::size_t m_organVertices = 0; ///< of leaves in a picture that moves
     bool m_wantsStandIn = false;     ///< pictures that move are too slow with the tree itself
-    QElapsedTimer m_sinceMoved;
+    QElapsedTimer m_sinceMoved, m_sinceShown;
     bool m_measuring = false;
     int m_posesSinceShadows = 0;
     qint64 m_frameNs = 0; ///< how long the last picture took

@@ -4,6 +4,7 @@
 #include "work/ExportDialog.h"
 #include "stromar/app/Methods.h"
 #include "stromar/app/Prediction.h"
+#include <QDir>
 #include <QFileInfo>
 #include <QMessageBox>
 #include <QProgressDialog>
@@ -96,7 +97,7 @@ void CExportController::finish(const QString& path, const QString& why, bool can
     else
         emit notice(cancelled ? tr("Export cancelled; no file was changed") : tr("Exported %1").arg(path));
     emit ended(why, cancelled);
-    if (std::exchange(m_chosen, false) && !why.isEmpty()) choose(QFileInfo(path).completeBaseName());
+    if (std::exchange(m_chosen, false) && !why.isEmpty()) choose(QFileInfo(path).dir().filePath(QFileInfo(path).completeBaseName()));
 }
 
 } // namespace stromar

@@ -43,7 +43,7 @@ signals:
     void ended(const QString& why, bool cancelled);
 
 private:
-    void choose(const QString& name);
+    void choose(const QString& name); ///< perhaps with its folder
     bool fits();
     QProgressDialog* showProgress(const QString& path);
     void finish(const QString& path, const QString& why, bool cancelled);
