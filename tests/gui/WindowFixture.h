@@ -39,7 +39,11 @@ protected:
     QSlider* slider(const char* key) { return window.panel().editor(paramRef(key))->findChild<QSlider*>(); }
     double value(const char* key) { return paramRef(key).get(window.document().params()); }
     QString notice() { return window.findChild<QLabel*>(QStringLiteral("notice"))->text(); }
-    QImage picture() { return window.viewport().grabFramebuffer(); }
+    /// Of a tree that rests.
+    QImage picture() {
+        waitFor([&] { return !window.viewport().settling(); });
+        return window.viewport().grabFramebuffer();
+    }
 
     /// Presses a button of the next message box.
     void answerNext(QMessageBox::StandardButton button) {
