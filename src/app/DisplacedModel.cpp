@@ -42,7 +42,9 @@ std::shared_ptr<const TreeModel> displaced(const std::shared_ptr<const TreeModel
     for (std::size_t g = 0; g < model->stems.size(); ++g)
         reliefs.push_back(g < kBarks.size() ? reliefOf(model->params, kBarks[g], folder, displacement.strength) : reliefs.back());
     if (std::ranges::none_of(reliefs, [](const auto& relief) { return relief != nullptr; }))
-        throw CError(translated(NC_("stromar", "displacement needs the heights of the bark: a recipe, or beside its picture %1"), mapBeside(textureOf(model->params, Surface::Bark, folder), "_height").string()));
+        throw CError(
+            translated(NC_("stromar", "displacement needs the heights of the bark: a recipe, or beside its picture %1"),
+                       mapBeside(textureOf(model->params, Surface::Bark, folder), "_height").string()));
     const auto whole = joined(model, progress);
     DisplacedStems wood = displaceStems(whole->stems, whole->unjoined->sources, reliefs, displacement.cell, limitOf(limits), progress);
     auto rough = std::make_shared<TreeModel>(*whole);

@@ -81,54 +81,63 @@ constexpr ExportChoice kChoices[] = {
      .field = &ExportOptions::textures},
     {.key = "texture-size",
      .label = N_("Max texture size"),
-     .help = N_("Pixels that a picture may be wide or high: larger ones are halved until they are no larger; 0: as they are. PNG pictures only."),
+     .help = N_("Pixels that a picture may be wide or high: larger ones are halved until they are no larger; 0: as "
+                "they are. PNG pictures only."),
      .field = &ExportOptions::textureSize,
      .range = {0, kMaxTexture},
      .whenZero = N_("as they are")},
     {.key = "normal-maps",
      .label = N_("Normal maps"),
-     .help = N_("Which way the green of normal maps points: up, as OpenGL, Blender, Unity and Godot have it, or down, as DirectX and Unreal."),
+     .help = N_("Which way the green of normal maps points: up, as OpenGL, Blender, Unity and Godot have it, or down, "
+                "as DirectX and Unreal."),
      .words = kNormalMaps,
      .names = kNormalMapNames,
      .field = &ExportOptions::normalMaps},
     {.key = "packed-maps",
      .label = N_("Packed maps"),
-     .help = N_("One picture for several maps: occlusion, roughness and metal in red, green and blue, or Unity's mask map beside the file "
+     .help = N_("One picture for several maps: occlusion, roughness and metal in red, green and blue, or Unity's mask "
+                "map beside the file "
                 "(metal, occlusion, detail, smoothness in alpha)."),
      .words = kPackedMaps,
      .names = kPackedMapNames,
      .field = &ExportOptions::packedMaps},
     {.key = "two-sided",
      .label = N_("Two-sided leaves"),
-     .help = N_("Whether leaves have triangles of their own for their back, for programs that do not draw what is seen from behind."),
+     .help = N_("Whether leaves have triangles of their own for their back, for programs that do not draw what is seen "
+                "from behind."),
      .words = kTwoSided,
      .names = kTwoSidedNames,
      .field = &ExportOptions::twoSided},
     {.key = "leaf-light",
      .label = N_("Light through leaves"),
-     .help = N_("Of glTF files: leaves with the light behind them are bright (KHR_materials_diffuse_transmission), in programs that know it; "
+     .help = N_("Of glTF files: leaves with the light behind them are bright (KHR_materials_diffuse_transmission), in "
+                "programs that know it; "
                 "others show them as without it."),
      .words = kLeafLights,
      .names = kLeafLightNames,
      .field = &ExportOptions::leafLight},
     {.key = "occlusion",
      .label = N_("Ambient occlusion"),
-     .help = N_("How much of the sky vertices see, in glTF files: as an attribute _OCCLUSION for shaders, or multiplied into the vertex "
+     .help = N_("How much of the sky vertices see, in glTF files: as an attribute _OCCLUSION for shaders, or "
+                "multiplied into the vertex "
                 "colours (COLOR_0), which darkens the crown in programs that compute this light themselves."),
      .words = kOcclusions,
      .names = kOcclusionNames,
      .field = &ExportOptions::occlusion},
     {.key = "wind",
      .label = N_("Wind"),
-     .help = N_("What lets the tree sway in another program: vertex attributes and a table for a shader, vertex colours as an engine "
-                "reads them (COLOR_0 then tints the tree where they are not read), pictures of pivots for Unreal, or bones "
-                "with clips of wind and growth."),
+     .help =
+         N_("What lets the tree sway in another program: vertex attributes and a table for a shader, vertex colours as "
+            "an engine "
+            "reads them (COLOR_0 then tints the tree where they are not read), pictures of pivots for Unreal, or bones "
+            "with clips of wind and growth."),
      .words = kWinds,
      .names = kWindNames,
      .field = &ExportOptions::wind},
     {.key = "collision",
      .label = N_("Collision"),
-     .help = N_("What things bump into: a capsule for each thick stem, as a list beside the file (JSON), or also as meshes with the names that an "
+     .help = N_("What things bump into: a capsule for each thick stem, as a list beside the file (JSON), or also as "
+                "meshes with the names that an "
                 "engine looks for."),
      .words = kCollisions,
      .names = kCollisionNames,
@@ -141,13 +150,15 @@ constexpr ExportChoice kChoices[] = {
      .counts = [](const ExportOptions& o) { return o.wind == static_cast<int>(ExportedWind::Bones); }},
     {.key = "displacement",
      .label = N_("Displacement"),
-     .help = N_("The relief of the bark as triangles, in cells of so many metres: 0.02 for a trunk seen from near; 0: none. Only "
+     .help = N_("The relief of the bark as triangles, in cells of so many metres: 0.02 for a trunk seen from near; 0: "
+                "none. Only "
                 "level of detail 0 gets it."),
      .number = &ExportOptions::displacement,
      .range = {0, 1}},
     {.key = "displacement-strength",
      .label = N_("Strength of displacement"),
-     .help = N_("How deep displaced bark is: 1 is what the picture of its normals shows. Seen from near it may be more."),
+     .help =
+         N_("How deep displaced bark is: 1 is what the picture of its normals shows. Seen from near it may be more."),
      .number = &ExportOptions::displacementStrength,
      .range = {0, 10},
      .counts = [](const ExportOptions& o) { return o.displacement > 0; }},
@@ -194,14 +205,20 @@ void setChoice(ExportOptions& options, string_view key, string_view value) {
         std::vector<std::string> words(found->words.begin(), found->words.end());
         std::string all;
         for (const std::string& one : words) all += (all.empty() ? "" : ", ") + one;
-        if (word == found->words.end()) throw CError(translated(NC_("stromar", "'%1' is one of %2, not '%3'"), key, all, value) + suggestion(value, words));
+        if (word == found->words.end())
+            throw CError(translated(NC_("stromar", "'%1' is one of %2, not '%3'"), key, all, value) +
+                         suggestion(value, words));
         options.*found->field = static_cast<int>(word - found->words.begin());
         return;
     }
     const auto number = parseNumber(std::string(value));
-    if (!number || (found->field && *number != std::floor(*number))) throw CError(translated(found->field ? NC_("stromar", "'%1': '%2' is not a number without decimals") : NC_("stromar", "'%1': '%2' is not a number"), key, value));
+    if (!number || (found->field && *number != std::floor(*number)))
+        throw CError(translated(found->field ? NC_("stromar", "'%1': '%2' is not a number without decimals")
+                                             : NC_("stromar", "'%1': '%2' is not a number"),
+                                key, value));
     if (*number < found->range.min || *number > found->range.max)
-        throw CError(translated(NC_("stromar", "'%1' is between %2 and %3, not %4"), key, found->range.min, found->range.max, value));
+        throw CError(translated(NC_("stromar", "'%1' is between %2 and %3, not %4"), key, found->range.min,
+                                found->range.max, value));
     if (found->number)
         options.*found->number = *number;
     else

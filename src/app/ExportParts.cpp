@@ -36,13 +36,16 @@ void refuseUnless(const ExportOptions& options, const Format* format, const fs::
     if (const std::string conflict = conflictText(options, *format); !conflict.empty()) throw CError(conflict);
     const fs::path folder = path.parent_path();
     if (std::error_code problem; !folder.empty() && !fs::is_directory(folder, problem))
-        throw CError(translated(NC_("stromar", "cannot write %1: there is no folder %2"), path.string(), folder.string()));
+        throw CError(
+            translated(NC_("stromar", "cannot write %1: there is no folder %2"), path.string(), folder.string()));
 }
 
-std::shared_ptr<const TreeModel> finishedModel(const std::shared_ptr<const TreeModel>& model, const ExportOptions& options,
-                                               const fs::path& treeFolder, const SizeLimits& limits, const CProgress& progress) {
+std::shared_ptr<const TreeModel> finishedModel(const std::shared_ptr<const TreeModel>& model,
+                                               const ExportOptions& options, const fs::path& treeFolder,
+                                               const SizeLimits& limits, const CProgress& progress) {
     if (isSolid(options)) return model;
-    return displaced(joined(model, progress), {options.displacement, options.displacementStrength}, treeFolder, limits, progress);
+    return displaced(joined(model, progress), {options.displacement, options.displacementStrength}, treeFolder, limits,
+                     progress);
 }
 
 Meshes meshesFor(const TreeModel& model, const ExportOptions& options, const CProgress& progress) {
@@ -82,7 +85,8 @@ std::vector<glm::vec3> backwardsOf(const CMesh& mesh) {
     return sums;
 }
 
-/// A leaf's triangles once more, turned round, as far behind as a leaf is thick: faces at the same place would shade each other.
+/// A leaf's triangles once more, turned round, as far behind as a leaf is thick: faces at the same place would shade
+/// each other.
 std::shared_ptr<const CMesh> withBacks(const CMesh& mesh, float metre) {
     const float thickness = 3e-4f * metre;
     auto both = std::make_shared<CMesh>(mesh);
@@ -117,7 +121,8 @@ void addBacks(Meshes& meshes, std::vector<VertexChannels>& channels, float metre
 void addBacks(ExportModel& model, float metre) {
     addBacks(model.meshes, model.channels, metre);
     model.coarserChannels.resize(model.coarser.size());
-    for (std::size_t lod = 0; lod < model.coarser.size(); ++lod) addBacks(model.coarser[lod], model.coarserChannels[lod], metre);
+    for (std::size_t lod = 0; lod < model.coarser.size(); ++lod)
+        addBacks(model.coarser[lod], model.coarserChannels[lod], metre);
 }
 
 namespace {
@@ -145,8 +150,8 @@ fs::path shared(const fs::path& picture, const fs::path& folder) {
 }
 
 /// How a model's file refers to a picture, which is copied if that is wanted. Empty: it is embedded.
-std::string placed(const fs::path& picture, const fs::path& copy, ExportedTextures textures, const ExportOptions& options, const Output& to,
-                   CFileSet& files) {
+std::string placed(const fs::path& picture, const fs::path& copy, ExportedTextures textures,
+                   const ExportOptions& options, const Output& to, CFileSet& files) {
     const auto fromModel = [&](const fs::path& file) {
         return fs::proximate(fs::absolute(file), fs::absolute(to.path).parent_path()).generic_string();
     };
@@ -167,7 +172,8 @@ std::optional<fs::path> mapOf(const fs::path& picture, const char* suffix) {
 /// Of normals and roughness, where there are some.
 template <typename Place>
 void addMaps(Material& material, const fs::path& whole, const ExportOptions& options, Place&& place) {
-    if (const auto normal = mapOf(whole, "_normal")) material.normal = place(preparedPicture(*normal, PictureUse::Normal, options), "_normal");
+    if (const auto normal = mapOf(whole, "_normal"))
+        material.normal = place(preparedPicture(*normal, PictureUse::Normal, options), "_normal");
     const auto rough = mapOf(whole, "_roughness");
     if (!rough) return;
     const bool wantsPicture = options.packedMaps != static_cast<int>(ExportedPackedMaps::None);
@@ -175,17 +181,20 @@ void addMaps(Material& material, const fs::path& whole, const ExportOptions& opt
         material.roughnessFactor = float(*same) / 255;
         return;
     }
-    material.packed = options.packedMaps == static_cast<int>(ExportedPackedMaps::Orm) && lowerCase(rough->extension().string()) == ".png";
-    material.roughness = place(preparedPicture(*rough, PictureUse::Roughness, options), material.packed ? "_orm" : "_roughness");
+    material.packed = options.packedMaps == static_cast<int>(ExportedPackedMaps::Orm) &&
+                      lowerCase(rough->extension().string()) == ".png";
+    material.roughness =
+        place(preparedPicture(*rough, PictureUse::Roughness, options), material.packed ? "_orm" : "_roughness");
 }
 } // namespace
 
 bool needsMaterial(const TreeModel& model, const std::vector<Meshes>& lods, Surface surface) {
-    return isInEveryFile(surfaceOf(surface)) || (shownSurface(model.params, surface) == surface && isUsed(lods, surface));
+    return isInEveryFile(surfaceOf(surface)) ||
+           (shownSurface(model.params, surface) == surface && isUsed(lods, surface));
 }
 
-Material materialOf(const TreeModel& model, Surface surface, const ExportOptions& options, const Format& format, const fs::path& treeFolder,
-                    const Output& to, CFileSet& files) {
+Material materialOf(const TreeModel& model, Surface surface, const ExportOptions& options, const Format& format,
+                    const fs::path& treeFolder, const Output& to, CFileSet& files) {
     const SurfaceInfo& info = surfaceOf(surface);
     auto textures = static_cast<ExportedTextures>(options.textures);
     if (textures == ExportedTextures::Format)
@@ -200,11 +209,13 @@ Material materialOf(const TreeModel& model, Surface surface, const ExportOptions
         return PictureRef{placed(picture, mapBeside(copy, suffix), textures, options, to, files), picture};
     };
     material.texture = placed(material.picture, copy, textures, options, to, files);
-    if (format.opacity && info.cutOut && lowerCase(whole.extension().string()) == ".png" && textures != ExportedTextures::Refer)
+    if (format.opacity && info.cutOut && lowerCase(whole.extension().string()) == ".png" &&
+        textures != ExportedTextures::Refer)
         material.opacity = place(preparedPicture(whole, PictureUse::Opacity, options), "_opacity");
     if (format.maps) addMaps(material, whole, options, place);
     if (options.packedMaps == static_cast<int>(ExportedPackedMaps::UnityMask) && to.copiesPictures)
-        if (const auto rough = mapOf(whole, "_roughness")) files.copy(preparedPicture(*rough, PictureUse::UnityMask, options), mapBeside(copy, "_mask"));
+        if (const auto rough = mapOf(whole, "_roughness"))
+            files.copy(preparedPicture(*rough, PictureUse::UnityMask, options), mapBeside(copy, "_mask"));
     return material;
 }
 

@@ -18,8 +18,10 @@ namespace {
 /// Puts trees into one model.
 class CRowMaker {
 public:
-    CRowMaker(const ExportOptions& options, const Format& format, const fs::path& treeFolder, const fs::path& path, CFileSet& files)
-        : m_options(options), m_format(format), m_treeFolder(treeFolder), m_path(path), m_files(files), m_row{plainName(path), {}, {}, {}} {
+    CRowMaker(const ExportOptions& options, const Format& format, const fs::path& treeFolder, const fs::path& path,
+              CFileSet& files)
+        : m_options(options), m_format(format), m_treeFolder(treeFolder), m_path(path),
+          m_files(files), m_row{plainName(path), {}, {}, {}} {
         m_row.leafLight = options.leafLight == static_cast<int>(ExportedLeafLight::Transmission);
     }
 
@@ -41,12 +43,14 @@ public:
 
 private:
     /// With materials that say no more than which surface they are of.
-    ExportModel ownModel(const RowTree& tree, const std::shared_ptr<const TreeModel>& model, const CProgress& progress) const {
+    ExportModel ownModel(const RowTree& tree, const std::shared_ptr<const TreeModel>& model,
+                         const CProgress& progress) const {
         const Arrangement arrangement = arrangementFor(m_options, m_format);
         const Meshes meshes = meshesFor(*model, m_options, progress);
         ExportModel own{tree.name, arranged(moved(meshes, glm::vec3(tree.place, 0, 0)), arrangement), {}, {}};
         for (const Surface surface : kSurfaces)
-            if (needsMaterial(*model, {meshes}, surface)) own.materials.push_back({surface, {}, {}, {}, {}, surfaceOf(surface).cutOut});
+            if (needsMaterial(*model, {meshes}, surface))
+                own.materials.push_back({surface, {}, {}, {}, {}, surfaceOf(surface).cutOut});
         const std::span<const std::shared_ptr<const TreeModel>> coloured(&model, isSolid(m_options) ? 0 : 1);
         if (m_format.channels != Channels::None) addColours(own, coloured, m_options);
         if (isTwoSided(m_options, m_format)) addBacks(own, arrangement.scale);
@@ -77,7 +81,8 @@ private:
         const bool isFirst = std::ranges::find(m_known, surface, &Known::surface) == m_known.end();
         const Output to{m_path, isFirst ? m_path : withSuffix(m_path, "_" + tree.name)};
         m_known.push_back({surface, picture, m_row.materials.size()});
-        Material& material = m_row.materials.emplace_back(materialOf(model, surface, m_options, m_format, m_treeFolder, to, m_files));
+        Material& material =
+            m_row.materials.emplace_back(materialOf(model, surface, m_options, m_format, m_treeFolder, to, m_files));
         if (!isFirst) material.name += "_" + tree.name;
         return m_row.materials.size() - 1;
     }
@@ -96,7 +101,8 @@ private:
 };
 
 /// Before anything grows: all together.
-void refuseTooLarge(std::span<const RowTree> trees, const Detail& detail, const SizeLimits& limits, const CProgress& progress) {
+void refuseTooLarge(std::span<const RowTree> trees, const Detail& detail, const SizeLimits& limits,
+                    const CProgress& progress) {
     Prediction all{};
     for (const RowTree& tree : trees) {
         const Prediction one = predictSize(tree.params, tree.detail ? *tree.detail : detail, progress);
@@ -107,8 +113,9 @@ void refuseTooLarge(std::span<const RowTree> trees, const Detail& detail, const 
     if (!limits.allow(all)) throw CTooLarge(all, limits);
 }
 
-void writeRow(std::span<const RowTree> trees, const Detail& detail, const ExportOptions& options, const SizeLimits& limits,
-              const fs::path& treeFolder, const fs::path& path, CFileSet& files, const CProgress& progress) {
+void writeRow(std::span<const RowTree> trees, const Detail& detail, const ExportOptions& options,
+              const SizeLimits& limits, const fs::path& treeFolder, const fs::path& path, CFileSet& files,
+              const CProgress& progress) {
     const Format& format = *formatOf(path);
     CRowMaker maker(options, format, treeFolder, path, files);
     for (const RowTree& tree : trees) {
@@ -117,21 +124,25 @@ void writeRow(std::span<const RowTree> trees, const Detail& detail, const Export
         const auto model = creator.create(tree.params, tree.detail ? *tree.detail : detail, progress);
         maker.add(tree, finishedModel(model, options, treeFolder, limits, progress), progress);
     }
-    if (maker.row().meshes.empty()) throw CError(translated(NC_("stromar", "the tree is empty, there is nothing to export")));
+    if (maker.row().meshes.empty())
+        throw CError(translated(NC_("stromar", "the tree is empty, there is nothing to export")));
     format.write(maker.row(), path, files);
 }
 } // namespace
 
 std::string_view rowConflictOf(const ExportOptions& options, const Format& format) {
     if (const std::string_view conflict = conflictOf(options, format); !conflict.empty()) return conflict;
-    if (options.lods == static_cast<int>(ExportedLods::InOneFile)) return NC_("stromar", "a row of trees has a file for each level of detail; choose that or one level");
-    if (options.wind != static_cast<int>(ExportedWind::None)) return NC_("stromar", "a row of trees stands still; choose one tree or no wind");
-    if (options.collision != static_cast<int>(ExportedCollision::None)) return NC_("stromar", "a row of trees has no collision; choose one tree or none");
+    if (options.lods == static_cast<int>(ExportedLods::InOneFile))
+        return NC_("stromar", "a row of trees has a file for each level of detail; choose that or one level");
+    if (options.wind != static_cast<int>(ExportedWind::None))
+        return NC_("stromar", "a row of trees stands still; choose one tree or no wind");
+    if (options.collision != static_cast<int>(ExportedCollision::None))
+        return NC_("stromar", "a row of trees has no collision; choose one tree or none");
     return {};
 }
 
-void exportRow(std::span<const RowTree> trees, const ExportOptions& options, const SizeLimits& limits, const fs::path& treeFolder,
-               const fs::path& path, const CProgress& progress) {
+void exportRow(std::span<const RowTree> trees, const ExportOptions& options, const SizeLimits& limits,
+               const fs::path& treeFolder, const fs::path& path, const CProgress& progress) {
     refuseUnless(options, formatOf(path), path);
     if (const std::string_view conflict = rowConflictOf(options, *formatOf(path)); !conflict.empty())
         throw CError(translated(conflict, formatOf(path)->ending));

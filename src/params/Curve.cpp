@@ -18,7 +18,10 @@ std::string readPoint(std::string_view text, std::size_t index, CCurve::Point& p
     if (trimmed(text).empty()) return translated(NC_("stromar", "point %1 is empty"), index + 1);
     if (colon == std::string_view::npos) return faultOf(NC_("stromar", "point %1 ('%2') is not x:y"), index, text);
     const auto x = parseNumber(trimmed(text.substr(0, colon))), y = parseNumber(trimmed(text.substr(colon + 1)));
-    if (!x || !y) return faultOf(x ? NC_("stromar", "point %1 ('%2') has a y that is no number") : NC_("stromar", "point %1 ('%2') has an x that is no number"), index, text);
+    if (!x || !y)
+        return faultOf(x ? NC_("stromar", "point %1 ('%2') has a y that is no number")
+                         : NC_("stromar", "point %1 ('%2') has an x that is no number"),
+                       index, text);
     point = {*x, *y};
     return {};
 }
@@ -38,7 +41,8 @@ std::optional<CCurve> CCurve::parse(std::string_view text, Fault& fault) {
         Point point{};
         std::string wrong = readPoint(piece, points.size(), point);
         if (wrong.empty() && !points.empty() && point.x <= points.back().x)
-            wrong = faultOf(NC_("stromar", "point %1 ('%2') must lie to the right of the point before it"), points.size(), piece);
+            wrong = faultOf(NC_("stromar", "point %1 ('%2') must lie to the right of the point before it"),
+                            points.size(), piece);
         if (wrong.empty() && points.size() == kMaxPoints)
             wrong = translated(NC_("stromar", "a curve has at most %1 points"), kMaxPoints);
         if (!wrong.empty()) {

@@ -63,7 +63,8 @@ SetResult setNumber(CParams& params, const ParamRef& ref, std::string_view value
         return SetResult::BadValue;
     }
     if (ref.set(params, *number)) return SetResult::Done;
-    problem.text = translated(NC_("stromar", "%1 must be from %2 to %3, not %4; taken as %5"), ref.key(), info.range.min, info.range.max, value, ref.get(params));
+    problem.text = translated(NC_("stromar", "%1 must be from %2 to %3, not %4; taken as %5"), ref.key(),
+                              info.range.min, info.range.max, value, ref.get(params));
     return SetResult::Clamped;
 }
 
@@ -81,8 +82,9 @@ SetResult setCurve(CParams& params, const ParamRef& ref, std::string_view value,
         const bool xFits = ref.info->over.contains(x);
         if (xFits && ref.info->range.contains(y)) continue;
         const Range& range = xFits ? ref.info->range : ref.info->over;
-        problem.text = translated(NC_("stromar", "%1: the %2 of point %3 must be from %4 to %5, not %6; taken as the nearest"), ref.key(), xFits ? "y" : "x", i + 1,
-                                  range.min, range.max, xFits ? y : x);
+        problem.text =
+            translated(NC_("stromar", "%1: the %2 of point %3 must be from %4 to %5, not %6; taken as the nearest"),
+                       ref.key(), xFits ? "y" : "x", i + 1, range.min, range.max, xFits ? y : x);
         problem.at = value.find_first_not_of(" \t", begin);
         break;
     }
@@ -108,7 +110,10 @@ SetResult setText(CParams& params, const ParamRef& ref, std::string_view value, 
     for (std::size_t begin = 0; ref.info->block && begin < text.size();) {
         const std::size_t end = std::min(text.find('\n', begin), text.size());
         if (trimmed(std::string_view(text).substr(begin, end - begin)) == kBlockMark) {
-            problem = {translated(NC_("stromar", "%1 must not hold a line of three quotes: it would end the text in a file"), ref.key()), begin};
+            problem = {
+                translated(NC_("stromar", "%1 must not hold a line of three quotes: it would end the text in a file"),
+                           ref.key()),
+                begin};
             return SetResult::BadValue;
         }
         begin = end + 1;

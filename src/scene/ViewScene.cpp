@@ -28,7 +28,7 @@ constexpr double kSunRadius = 0.012; // radians: the disc and the glow about it
 constexpr double kThinnestWood = 0.65; // pixels, a radius: of tubes of three sides no row of pixels is without one
 constexpr float kShadowRoom = 0.1f; // about a moving tree, of its size
 constexpr std::size_t kOutlinePoints = 2000; // of a part
-constexpr std::size_t kHides = 2000;                // leaves, the twigs behind them
+constexpr std::size_t kHides = 2000;         // leaves, the twigs behind them
 constexpr int kBestShadow = 2048, kFastShadow = 1024; // pixels of a side
 
 osg::ref_ptr<osg::Program> makeLitProgram(const char* looks) {
@@ -58,7 +58,8 @@ SwayPlaces ofVertices(const SwayPlaces& instances, std::size_t vertices) {
 
 CViewScene::CViewScene()
     : m_root(new osg::Group), m_tree(new osg::Group), m_wireframe(new osg::Group), m_stand(new osg::Group),
-      m_background(makeBackground()), m_reference(makeReference()), m_main(std::make_unique<CTreeNode>()), m_standIn(std::make_unique<CTreeNode>()), m_state(m_root->getOrCreateStateSet()) {
+      m_background(makeBackground()), m_reference(makeReference()), m_main(std::make_unique<CTreeNode>()),
+      m_standIn(std::make_unique<CTreeNode>()), m_state(m_root->getOrCreateStateSet()) {
     m_stand->addChild(m_main->node());
     m_stand->addChild(m_standIn->node());
     m_standIn->node()->setNodeMask(0);
@@ -123,7 +124,9 @@ void CViewScene::setStandIn(const std::vector<ViewPart>& parts) {
 
 void CViewScene::showStandIn() {
     std::vector<ViewPart> parts = m_standInParts;
-    const bool hidden = m_look.leaves && std::ranges::any_of(parts, [](const ViewPart& part) { return part.organs && part.organs->count() > kHides; });
+    const bool hidden = m_look.leaves && std::ranges::any_of(parts, [](const ViewPart& part) {
+                            return part.organs && part.organs->count() > kHides;
+                        });
     int last = 0;
     for (const ViewPart& part : parts) last = std::max(last, part.generation);
     if (hidden && last > 0) std::erase_if(parts, [last](const ViewPart& part) { return part.generation == last; });

@@ -33,7 +33,9 @@ CParams inMonth(double month) {
 }
 
 std::vector<RowTree> threeTrees() {
-    return {{smallAspen(1), 1, nullptr, 0, "seed_1"}, {smallAspen(2), 1, nullptr, 20, "seed_2"}, {inMonth(10.5), 1, nullptr, -15.5, "month_10"}};
+    return {{smallAspen(1), 1, nullptr, 0, "seed_1"},
+            {smallAspen(2), 1, nullptr, 20, "seed_2"},
+            {inMonth(10.5), 1, nullptr, -15.5, "month_10"}};
 }
 
 /// What an OBJ file says of one of its objects.
@@ -54,7 +56,8 @@ std::map<std::string, Object> objectsIn(const fs::path& path) {
         if (kind == "o") words >> word, own = &objects[word];
         if (kind == "usemtl") words >> own->material;
         if (kind == "f") ++own->triangles;
-        if (double x = 0; kind == "v" && words >> x) own->left = std::min(own->left, x), own->right = std::max(own->right, x);
+        if (double x = 0; kind == "v" && words >> x)
+            own->left = std::min(own->left, x), own->right = std::max(own->right, x);
     }
     return objects;
 }
@@ -93,12 +96,15 @@ TEST(ExportRow, PicturesThatAreTheSameAreThereOnce) {
     exportRow(threeTrees(), {}, {}, {}, folder / "row.obj", CProgress(2));
     const auto row = objectsIn(folder / "row.obj");
     std::map<std::string, std::set<std::string>> materials;
-    for (const auto& [name, object] : row) materials[name.substr(0, name.find('_', name.find('_') + 1))].insert(object.material);
+    for (const auto& [name, object] : row)
+        materials[name.substr(0, name.find('_', name.find('_') + 1))].insert(object.material);
     EXPECT_EQ(materials.at("seed_1"), materials.at("seed_2"));
     EXPECT_EQ(materials.at("seed_1"), (std::set<std::string>{"bark", "leaf"}));
-    EXPECT_EQ(materials.at("month_10"), (std::set<std::string>{"bark", "leaf_month_10"})) << "autumn leaves, the same bark";
+    EXPECT_EQ(materials.at("month_10"), (std::set<std::string>{"bark", "leaf_month_10"}))
+        << "autumn leaves, the same bark";
     EXPECT_EQ(materialsIn(folder / "row.mtl"), 3u);
-    for (const char* picture : {"row_bark.png", "row_leaf.png", "row_month_10_leaf.png"}) EXPECT_TRUE(fs::exists(folder / picture)) << picture;
+    for (const char* picture : {"row_bark.png", "row_leaf.png", "row_month_10_leaf.png"})
+        EXPECT_TRUE(fs::exists(folder / picture)) << picture;
     EXPECT_NE(readFile(folder / "row_leaf.png"), readFile(folder / "row_month_10_leaf.png"));
 }
 
@@ -120,12 +126,15 @@ TEST(ExportRow, LevelsOfDetailHaveAFileEachOrStandBesideEachOther) {
     options.lods = static_cast<int>(ExportedLods::FileEach);
     const std::vector<RowTree> two{threeTrees()[0], threeTrees()[1]};
     exportRow(two, options, {}, {}, folder / "row.obj", CProgress(2));
-    for (int lod = 0; lod < 4; ++lod) EXPECT_TRUE(fs::exists(folder / ("row_LOD" + std::to_string(lod) + ".obj"))) << lod;
+    for (int lod = 0; lod < 4; ++lod)
+        EXPECT_TRUE(fs::exists(folder / ("row_LOD" + std::to_string(lod) + ".obj"))) << lod;
     std::vector<RowTree> levels;
-    for (int lod = 0; lod < 4; ++lod) levels.push_back({smallAspen(), 1, &detailOf(Model::Full, lod), 12.0 * lod, "LOD" + std::to_string(lod)});
+    for (int lod = 0; lod < 4; ++lod)
+        levels.push_back({smallAspen(), 1, &detailOf(Model::Full, lod), 12.0 * lod, "LOD" + std::to_string(lod)});
     exportRow(levels, {}, {}, {}, folder / "levels.obj", CProgress(2));
     std::map<std::string, std::size_t> triangles;
-    for (const auto& [name, object] : objectsIn(folder / "levels.obj")) triangles[name.substr(0, 4)] += object.triangles;
+    for (const auto& [name, object] : objectsIn(folder / "levels.obj"))
+        triangles[name.substr(0, 4)] += object.triangles;
     for (int lod = 1; lod < 4; ++lod)
         EXPECT_LT(triangles.at("LOD" + std::to_string(lod)), triangles.at("LOD" + std::to_string(lod - 1)));
 }

@@ -39,44 +39,27 @@ void BM_FirstTree(benchmark::State& state) {
 }
 BENCHMARK(BM_FirstTree)->Name("Window/FirstTree")->Unit(benchmark::kMillisecond)->UseRealTime();
 
-/// One step of a dragged slider: the simple model grown, meshed and drawn.
-void BM_SliderStep(benchmark::State& state, const char* name) {
+/// One step of a dragged slider, to and fro between two values: the simple model grown, meshed and drawn.
+void BM_SliderStep(benchmark::State& state, const char* name, const char* key, double from, double to, double by) {
     CMainWindow window;
     window.show();
     window.files().open(preset(name));
     window.growth().showOnly(Model::Simple);
     waitForPicture(window);
-    const ParamRef down = *findParam("1DownAngle");
-    double angle = 30;
+    const ParamRef dragged = *findParam(key);
+    double value = from;
     while (window.busy()) QCoreApplication::processEvents();
     for (auto _ : state) {
-        window.document().setValue(down, angle = angle < 60 ? angle + 1 : 30, 1);
+        window.document().setValue(dragged, value = value < to ? value + by : from, 1);
         waitForPicture(window);
     }
 }
-BENCHMARK_CAPTURE(BM_SliderStep, english_oak, "english_oak")
-    ->Name("Window/SliderStep/english_oak")
-    ->Unit(benchmark::kMillisecond)
-    ->UseRealTime();
-
-/// One step of the dragged month: leaves change their colours, and how many there are.
-void BM_MonthStep(benchmark::State& state, const char* name) {
-    CMainWindow window;
-    window.show();
-    window.files().open(preset(name));
-    window.growth().showOnly(Model::Simple);
-    waitForPicture(window);
-    const ParamRef month = *findParam("Season");
-    double value = 4;
-    while (window.busy()) QCoreApplication::processEvents();
-    for (auto _ : state) {
-        window.document().setValue(month, value = value < 10 ? value + 0.1 : 4, 1);
-        waitForPicture(window);
-    }
-}
-BENCHMARK_CAPTURE(BM_MonthStep, quaking_aspen, "quaking_aspen")->Name("Window/MonthStep/quaking_aspen")->Unit(benchmark::kMillisecond)->UseRealTime();
-BENCHMARK_CAPTURE(BM_MonthStep, english_oak, "english_oak")->Name("Window/MonthStep/english_oak")->Unit(benchmark::kMillisecond)->UseRealTime();
-BENCHMARK_CAPTURE(BM_MonthStep, weeping_willow, "weeping_willow")->Name("Window/MonthStep/weeping_willow")->Unit(benchmark::kMillisecond)->UseRealTime();
+BENCHMARK_CAPTURE(BM_SliderStep, aspen, "quaking_aspen", "1DownAngle", 30, 60, 1)->Name("Window/SliderStep/quaking_aspen")->Unit(benchmark::kMillisecond)->UseRealTime();
+BENCHMARK_CAPTURE(BM_SliderStep, oak, "english_oak", "1DownAngle", 30, 60, 1)->Name("Window/SliderStep/english_oak")->Unit(benchmark::kMillisecond)->UseRealTime();
+BENCHMARK_CAPTURE(BM_SliderStep, willow, "weeping_willow", "1DownAngle", 30, 60, 1)->Name("Window/SliderStep/weeping_willow")->Unit(benchmark::kMillisecond)->UseRealTime();
+BENCHMARK_CAPTURE(BM_SliderStep, aspenMonth, "quaking_aspen", "Season", 4, 10, 0.1)->Name("Window/MonthStep/quaking_aspen")->Unit(benchmark::kMillisecond)->UseRealTime();
+BENCHMARK_CAPTURE(BM_SliderStep, oakMonth, "english_oak", "Season", 4, 10, 0.1)->Name("Window/MonthStep/english_oak")->Unit(benchmark::kMillisecond)->UseRealTime();
+BENCHMARK_CAPTURE(BM_SliderStep, willowMonth, "weeping_willow", "Season", 4, 10, 0.1)->Name("Window/MonthStep/weeping_willow")->Unit(benchmark::kMillisecond)->UseRealTime();
 
 /// One picture of a view that a hand turns. `first_ms`: the first pictures, before the viewport saves what the hand cannot wait for.
 void BM_OrbitFrame(benchmark::State& state, const char* name) {
@@ -148,14 +131,6 @@ void BM_CurveFrame(benchmark::State& state) {
 }
 BENCHMARK(BM_CurveFrame)->Name("Window/CurveFrame/2000 strands")->Unit(benchmark::kMillisecond)->UseRealTime();
 
-BENCHMARK_CAPTURE(BM_SliderStep, quaking_aspen, "quaking_aspen")
-    ->Name("Window/SliderStep/quaking_aspen")
-    ->Unit(benchmark::kMillisecond)
-    ->UseRealTime();
-BENCHMARK_CAPTURE(BM_SliderStep, weeping_willow, "weeping_willow")
-    ->Name("Window/SliderStep/weeping_willow")
-    ->Unit(benchmark::kMillisecond)
-    ->UseRealTime();
 
 /// One frame of a turned tree in its best looks.
 void BM_Frame(benchmark::State& state, const char* name, Model model) {

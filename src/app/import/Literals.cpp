@@ -85,7 +85,11 @@ private:
         constexpr std::string_view kWords[] = {"True", "False", "None", "true", "false", "null"};
         if (!parseNumber(word) && std::ranges::find(kWords, word) == std::end(kWords)) {
             m_at = start;
-            fail(word.empty() ? translated(NC_("stromar", "a value is wanted here")) : translated(NC_("stromar", "'%1' is no value: only numbers, texts, True, False, None and lists are read"), word));
+            fail(word.empty()
+                     ? translated(NC_("stromar", "a value is wanted here"))
+                     : translated(NC_("stromar",
+                                      "'%1' is no value: only numbers, texts, True, False, None and lists are read"),
+                                  word));
         }
         return word;
     }
@@ -96,7 +100,8 @@ private:
         while (!take(close)) {
             readValue(value, depth);
             if (take(',')) continue;
-            if (!take(close)) fail(translated(NC_("stromar", "'%1' or '%2' is wanted here"), ",", std::string(1, close)));
+            if (!take(close))
+                fail(translated(NC_("stromar", "'%1' or '%2' is wanted here"), ",", std::string(1, close)));
             return;
         }
     }

@@ -14,7 +14,8 @@ constexpr std::chrono::milliseconds kSettle{200}, kLongestSettle{1500}, kMoving{
 constexpr double kClickPixels = 4; // a drag is longer
 constexpr std::size_t kMovingVertices = 4'000'000, kMovingVerticesInSoftware = 160'000; // of all leaves
 constexpr std::size_t kFewestVertices = 60'000;
-constexpr qint64 kSlowNs = 90'000'000, kSmoothNs = 50'000'000; // a moving picture that wants fewer leaves, or may have more
+constexpr qint64 kSlowNs = 90'000'000,
+                 kSmoothNs = 50'000'000; // a moving picture that wants fewer leaves, or may have more
 constexpr qint64 kQuickNs = 12'000'000; // a picture with its shadows
 constexpr int kShadowEvery = 6;         // poses, where it is slower
 constexpr double kAir = 1.12; // about a tree that fills the view
@@ -89,7 +90,8 @@ bool CViewport::hurries() const { return moves() || m_settle.isActive(); }
 
 bool CViewport::moves() const { return m_sinceMoved.isValid() && m_sinceMoved.elapsed() < kMoving.count(); }
 
-/// A view that moves too slowly gets a simpler model of the tree, then fewer leaves, larger ones; a quick one more leaves.
+/// A view that moves too slowly gets a simpler model of the tree, then fewer leaves, larger ones; a quick one more
+/// leaves.
 void CViewport::adaptToHand() {
     if (!hurries()) return;
     if (m_frameNs > kSlowNs && !m_wantsStandIn && m_scene.hasStandIn()) {
@@ -118,7 +120,8 @@ void CViewport::show(const std::vector<ViewPart>& parts) {
     m_scene.show(parts, m_settle.isActive() ? CViewScene::Shadows::Kept : CViewScene::Shadows::New);
     m_overlay->setPose(nullptr, nullptr); // until the next one
     // A tree that grows slower than the hand moves has not come to rest between two steps.
-    const std::chrono::milliseconds sinceLast = m_sinceShown.isValid() ? std::chrono::milliseconds(m_sinceShown.elapsed()) : kLongestSettle;
+    const std::chrono::milliseconds sinceLast =
+        m_sinceShown.isValid() ? std::chrono::milliseconds(m_sinceShown.elapsed()) : kLongestSettle;
     m_settle.start(2 * sinceLast < kLongestSettle ? std::max(2 * sinceLast, kSettle) : kSettle);
     m_sinceShown.start();
     changed();

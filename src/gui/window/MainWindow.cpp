@@ -67,13 +67,16 @@ CMainWindow::CMainWindow(const SizeLimits& limits, std::shared_ptr<CDocument> do
     : QMainWindow(parent), m_document(document ? std::move(document) : std::make_shared<CDocument>()),
       m_thumbnails(new CThumbnails(this)), m_viewport(new CViewport), m_panel(new CParamPanel),
       m_presets(new CPresetBrowser(*m_thumbnails)), m_variants(new CVariants(*m_thumbnails)), m_bar(new CMessageBar),
-      m_timeline(new CTimeline), m_wind(new CWindPanel), m_recorder(new CRecorder(*this)), m_randomiser(new CRandomiser(this)),
-      m_comparison(new CComparison(*m_viewport, this)),
+      m_timeline(new CTimeline), m_wind(new CWindPanel), m_recorder(new CRecorder(*this)),
+      m_randomiser(new CRandomiser(this)), m_comparison(new CComparison(*m_viewport, this)),
       m_cameras(new CSavedCameras(*m_viewport, this)), m_sideBySide(new CSideBySide(*m_viewport, this)),
       m_viewController(new CViewController(*m_viewport, *m_panel, *m_document, this)),
       m_files(new CFileController(*m_document, *m_bar, this)),
       m_exporter(new CExportController(
-          *m_document, [this] { return shownModel(); }, [this] { return m_growth->limits(); }, [this] { return CExportController::Motion{m_growth->age(), m_wind->wind(), m_fall->felling()}; },
+          *m_document, [this] { return shownModel(); }, [this] { return m_growth->limits(); },
+          [this] {
+              return CExportController::Motion{m_growth->age(), m_wind->wind(), m_fall->felling()};
+          },
           [this] { return m_sideBySide->trees(); }, this)),
       m_growth(std::make_unique<CGrowthController>(*m_document, *m_bar, limits)) {
     initResources();
@@ -221,7 +224,8 @@ void CMainWindow::onContextLost() {
 }
 
 namespace {
-/// Fields take what other systems' editors do, as Ctrl+E for the end of the line; here it is a command's. What edits text is the field's.
+/// Fields take what other systems' editors do, as Ctrl+E for the end of the line; here it is a command's. What edits
+/// text is the field's.
 bool belongsToCommand(const QObject& watched, const QKeyEvent& key) {
     if (!watched.inherits("QLineEdit") && !watched.inherits("QAbstractSpinBox")) return false;
     constexpr QKeySequence::StandardKey kEditing[] = {QKeySequence::Copy, QKeySequence::Cut,  QKeySequence::Paste,
@@ -229,8 +233,8 @@ bool belongsToCommand(const QObject& watched, const QKeyEvent& key) {
     if (std::ranges::any_of(kEditing, [&](QKeySequence::StandardKey own) { return key.matches(own); })) return false;
     const QKeySequence pressed(key.keyCombination());
     return (key.modifiers() & Qt::ControlModifier) && std::ranges::any_of(commandTable(), [&](const Command& command) {
-        return pressed == QKeySequence(QLatin1String(command.shortcut));
-    });
+               return pressed == QKeySequence(QLatin1String(command.shortcut));
+           });
 }
 } // namespace
 
@@ -242,7 +246,9 @@ bool CMainWindow::eventFilter(QObject* watched, QEvent* event) {
     const auto* key = static_cast<QKeyEvent*>(event);
     const bool plain = !(key->modifiers() & ~(Qt::ShiftModifier | Qt::KeypadModifier)) && !key->text().isEmpty();
     if (presses) // a closed list is no place to type in
-        return (plain && key->text()[0].isPrint() && key->key() != Qt::Key_Space && qobject_cast<QComboBox*>(watched)) || QMainWindow::eventFilter(watched, event);
+        return (plain && key->text()[0].isPrint() && key->key() != Qt::Key_Space &&
+                qobject_cast<QComboBox*>(watched)) ||
+               QMainWindow::eventFilter(watched, event);
     if (plain && qobject_cast<QAbstractButton*>(watched) && key->key() == Qt::Key_Space) {
         event->accept();
         return true;
@@ -344,14 +350,17 @@ void CMainWindow::showNow() {
     m_sideBySide->follow(m_shown, m_document->folder(), m_growth->limits());
 }
 
-/// The wood of the simple model, which came before the full one, with the leaves of the full one: a view draws as many as it has time for.
+/// The wood of the simple model, which came before the full one, with the leaves of the full one: a view draws as many
+/// as it has time for.
 std::vector<ViewPart> CMainWindow::standInParts() const {
     if (!m_simple || m_fall->felling() || m_shown->model->detail != &detailOf(Model::Full)) return {};
     const bool same = m_simple->model->params == m_shown->model->params && m_simple->model->age == m_shown->model->age;
     std::vector<ViewPart> parts;
     if (!same) return parts;
-    std::ranges::copy_if(m_simple->parts, std::back_inserter(parts), [](const ViewPart& part) { return part.mesh != nullptr; });
-    std::ranges::copy_if(m_shown->parts, std::back_inserter(parts), [](const ViewPart& part) { return part.organs != nullptr; });
+    std::ranges::copy_if(m_simple->parts, std::back_inserter(parts),
+                         [](const ViewPart& part) { return part.mesh != nullptr; });
+    std::ranges::copy_if(m_shown->parts, std::back_inserter(parts),
+                         [](const ViewPart& part) { return part.organs != nullptr; });
     return parts;
 }
 

@@ -1,9 +1,9 @@
 #include "work/ExportController.h"
 #include "document/FileController.h"
-#include "window/QtText.h"
-#include "work/ExportDialog.h"
 #include "stromar/app/Methods.h"
 #include "stromar/app/Prediction.h"
+#include "window/QtText.h"
+#include "work/ExportDialog.h"
 #include <QDir>
 #include <QFileInfo>
 #include <QMessageBox>
@@ -16,8 +16,10 @@ namespace {
 constexpr int kStill = 10; // times without progress after which the bar says only that there is work
 }
 
-CExportController::CExportController(CDocument& document, Shown shown, Limits limits, Moving moving, Row row, QWidget* window)
-    : QObject(window), m_document(document), m_shown(std::move(shown)), m_limits(std::move(limits)), m_moving(std::move(moving)), m_row(std::move(row)), m_window(window) {}
+CExportController::CExportController(CDocument& document, Shown shown, Limits limits, Moving moving, Row row,
+                                     QWidget* window)
+    : QObject(window), m_document(document), m_shown(std::move(shown)), m_limits(std::move(limits)),
+      m_moving(std::move(moving)), m_row(std::move(row)), m_window(window) {}
 
 CExportController::~CExportController() = default;
 
@@ -54,8 +56,14 @@ bool CExportController::fits() {
 void CExportController::exportTo(const QString& path, const ExportOptions& options, bool row) {
     if (m_job) return;
     const Motion moving = m_moving();
-    m_job = std::make_unique<CExportJob>(CExportJob::Task{m_document.params(), m_shown(), options, m_document.folder(), toPath(path),
-                                                          m_limits(), moving.age, {.wind = moving.wind, .felling = moving.felling},
+    m_job = std::make_unique<CExportJob>(CExportJob::Task{m_document.params(),
+                                                          m_shown(),
+                                                          options,
+                                                          m_document.folder(),
+                                                          toPath(path),
+                                                          m_limits(),
+                                                          moving.age,
+                                                          {.wind = moving.wind, .felling = moving.felling},
                                                           row ? m_row() : std::vector<RowTree>()});
     QProgressDialog* dialog = showProgress(path);
     connect(
@@ -97,7 +105,8 @@ void CExportController::finish(const QString& path, const QString& why, bool can
     else
         emit notice(cancelled ? tr("Export cancelled; no file was changed") : tr("Exported %1").arg(path));
     emit ended(why, cancelled);
-    if (std::exchange(m_chosen, false) && !why.isEmpty()) choose(QFileInfo(path).dir().filePath(QFileInfo(path).completeBaseName()));
+    if (std::exchange(m_chosen, false) && !why.isEmpty())
+        choose(QFileInfo(path).dir().filePath(QFileInfo(path).completeBaseName()));
 }
 
 } // namespace stromar

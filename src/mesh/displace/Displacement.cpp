@@ -249,7 +249,10 @@ void refuseMore(const std::vector<CDividedMesh>& wood, double cell, const Displa
         least += mesh.dividedArea() / largest;
     }
     if (std::max(count, least) > double(limit.triangles))
-        throw CError(translated(NC_("stromar", "displacement in cells of %1 m would make more than %2 million triangles; choose larger cells"), cell, std::floor(double(limit.triangles) / 1e5) / 10));
+        throw CError(translated(
+            NC_("stromar",
+                "displacement in cells of %1 m would make more than %2 million triangles; choose larger cells"),
+            cell, std::floor(double(limit.triangles) / 1e5) / 10));
 }
 
 /// The longest edges first, which keeps thin triangles from being cut into thinner ones.

@@ -54,7 +54,8 @@ Grid gridAround(const std::vector<WoodPiece>& pieces, double size) {
     }
     const glm::dvec3 count = glm::ceil((high - low) / size) + 3.0;
     if (const double voxels = count.x * count.y * count.z; !(voxels <= kMaxVoxels))
-        throw CError(translated(NC_("stromar", "a solid of %1 million voxels is too large; voxels of %2 m would do"), rounded(voxels / 1e6), rounded(size * std::cbrt(voxels / kMaxVoxels) * 1.05)));
+        throw CError(translated(NC_("stromar", "a solid of %1 million voxels is too large; voxels of %2 m would do"),
+                                rounded(voxels / 1e6), rounded(size * std::cbrt(voxels / kMaxVoxels) * 1.05)));
     return {low - 1.5 * size, size, GridPoint(count)};
 }
 
@@ -220,9 +221,12 @@ private:
 
 std::shared_ptr<const CMesh> voxelMesh(const CTree& tree, const MeshParams& params, double size, const CProgress& progress) {
     if (tree.stemCount() > kMaxVoxelStems)
-        throw CError(translated(NC_("stromar", "the tree has %1 stems; a solid is made of %2 at most (fewer Levels or Branches)"), tree.stemCount(), kMaxVoxelStems));
+        throw CError(translated(
+            NC_("stromar", "the tree has %1 stems; a solid is made of %2 at most (fewer Levels or Branches)"),
+            tree.stemCount(), kMaxVoxelStems));
     std::vector<WoodPiece> pieces = woodPiecesOf(tree, params, kThinnest * size, kLongest * size);
-    if (pieces.empty()) throw CError(translated(NC_("stromar", "the tree is empty, there is nothing to make a solid of")));
+    if (pieces.empty())
+        throw CError(translated(NC_("stromar", "the tree is empty, there is nothing to make a solid of")));
     const Grid grid = gridAround(pieces, size);
     return CSolidMaker(std::move(pieces), grid).make(progress);
 }

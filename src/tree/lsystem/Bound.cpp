@@ -118,7 +118,9 @@ SizeBound boundOf(const CParams& params, const CProgress& progress) {
     const Grammar grammar = grammarOf(params);
     const auto counted = countModules(grammar, l.derivations);
     if (counted && counted->total() > double(CRewriter::kMaxModules))
-        throw CError(translated(NC_("stromar", "this grammar makes %1 modules in %2 derivations; at most %3 are allowed"), wholeText(counted->total()), l.derivations, CRewriter::kMaxModules));
+        throw CError(
+            translated(NC_("stromar", "this grammar makes %1 modules in %2 derivations; at most %3 are allowed"),
+                       wholeText(counted->total()), l.derivations, CRewriter::kMaxModules));
     SizeBound bound;
     bound.base = baseFormOf(params.common);
     std::optional<CWord> word;

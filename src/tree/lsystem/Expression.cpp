@@ -112,7 +112,8 @@ private:
     using Step = CExpression::Step;
 
     void add(const ExpressionNode& node, std::size_t depth) {
-        if (depth + 2 >= kMaxDepth) fail(node.place, translated(NC_("stromar", "this expression is nested too deeply")));
+        if (depth + 2 >= kMaxDepth)
+            fail(node.place, translated(NC_("stromar", "this expression is nested too deeply")));
         switch (node.kind) {
         case ExpressionNode::Kind::Number: m_steps.push_back({kNumber, 0, node.number}); return;
         case ExpressionNode::Kind::Name: return addName(node);
@@ -131,7 +132,8 @@ private:
         if (constant == m_constants.rend()) {
             std::vector<std::string> known(m_formals.begin(), m_formals.end());
             for (const NamedValue& value : m_constants) known.push_back(value.name);
-            fail(node.place, translated(NC_("stromar", "'%1' is not defined here"), node.name) + suggestion(node.name, known));
+            fail(node.place,
+                 translated(NC_("stromar", "'%1' is not defined here"), node.name) + suggestion(node.name, known));
         }
         m_steps.push_back({kNumber, 0, constant->value});
     }
@@ -143,9 +145,12 @@ private:
         const auto found = std::ranges::find_if(
             kOperations, [&](const Operation& o) { return named(o) && (function || o.operands == operands); });
         if (found == kOperations.end())
-            fail(node.place, translated(NC_("stromar", "there is no function '%1'"), node.name) + suggestion(node.name, expressionFunctions()));
+            fail(node.place, translated(NC_("stromar", "there is no function '%1'"), node.name) +
+                                 suggestion(node.name, expressionFunctions()));
         if (found->operands != operands)
-            fail(node.place, translated(found->operands == 1 ? NC_("stromar", "%1() takes %2 number, not %3") : NC_("stromar", "%1() takes %2 numbers, not %3"), found->name, found->operands, operands));
+            fail(node.place, translated(found->operands == 1 ? NC_("stromar", "%1() takes %2 number, not %3")
+                                                             : NC_("stromar", "%1() takes %2 numbers, not %3"),
+                                        found->name, found->operands, operands));
         const std::size_t first = m_steps.size();
         for (std::size_t i = 0; i < node.operands.size(); ++i) add(node.operands[i], depth + i);
         const bool constant = found->apply && m_steps.size() == first + node.operands.size() &&
@@ -159,7 +164,8 @@ private:
         const double a = m_steps[first].number, b = operands == 2 ? m_steps[first + 1].number : 0;
         m_steps.resize(first);
         m_steps.push_back({kNumber, 0, found->apply(a, b)});
-        if (!std::isfinite(m_steps.back().number)) fail(node.place, translated(NC_("stromar", "this is no finite number")));
+        if (!std::isfinite(m_steps.back().number))
+            fail(node.place, translated(NC_("stromar", "this is no finite number")));
     }
 
     std::span<const std::string> m_formals;

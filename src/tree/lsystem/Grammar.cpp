@@ -230,7 +230,9 @@ private:
             if (!accept(")")) fail(where, translated(NC_("stromar", "this bracket is not closed")));
             return inner;
         }
-        if (!isLetter(c) && c != '_') fail(where, translated(c == '\0' ? NC_("stromar", "a number is missing here") : NC_("stromar", "this is no number")));
+        if (!isLetter(c) && c != '_')
+            fail(where, translated(c == '\0' ? NC_("stromar", "a number is missing here")
+                                             : NC_("stromar", "this is no number")));
         std::string word = name();
         if (!accept("(")) return {Kind::Name, 0, std::move(word), {}, where};
         ExpressionNode call{Kind::Call, 0, std::move(word), {}, where};
@@ -284,10 +286,13 @@ private:
         if (reader.atEnd()) return;
         if (reader.accept("#define")) return parseDefine(reader, line.comment);
         if (reader.accept("#ignore")) return parseIgnored(reader);
-        if (reader.peek() == '#') fail(reader.place(), translated(NC_("stromar", "only #define and #ignore are known")));
+        if (reader.peek() == '#')
+            fail(reader.place(), translated(NC_("stromar", "only #define and #ignore are known")));
         const TextPlace place = reader.place();
         if (const std::size_t start = reader.at(); reader.name() == "n" && reader.accept("="))
-            fail(place, translated(NC_("stromar", "the number of derivations is the value Derivations, not a line of the grammar")));
+            fail(place,
+                 translated(
+                     NC_("stromar", "the number of derivations is the value Derivations, not a line of the grammar")));
         else
             reader.goTo(start);
         if (reader.accept("axiom")) {
@@ -304,7 +309,8 @@ private:
         const TextPlace start = reader.place();
         GrammarDefine define{};
         define.name = reader.name();
-        if (define.name.empty() || isDigit(define.name[0])) fail(start, translated(NC_("stromar", "#define needs a name")));
+        if (define.name.empty() || isDigit(define.name[0]))
+            fail(start, translated(NC_("stromar", "#define needs a name")));
         define.place = reader.place();
         define.offset = reader.offset();
         const ExpressionNode tree = reader.expression();
@@ -346,7 +352,8 @@ private:
     Symbol parseSymbol(CLineReader& reader) {
         const TextPlace place = reader.place();
         const char c = reader.peek();
-        if (c == '{' || c == '}' || c == '.') fail(place, translated(NC_("stromar", "polygons { . } are not supported; use ~L for a leaf")));
+        if (c == '{' || c == '}' || c == '.')
+            fail(place, translated(NC_("stromar", "polygons { . } are not supported; use ~L for a leaf")));
         if (c == '~') {
             reader.take();
             const std::size_t organ = kOrganLetters.find(reader.peek());
@@ -356,7 +363,8 @@ private:
             return static_cast<Symbol>(kLeafSymbol + organ);
         }
         if (!isLetter(c) && kTurtleLetters.find(c) == std::string_view::npos)
-            fail(place, c == '\0' ? translated(NC_("stromar", "a letter is missing here")) : translated(NC_("stromar", "'%1' is no letter of a word"), std::string(1, c)));
+            fail(place, c == '\0' ? translated(NC_("stromar", "a letter is missing here"))
+                                  : translated(NC_("stromar", "'%1' is no letter of a word"), std::string(1, c)));
         return static_cast<Symbol>(reader.take());
     }
 
@@ -370,7 +378,9 @@ private:
             if (reader.accept("(")) {
                 do module.numbers.push_back(compileExpression(reader.expression(), formals, m_values, m_rands));
                 while (reader.accept(","));
-                if (!reader.accept(")")) fail(module.place, translated(NC_("stromar", "the bracket of this module's numbers is not closed")));
+                if (!reader.accept(")"))
+                    fail(module.place,
+                         translated(NC_("stromar", "the bracket of this module's numbers is not closed")));
             }
             if (module.symbol == '[') open.push_back(module.place);
             if (module.symbol == ']') {
@@ -392,10 +402,12 @@ private:
                 do {
                     const TextPlace place = reader.place();
                     formals.push_back(reader.name());
-                    if (formals.back().empty() || isDigit(formals.back()[0])) fail(place, translated(NC_("stromar", "here stands the name of a parameter")));
+                    if (formals.back().empty() || isDigit(formals.back()[0]))
+                        fail(place, translated(NC_("stromar", "here stands the name of a parameter")));
                     ++pattern.numbers;
                 } while (reader.accept(","));
-                if (!reader.accept(")")) fail(reader.place(), translated(NC_("stromar", "expected ')' after the parameters")));
+                if (!reader.accept(")"))
+                    fail(reader.place(), translated(NC_("stromar", "expected ')' after the parameters")));
             }
             patterns.push_back(pattern);
         }
@@ -421,13 +433,16 @@ private:
             first = parsePatterns(reader, formals);
         }
         if (reader.accept(">")) production.right = parsePatterns(reader, formals);
-        if (first.size() != 1) fail(place, translated(NC_("stromar", "a production rewrites one module: A(x) : condition -> successor")));
+        if (first.size() != 1)
+            fail(place, translated(NC_("stromar", "a production rewrites one module: A(x) : condition -> successor")));
         production.predecessor = first[0];
-        if (formals.size() > kMaxFormals) fail(place, translated(NC_("stromar", "a production has at most 32 parameters")));
+        if (formals.size() > kMaxFormals)
+            fail(place, translated(NC_("stromar", "a production has at most 32 parameters")));
         production.formals = static_cast<std::uint16_t>(formals.size());
         for (const std::vector<ModulePattern>* context : {&production.left, &production.right})
             for (const ModulePattern& pattern : *context)
-                if (pattern.symbol == '[' || pattern.symbol == ']') fail(place, translated(NC_("stromar", "brackets in a context are not supported")));
+                if (pattern.symbol == '[' || pattern.symbol == ']')
+                    fail(place, translated(NC_("stromar", "brackets in a context are not supported")));
         const auto compiled = [&](const ExpressionNode& tree) {
             return compileExpression(tree, formals, m_values, m_rands);
         };
@@ -465,8 +480,13 @@ private:
         for (const Production& production : m_grammar.productions) {
             const ModulePattern& wanted = production.predecessor;
             if (m_made.contains({wanted.symbol, wanted.numbers})) continue;
-            m_grammar.warnings.push_back({Severity::Warning, {}, production.place.line, production.place.column,
-                                          translated(NC_("stromar", "this production never matches: no word has %1 with %2 numbers"), symbolName(wanted.symbol), wanted.numbers)});
+            m_grammar.warnings.push_back(
+                {Severity::Warning,
+                 {},
+                 production.place.line,
+                 production.place.column,
+                 translated(NC_("stromar", "this production never matches: no word has %1 with %2 numbers"),
+                            symbolName(wanted.symbol), wanted.numbers)});
         }
     }
 

@@ -17,9 +17,7 @@ bool isDrawn(Symbol symbol) {
     return symbol == 'F' || symbol == 'f' || symbol == kLeafSymbol || symbol == kBlossomSymbol || symbol == kFruitSymbol;
 }
 
-[[noreturn]] void failTooLong(std::size_t max, std::string_view what) {
-    throw CError(translated(what, max));
-}
+[[noreturn]] void failTooLong(std::size_t max, std::string_view what) { throw CError(translated(what, max)); }
 
 /// To so many significant digits.
 double rounded(double value, int digits) {
@@ -119,8 +117,11 @@ CWord CRewriter::derive(const CWord& word, const CProgress& progress) const {
     }
     const auto [modules, numbers] = starts.back();
     static_assert(kMaxNumbersEach * kMaxModules <= std::numeric_limits<std::uint32_t>::max());
-    if (modules > m_maxModules) failTooLong(m_maxModules, NC_("stromar", "the word of this grammar would have more than %1 modules"));
-    if (numbers > kMaxNumbersEach * m_maxModules) failTooLong(kMaxNumbersEach * m_maxModules, NC_("stromar", "the word of this grammar would have more than %1 numbers"));
+    if (modules > m_maxModules)
+        failTooLong(m_maxModules, NC_("stromar", "the word of this grammar would have more than %1 modules"));
+    if (numbers > kMaxNumbersEach * m_maxModules)
+        failTooLong(kMaxNumbersEach * m_maxModules,
+                    NC_("stromar", "the word of this grammar would have more than %1 numbers"));
     CWord next;
     next.resize(modules, numbers);
     const auto rewrite = [&](std::size_t begin, std::size_t end) {
@@ -150,7 +151,8 @@ GrowingWord CRewriter::grow(double derivations, const CProgress& progress) const
     Match match;
     for (std::size_t i = 0; i < word.size(); ++i) {
         if (i % kGrain == 0) progress.poll();
-        if (next.word.size() > m_maxModules) failTooLong(m_maxModules, NC_("stromar", "the word of this grammar would have more than %1 modules"));
+        if (next.word.size() > m_maxModules)
+            failTooLong(m_maxModules, NC_("stromar", "the word of this grammar would have more than %1 modules"));
         if (const Production* production = productionOf(word, i, match)) {
             growModule(word, i, *production, match, share, next);
             continue;
@@ -192,8 +194,12 @@ double CRewriter::valueOf(const CExpression& value, const ExpressionInput& input
                           std::size_t i) const {
     const double number = value.evaluate(input);
     if (!std::isfinite(number))
-        throw CInputError({{Severity::Error, {}, made.place.line, made.place.column,
-                            translated(NC_("stromar", "a number of %1 is not finite when %2 is rewritten"), symbolName(made.symbol), word.text(i, 1))}});
+        throw CInputError({{Severity::Error,
+                            {},
+                            made.place.line,
+                            made.place.column,
+                            translated(NC_("stromar", "a number of %1 is not finite when %2 is rewritten"),
+                                       symbolName(made.symbol), word.text(i, 1))}});
     return number;
 }
 
