@@ -592,7 +592,7 @@
     </message>
     <message>
         <source>Look From</source>
-        <translation>Pohled ze strany</translation>
+        <translation>Směr pohledu</translation>
     </message>
     <message>
         <source>Backdrop</source>

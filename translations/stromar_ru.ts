@@ -592,7 +592,7 @@
     </message>
     <message>
         <source>Look From</source>
-        <translation>Вид</translation>
+        <translation>Направление взгляда</translation>
     </message>
     <message>
         <source>Backdrop</source>

@@ -592,7 +592,7 @@
     </message>
     <message>
         <source>Look From</source>
-        <translation>Pogled z</translation>
+        <translation>Smer pogleda</translation>
     </message>
     <message>
         <source>Backdrop</source>

@@ -14,6 +14,7 @@ namespace stromar {
 namespace fs = std::filesystem;
 
 namespace {
+constexpr std::size_t kKept = 256; // pictures whose grey is known
 constexpr int kVersion = 1; // rises when the same is made differently
 
 struct Picture {
@@ -109,6 +110,7 @@ std::optional<int> uniformGrey(const fs::path& picture) {
     std::error_code problem; // reading says it better
     const std::pair key(picture, fs::last_write_time(picture, problem));
     const std::lock_guard lock(mutex);
+    if (known.size() > kKept) known.clear();
     const auto found = known.find(key);
     return found != known.end() ? found->second : known[key] = readUniformGrey(picture);
 }

@@ -118,11 +118,13 @@ void writeRow(std::span<const RowTree> trees, const Detail& detail, const Export
               const CProgress& progress) {
     const Format& format = *formatOf(path);
     CRowMaker maker(options, format, treeFolder, path, files);
+    const double count = double(std::max<std::size_t>(1, trees.size()));
+    const SizeLimits each{limits.vertices / count, limits.bytes / count}; // of what displacement adds
     for (const RowTree& tree : trees) {
         CTreeCreator creator(true, limits);
         creator.setAge(tree.age);
         const auto model = creator.create(tree.params, tree.detail ? *tree.detail : detail, progress);
-        maker.add(tree, finishedModel(model, options, treeFolder, limits, progress), progress);
+        maker.add(tree, finishedModel(model, options, treeFolder, each, progress), progress);
     }
     if (maker.row().meshes.empty())
         throw CError(translated(NC_("stromar", "the tree is empty, there is nothing to export")));

@@ -168,4 +168,32 @@ TEST(ExportRow, AllTogetherKeepToTheLimits) {
     EXPECT_FALSE(fs::exists(folder / "row.obj"));
 }
 
+TEST(ExportRow, WhatDisplacementAddsKeepsToTheLimitsForAllTogether) {
+    const CTemporaryFolder folder;
+    const RowTree tree{smallAspen(), 1, nullptr, 0, "one"};
+    const std::vector<RowTree> alone{tree};
+    std::vector<RowTree> many;
+    for (const char* name : {"one", "two", "three", "four"}) many.push_back({smallAspen(), 1, nullptr, 10.0 * double(many.size()), name});
+    ExportOptions options;
+    options.displacement = 0.02;
+    exportRow(alone, options, {}, {}, folder / "alone.obj", CProgress(2));
+    std::size_t triangles = 0;
+    for (const auto& [name, object] : objectsIn(folder / "alone.obj")) triangles += object.triangles;
+    SizeLimits limits;
+    limits.vertices = std::max(1.5 * double(triangles), 5 * predictSize(smallAspen(), detailOf(Model::Full)).vertices);
+    for (int halvings = 0; halvings < 8; ++halvings, options.displacement /= 2) { // until one fits and four do not
+        try {
+            exportRow(alone, options, limits, {}, folder / "fits.obj", CProgress(2));
+        } catch (const CError&) {
+            FAIL() << "one tree was refused before four were";
+        }
+        try {
+            exportRow(many, options, limits, {}, folder / "many.obj", CProgress(2));
+        } catch (const CError&) {
+            return;
+        }
+    }
+    FAIL() << "no limit was met";
+}
+
 } // namespace stromar::test

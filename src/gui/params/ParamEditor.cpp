@@ -5,9 +5,9 @@
 #include "document/Gesture.h"
 #include "params/LanguageEditor.h"
 #include "params/ParamSlider.h"
+#include "window/Keys.h"
 #include "window/QtText.h"
 #include "window/Settings.h"
-#include "window/Keys.h"
 #include <QCheckBox>
 #include <QComboBox>
 #include <QDoubleSpinBox>

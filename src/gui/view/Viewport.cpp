@@ -78,7 +78,7 @@ void CViewport::paintGL() {
     const QSize pixels = (QSizeF(size()) * devicePixelRatioF()).toSize();
     ViewPass plain;
     plain.organVertices = hurries() ? m_organVertices : mostVertices(); // the passes of a view that rests have all
-    plain.standIn = drawsStandIn();
+    plain.standIn = drawsStandIn() && m_scene.look().wireframe == Wireframe::Off; // who looks at edges wants the tree's own
     m_renderer.draw(defaultFramebufferObject(), pixels.width(), pixels.height(), m_camera, plain);
     m_frameNs = clock.nsecsElapsed();
     adaptToHand();

@@ -3,6 +3,7 @@
 #include "window/WrappedLabel.h"
 #include "stromar/app/Export.h"
 #include "stromar/app/ExportRow.h"
+#include "stromar/util/Translatable.h"
 #include <QComboBox>
 #include <QDialogButtonBox>
 #include <QDir>
@@ -252,7 +253,7 @@ void CExportDialog::update() {
     m_losses->setText(trText(format().losses));
     const QString size = QLocale().formattedDataSize(static_cast<qint64>(estimatedBytes(m_fullVertices * double(wantsRow() ? m_rowTrees : 1), m_options, format())));
     m_size->setText(m_options.displacement > 0 ? tr("%1, and what displacement adds").arg(size) : size);
-    m_conflict->setText(!conflict.empty() ? trText(conflict).replace(QLatin1String("%1"), toQString(format().ending))
+    m_conflict->setText(!conflict.empty() ? toQString(translated(conflict, format().ending))
                         : wrongEnding     ? tr("The file's name has to end in %1").arg(toQString(format().ending))
                                           : QString());
     for (const ExportChoice& choice : exportChoices())
