@@ -199,6 +199,7 @@ TEST_F(ViewsTest, TreesStandSideBySide) {
         ASSERT_TRUE(waitFor([&] { return !window.sideBySide().busy(); }, 120000)) << name;
         const auto& labels = view().overlay().model().labels;
         ASSERT_EQ(labels.size(), std::size_t(count)) << name;
+        for (const RowTree& tree : window.sideBySide().trees()) EXPECT_EQ(tree.name.find('.'), std::string::npos) << tree.name;
         std::vector<double> feet;
         for (const auto& [place, text] : labels) feet.push_back(place.x());
         std::ranges::sort(feet);

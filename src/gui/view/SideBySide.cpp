@@ -165,6 +165,7 @@ std::vector<RowTree> CSideBySide::trees() const {
     for (std::size_t i = 0; i < m_trees.size(); ++i)
         if (const Tree& tree = m_trees[i]; tree.view || i == m_own)
             all.push_back({tree.params, tree.age, m_row == Row::Levels ? tree.detail : nullptr, tree.place, tree.name});
+    for (RowTree& tree : all) std::ranges::replace(tree.name, '.', '_'); // behind a point programs look for an ending or a number
     return all;
 }
 
