@@ -142,8 +142,9 @@ Json boundsInfo(const TreeModel& model) {
 double leafAreaKept(const TreeModel& model) {
     if (const Twig* twig = model.twig.get())
         return std::min(1.0, model.cards->area() * twig->shownArea / twig->cardArea() / twig->allLeafArea);
+    const double growth = model.detail->maxLeafGrowth;
     const auto all = double(model.tree->organs(Organ::Leaf)->total), drawn = double(model.leafCount());
-    return drawn > 0 ? std::min(1.0, kMaxLeafGrowth * kMaxLeafGrowth * drawn / all) : all > 0 ? 0 : 1;
+    return drawn > 0 ? std::min(1.0, growth * growth * drawn / all) : all > 0 ? 0 : 1;
 }
 
 Json stemInfo(const CGeneration& generation, std::size_t g, std::size_t index, std::size_t leaves) {

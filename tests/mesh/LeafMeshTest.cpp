@@ -74,7 +74,7 @@ TEST(LeafMesh, ThinningKeepsTheAreaAndTheCrown) {
             const std::size_t drawn = mesh->vertexCount() / bladeOf(meshParamsOf(sample.params), Organ::Leaf, detail).points.size();
             EXPECT_LE(double(drawn), demandOf(detail, {}).bound(double(tree->leaves().size())));
             const double growth = std::sqrt(double(tree->leaves().size()) / double(drawn));
-            const double kept = growth <= kMaxLeafGrowth ? 1 : std::pow(kMaxLeafGrowth / growth, 2);
+            const double kept = growth <= detail.maxLeafGrowth ? 1 : std::pow(detail.maxLeafGrowth / growth, 2);
             EXPECT_NEAR(mesh->area() / areaOf(tree->leaves()), kept, 0.05 * kept) << sample.name << ", " << detail.name;
             const Bounds box = mesh->bounds();
             for (int i = 0; i < 3; ++i)

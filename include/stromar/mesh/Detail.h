@@ -21,11 +21,11 @@ struct Detail {
     int collarRings;       ///< between a parent's surface and a branch's own rings
     double share;          ///< of the full model's triangles that is aimed at: see planRings()
     std::size_t leafBudget; ///< most leaves that are drawn; a few (kFewOrgans) always are
+    double maxLeafGrowth;   ///< thinned leaves grow at most to this times their length, to cover what all would
     int twigPlanes;         ///< of a card that shows a whole twig; 0: every leaf is drawn by itself
 };
 
 constexpr std::size_t kFewOrgans = 60; ///< so many leaves, blossoms or fruits are not thinned
-constexpr double kMaxLeafGrowth = 2; ///< thinned leaves grow at most to this times their length
 constexpr double kCoarsestTurn = 2.5; ///< of thin stems, times what is allowed to a trunk
 
 std::span<const Detail> detailTable();

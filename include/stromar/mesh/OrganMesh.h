@@ -106,7 +106,7 @@ OrganDemand demandOf(const Detail& detail, std::span<const MeshPlan* const> plan
 
 /// The grown leaves of a tree by their form, seen from above; blossoms as cards, fruits as ellipsoids. As many and as
 /// large as the season has them, on stems that `plans` chose, enlarged to keep the area of all as far as
-/// kMaxLeafGrowth allows. Leaves by kind, kLeafKinds of them; some may be empty. Throws CCancelled.
+/// Detail::maxLeafGrowth allows. Leaves by kind, kLeafKinds of them; some may be empty. Throws CCancelled.
 OrganMeshes meshOfOrgans(const CTree& tree, Organ organ, std::span<const MeshPlan* const> plans,
                                                const MeshParams& params, const Detail& detail,
                                                const CProgress& progress, const StemSet& asCards = {});

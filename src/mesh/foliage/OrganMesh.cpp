@@ -148,7 +148,7 @@ OrganMeshes meshOfOrgans(const CTree& tree, Organ organ, std::span<const MeshPla
         if (hasFallen(stem, own.number, season.share)) continue;
         shown[organ == Organ::Leaf ? params.kindOf(stem, own.number) : 0].push_back(i);
     }
-    const double thinned = drawable == 0 ? 1 : std::min(kMaxLeafGrowth, std::sqrt(double(total) / double(drawable)));
+    const double thinned = drawable == 0 ? 1 : std::min(detail.maxLeafGrowth, std::sqrt(double(total) / double(drawable)));
     const Rounding rounding = organ == Organ::Fruit ? Rounding() : roundingOf(tree, *organs, params.leaf);
     const CrownShade shade = organ == Organ::Leaf ? shadeOf(tree, *organs, params.sunAndShade) : CrownShade();
     OrganMeshes meshes;

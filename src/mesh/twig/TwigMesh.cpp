@@ -18,7 +18,7 @@ constexpr double kMaxCut = 2;       // length of a stem over that of its card
 /// A card is seen from any side, on the average half of it; a twig all around shows as much from each.
 constexpr double kSeenFromAside = 2;
 constexpr double kMaxBent = 0.3;    // cosine between a normal and the triangles around it
-constexpr double kMaxGrowth = kMaxLeafGrowth * kMaxLeafGrowth;
+constexpr double kMaxGrowth = 4;
 
 /// How the twigs' cards are made.
 struct CardPlan {

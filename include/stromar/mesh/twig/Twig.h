@@ -49,7 +49,7 @@ std::shared_ptr<const Twig> typicalTwig(const CTree& tree, const MeshParams& par
 
 /// A card for every twig that bears leaves, bent with it, in the detail's number of planes. No
 /// more rectangles than the detail's share of the leaves: else fewer planes, straight cards, at last fewer cards. Each
-/// shows as much leaf as its stem has, as far as kMaxLeafGrowth allows. Throws CCancelled.
+/// shows as much leaf as its stem has, up to four times its own area. Throws CCancelled.
 /// Of the leaves only the counts are looked at.
 std::shared_ptr<const CMesh> meshOfTwigs(const StemSet& twigs, const CTree& tree, const COrgans& leaves, const Twig& typical,
                                          const MeshParams& params, const Detail& detail, const CProgress& progress);
