@@ -234,6 +234,37 @@ TEST_F(ViewsTest, AViewThatTurnsTooSlowlyShowsASimplerModelUntilItRests) {
     EXPECT_TRUE(waitFor([&] { return !view().drawsStandIn(); }, 5000)) << "at rest";
 }
 
+TEST_F(ViewsTest, ATreeThatFollowsASliderTooSlowlyLeavesOutWhatItsLeavesHide) {
+    window.files().open(QStringLiteral(STROMAR_SOURCE "/presets/english_oak.tree"));
+    window.growth().showOnly(Model::Simple);
+    ASSERT_TRUE(waitFor([&] { return !window.busy() && window.shown() && window.shown()->model->detail == &detailOf(Model::Simple); }, 120000));
+    double degrees = 40;
+    const auto step = [&] {
+        const auto before = window.shown();
+        window.document().setValue(*findParam("1DownAngle"), degrees += 1, 1);
+        waitFor([&] { return window.shown() != before; }, 60000);
+        QElapsedTimer clock;
+        clock.start();
+        QEventLoop swapped; // software rasterises until then
+        QObject::connect(&view(), &QOpenGLWidget::frameSwapped, &swapped, &QEventLoop::quit);
+        view().update();
+        swapped.exec();
+        return clock.elapsed();
+    };
+    const qint64 took = step();
+    step();
+    if (took > 130) {
+        EXPECT_TRUE(view().drawsStandIn()) << "too slow by a good deal";
+    } else if (took < 60) {
+        EXPECT_FALSE(view().drawsStandIn()) << "quick enough";
+    }
+    EXPECT_TRUE(view().scene().hasStandIn());
+    EXPECT_TRUE(waitFor([&] { return !view().drawsStandIn(); }, 5000)) << "at rest";
+    emit window.panel().touched(findParam("3DownAngle"));
+    step();
+    EXPECT_FALSE(view().scene().hasStandIn()) << "who edits twigs sees them";
+}
+
 TEST_F(ViewsTest, TreesSideBySideAreExportedAsOneScene) {
     EXPECT_TRUE(window.sideBySide().trees().empty()) << "alone";
     action("ages")->trigger();

@@ -1,4 +1,5 @@
 #include "view/SideBySide.h"
+#include "view/LodDistance.h"
 #include "view/Viewport.h"
 #include "window/QtText.h"
 #include "work/GrownView.h"
@@ -176,14 +177,22 @@ void CSideBySide::onGrown(quint64 row, quint64 place, const std::shared_ptr<cons
     arrange();
 }
 
+/// With its triangles and the distance where a program changes to it.
+QString CSideBySide::levelLabel(const QString& name, const TreeModel& model, double height) const {
+    QStringList lines{name, tr("%1 triangles").arg(QLocale().toString(qulonglong(model.triangleCount())))};
+    const double metres = lodDistance(*model.detail, height, m_viewport.camera());
+    if (metres > 0) lines.append(tr("from %1 m").arg(QLocale().toString(metres, 'f', 0)));
+    return lines.join(QLatin1Char('\n'));
+}
+
 /// From the tree in the window to both sides; those that are still to come take no room.
 void CSideBySide::arrange() {
     std::vector<TreeBeside> others;
     auto& labels = m_viewport.overlay().model().labels;
     labels.clear();
     const auto label = [&](const Tree& tree, const ViewModel& view, const osg::Vec3& foot) {
-        const QString text = m_row == Row::Levels ? tr("%1\n%2 triangles").arg(tree.label, QLocale().toString(qulonglong(view.model->triangleCount()))) : tree.label;
-        labels.emplace_back(osg::Vec3d(foot) + osg::Vec3d(0, 0, reachOf(view.parts, osg::Vec3d(0, 0, 1), kPoints).second), text);
+        const double height = reachOf(view.parts, osg::Vec3d(0, 0, 1), kPoints).second;
+        labels.emplace_back(osg::Vec3d(foot) + osg::Vec3d(0, 0, height), m_row == Row::Levels ? levelLabel(tree.label, *view.model, height) : tree.label);
     };
     if (m_own < m_trees.size()) label(m_trees[m_own], *m_view, {});
     const auto [ownLeft, ownRight] = reachOf(m_view->parts, kAlong, kPoints);

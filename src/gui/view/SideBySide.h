@@ -65,6 +65,7 @@ private:
     void request();
     void onGrown(quint64 row, quint64 place, const std::shared_ptr<const ViewModel>& view);
     void arrange();
+    QString levelLabel(const QString& name, const TreeModel& model, double height) const;
     void work(const std::stop_token& stop);
     void cancel();
 

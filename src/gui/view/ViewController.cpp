@@ -3,11 +3,11 @@
 #include "params/ParamEditor.h"
 #include "params/ParamPanel.h"
 #include "view/ImageFile.h"
+#include "view/LodDistance.h"
 #include "view/PictureDialog.h"
 #include "window/QtText.h"
 #include "window/Settings.h"
 #include "stromar/app/Methods.h"
-#include "stromar/model/ExportModel.h"
 #include "stromar/params/ParamText.h"
 #include "stromar/tree/Nearest.h"
 #include "stromar/util/Random.h"
@@ -33,7 +33,7 @@ osg::Vec3d toOsg(const glm::dvec3& v) { return {v.x, v.y, v.z}; }
 std::size_t trianglesOfLeaves(const TreeModel& tree) {
     std::size_t count = 0;
     for (std::size_t kind = 0; kind < kLeafKinds; ++kind) count += tree.leaves(kind)->triangleCount();
-    return count;
+    return tree.cards ? count + tree.cards->triangleCount() : count;
 }
 
 /// The centre line of every path of a stem.
@@ -339,20 +339,15 @@ void CViewController::describeLeaf(const CLeaf& leaf) {
             .arg(leaf.stem + 1);
 }
 
-/// Metres from which on a program shows the model's level of detail; 0 for the finest.
-double CViewController::lodDistance() const {
-    const Detail& detail = *m_view->model->detail;
+double CViewController::shownLodDistance() const {
     const osg::BoundingBox box = m_viewport.scene().bounds();
-    if (detail.model == Model::Simple || detail.lod == 0 || !box.valid()) return 0;
-    const CCamera& camera = m_viewport.camera();
-    const double halfPerMetre = camera.halfHeight() / camera.distance();
-    return double(box.zMax() - box.zMin()) / (2 * halfPerMetre * kScreenCoverage[static_cast<std::size_t>(detail.lod) - 1]);
+    return box.valid() ? lodDistance(*m_view->model->detail, double(box.zMax() - box.zMin()), m_viewport.camera()) : 0;
 }
 
 void CViewController::goToLod() {
     if (!m_view) return;
     m_viewport.frame();
-    if (const double distance = lodDistance(); distance > 0) m_viewport.moveTo(distance);
+    if (const double distance = shownLodDistance(); distance > 0) m_viewport.moveTo(distance);
 }
 
 QStringList CViewController::statistics() const {
@@ -372,7 +367,7 @@ QStringList CViewController::statistics() const {
                          whole(tree.stems[g]->triangleCount()));
     rows
         << tr("Leaves: %1, %2 triangles").arg(whole(tree.tree->organs(Organ::Leaf)->total), whole(trianglesOfLeaves(tree)));
-    if (const double distance = lodDistance(); distance > 0)
+    if (const double distance = shownLodDistance(); distance > 0)
         rows << tr("%1: %2 triangles, from %3 on").arg(detailTitle(*tree.detail), whole(tree.triangleCount()), lengthText(distance));
     rows << tr("Structure %1 ms, mesh %2 ms")
                 .arg(numbers.toString(tree.milliseconds.structure, 'f', 1),
@@ -413,7 +408,7 @@ std::shared_ptr<const BackdropPicture> CViewController::askForPicture(QWidget* p
     try {
         return readBackdrop(toPath(file).string());
     } catch (const CError& e) {
-        QMessageBox::critical(parent, tr("Cannot show the picture"), toQString(e.what()));
+        QMessageBox::critical(parent, tr("Cannot show the picture"), errorText(e));
         return nullptr;
     }
 }

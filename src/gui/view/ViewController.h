@@ -28,6 +28,8 @@ public:
     void goToLod();
     /// Whether the level that is edited stays tinted; else it flashes when it is first touched.
     void setTintKept(bool on);
+    /// The generation whose value has the focus, else ViewPart::kNone.
+    int touched() const { return m_touched; }
     void clearSelection();
     bool hasSelection() const { return m_selected.has_value(); }
     /// Whether a handle is held.
@@ -74,7 +76,7 @@ private:
     void describeLeaf(const CLeaf& leaf);
     void updateSelection();
     std::shared_ptr<const BackdropPicture> askForPicture(QWidget* parent, const QString& title, const QString& kinds);
-    double lodDistance() const;
+    double shownLodDistance() const;
     QStringList statistics() const;
     int generationOf(const ParamRef& ref) const;
     const Guide* guideOf(const ParamRef& ref) const;

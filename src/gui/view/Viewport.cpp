@@ -36,6 +36,7 @@ CViewport::CViewport(QWidget* parent)
     setMinimumSize(160, 160);
     setAccessibleName(tr("Picture of the tree"));
     connect(&m_rest, &CRestPicture::refined, this, [this] { m_overlay->showBelow(m_rest.image()); });
+    connect(this, &QOpenGLWidget::frameSwapped, this, &CViewport::adaptToHand); // software rasterises after paintGL()
     m_settle.setSingleShot(true);
     connect(&m_settle, &QTimer::timeout, this, [this] {
         m_scene.renewShadows();
@@ -73,15 +74,13 @@ void CViewport::paintGL() {
         if (!std::exchange(m_lost, true)) emit contextLost();
         return;
     }
-    QElapsedTimer clock;
-    clock.start();
+    m_sincePaint.start();
     const QSize pixels = (QSizeF(size()) * devicePixelRatioF()).toSize();
     ViewPass plain;
     plain.organVertices = hurries() ? m_organVertices : mostVertices(); // the passes of a view that rests have all
     plain.standIn = drawsStandIn() && m_scene.look().wireframe == Wireframe::Off; // who looks at edges wants the tree's own
     m_renderer.draw(defaultFramebufferObject(), pixels.width(), pixels.height(), m_camera, plain);
-    m_frameNs = clock.nsecsElapsed();
-    adaptToHand();
+    m_frameNs = m_sincePaint.nsecsElapsed();
     ++m_frames;
     emit drawn();
 }
@@ -93,13 +92,15 @@ bool CViewport::moves() const { return m_sinceMoved.isValid() && m_sinceMoved.el
 /// A view that moves too slowly gets a simpler model of the tree, then fewer leaves, larger ones; a quick one more
 /// leaves.
 void CViewport::adaptToHand() {
-    if (!hurries()) return;
-    if (m_frameNs > kSlowNs && !m_wantsStandIn && m_scene.hasStandIn()) {
+    if (!hurries() || !m_sincePaint.isValid()) return;
+    const qint64 took = m_sincePaint.nsecsElapsed();
+    m_sincePaint.invalidate();
+    if (took > kSlowNs && !m_wantsStandIn && m_scene.hasStandIn()) {
         m_wantsStandIn = true;
         return;
     }
-    if (m_frameNs > kSlowNs) m_organVertices = std::max(kFewestVertices, m_organVertices / 2);
-    if (m_frameNs < kSmoothNs) m_organVertices = std::min(mostVertices(), 2 * m_organVertices);
+    if (took > kSlowNs) m_organVertices = std::max(kFewestVertices, m_organVertices / 2);
+    if (took < kSmoothNs) m_organVertices = std::min(mostVertices(), 2 * m_organVertices);
 }
 
 /// Where the view has changed; paintGL() is called for a window that was covered, too.
@@ -116,7 +117,7 @@ void CViewport::changed() {
 }
 
 void CViewport::show(const std::vector<ViewPart>& parts) {
-    setStandIn({});
+    m_scene.setStandIn({});
     m_scene.show(parts, m_settle.isActive() ? CViewScene::Shadows::Kept : CViewScene::Shadows::New);
     m_overlay->setPose(nullptr, nullptr); // until the next one
     // A tree that grows slower than the hand moves has not come to rest between two steps.
@@ -127,9 +128,11 @@ void CViewport::show(const std::vector<ViewPart>& parts) {
     changed();
 }
 
-void CViewport::setStandIn(const std::vector<ViewPart>& parts) {
+/// The next step of a dragged value is as slow as the last one: it does not have to be seen anew.
+void CViewport::setStandIn(const std::vector<ViewPart>& parts, StandIn when) {
     m_scene.setStandIn(parts);
-    m_wantsStandIn = false;
+    if (when == StandIn::InMotion || m_standIn != when || !hurries()) m_wantsStandIn = false;
+    m_standIn = when;
 }
 
 void CViewport::showBeside(const std::vector<TreeBeside>& others) {

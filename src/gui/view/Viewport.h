@@ -20,9 +20,10 @@ public:
 
     /// Replaces the tree; the view stays. A model that stood in for the one before is gone.
     void show(const std::vector<ViewPart>& parts);
-    /// What is drawn in place of the tree while the view moves and the tree itself is too slow.
-    void setStandIn(const std::vector<ViewPart>& parts);
-    bool drawsStandIn() const { return m_wantsStandIn && moves(); }
+    /// When what stands in for a tree that is too slow is drawn in its place: while the view moves, or also until the tree rests.
+    enum class StandIn { InMotion, UntilRest };
+    void setStandIn(const std::vector<ViewPart>& parts, StandIn when = StandIn::InMotion);
+    bool drawsStandIn() const { return m_wantsStandIn && m_scene.hasStandIn() && (m_standIn == StandIn::UntilRest ? hurries() : moves()); }
     using QOpenGLWidget::show;
     /// As CViewScene::showBeside().
     void showBeside(const std::vector<TreeBeside>& others);
@@ -129,10 +130,11 @@ private:
     bool m_wipeHeld = false; ///< the line between before and after
     std::size_t m_organVertices = 0; ///< of leaves in a picture that moves
     bool m_wantsStandIn = false;     ///< pictures that move are too slow with the tree itself
-    QElapsedTimer m_sinceMoved, m_sinceShown;
+    StandIn m_standIn = StandIn::InMotion;
+    QElapsedTimer m_sinceMoved, m_sinceShown, m_sincePaint;
     bool m_measuring = false;
     int m_posesSinceShadows = 0;
-    qint64 m_frameNs = 0; ///< how long the last picture took
+    qint64 m_frameNs = 0; ///< how long the last paintGL() took
     bool m_click = false; ///< the mouse has not moved since a button went down
     bool m_trackball = false;
     bool m_lost = false;

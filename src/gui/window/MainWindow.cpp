@@ -344,17 +344,23 @@ void CMainWindow::showNow() {
     m_viewport->overlay().model().badge.clear();
     m_windController->setPaused(m_fall->felling().has_value());
     m_fall->show(m_shown);
-    m_viewport->setStandIn(standInParts());
+    m_viewport->setStandIn(standInParts(), showsSimple() ? CViewport::StandIn::UntilRest : CViewport::StandIn::InMotion);
     m_viewController->show(m_shown);
     m_windController->show(m_shown);
     m_sideBySide->follow(m_shown, m_document->folder(), m_growth->limits());
 }
 
+bool CMainWindow::showsSimple() const { return m_shown->model->detail->model == Model::Simple; }
+
 /// The wood of the simple model, which came before the full one, with the leaves of the full one: a view draws as many
-/// as it has time for.
+/// as it has time for. The simple model, while it follows a slider, stands in for itself: the scene leaves out what its
+/// leaves hide, unless that is what one edits.
 std::vector<ViewPart> CMainWindow::standInParts() const {
-    if (!m_simple || m_fall->felling() || m_shown->model->detail != &detailOf(Model::Full)) return {};
-    const bool same = m_simple->model->params == m_shown->model->params && m_simple->model->age == m_shown->model->age;
+    if (!m_simple || m_fall->felling()) return {};
+    const TreeModel& shown = *m_shown->model;
+    if (showsSimple() && m_viewController->touched() >= static_cast<int>(shown.stems.size()) - 1) return {};
+    if (!showsSimple() && shown.detail != &detailOf(Model::Full)) return {};
+    const bool same = m_simple->model->params == shown.params && m_simple->model->age == shown.age;
     std::vector<ViewPart> parts;
     if (!same) return parts;
     std::ranges::copy_if(m_simple->parts, std::back_inserter(parts),
@@ -496,6 +502,7 @@ void CMainWindow::saveCamera() { m_cameras->save(this); }
 void CMainWindow::stop() {
     if (m_growth->stop()) m_notice->setText(tr("Stopped; F6 grows the full model"));
     m_viewController->clearSelection();
+    if (auto* card = findChild<CWelcomeCard*>()) card->finish();
 }
 
 void CMainWindow::setFelled(bool felled) {

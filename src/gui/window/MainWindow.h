@@ -128,6 +128,7 @@ private:
     void onChanged();
     void onCreated(const std::shared_ptr<const ViewModel>& view);
     void showNow();
+    bool showsSimple() const;
     std::vector<ViewPart> standInParts() const;
     void showNothing();
     void onRefused();
