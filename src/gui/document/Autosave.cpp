@@ -113,7 +113,7 @@ void CAutosave::work(const std::stop_token& stop) {
             fine = true;
             emit written();
         } catch (const std::exception& e) {
-            emit failed(QString::fromUtf8(e.what()));
+            emit failed(errorText(e));
         }
         const std::lock_guard lock(m_mutex);
         m_fine = fine;

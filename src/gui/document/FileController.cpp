@@ -61,7 +61,7 @@ bool CFileController::import(const QString& path) {
         m_changesBehind = false;
         return true;
     } catch (const std::exception& e) {
-        tellError(tr("Cannot import the tree"), QString::fromUtf8(e.what()));
+        tellError(tr("Cannot import the tree"), errorText(e));
         return false;
     }
 }
@@ -87,7 +87,7 @@ bool CFileController::open(const QString& path) {
         m_document.open(path);
         m_changesBehind = false;
     } catch (const std::exception& e) {
-        tellError(tr("Cannot open the tree"), QString::fromUtf8(e.what()));
+        tellError(tr("Cannot open the tree"), errorText(e));
         return false;
     }
     remember(m_document.path());
@@ -101,7 +101,7 @@ bool CFileController::openPreset(const QString& path) {
         m_document.loadPreset(path);
         m_changesBehind |= changed;
     } catch (const std::exception& e) {
-        tellError(tr("Cannot open the preset"), QString::fromUtf8(e.what()));
+        tellError(tr("Cannot open the preset"), errorText(e));
         return false;
     }
     return true;
@@ -120,7 +120,7 @@ bool CFileController::save(const QString& path) {
         m_document.save(path);
         m_changesBehind = false;
     } catch (const std::exception& e) {
-        tellError(tr("Cannot save the tree"), QString::fromUtf8(e.what()));
+        tellError(tr("Cannot save the tree"), errorText(e));
         return false;
     }
     m_watch.watch(m_document.path());
@@ -188,7 +188,7 @@ void CFileController::savePreset() {
         emit presetSaved();
         emit notice(tr("Saved %1").arg(path));
     } catch (const std::exception& e) {
-        tellError(tr("Cannot save the preset"), QString::fromUtf8(e.what()));
+        tellError(tr("Cannot save the preset"), errorText(e));
     }
 }
 
@@ -220,7 +220,7 @@ void CFileController::openWorkshop(const ParamRef& text) {
     try {
         m_workshop = new CTextureWorkshop(CRecipe(start), aspectOf(text), m_window);
     } catch (const CError& e) {
-        return tellError(tr("Cannot open the workshop"), toQString(e.what()));
+        return tellError(tr("Cannot open the workshop"), errorText(e));
     }
     m_workshop->setAttribute(Qt::WA_DeleteOnClose);
     const auto wear = [this, text, gesture = nextGesture()](const std::string& value) { m_document.setValue(text, value, gesture); };
@@ -302,7 +302,7 @@ void CFileController::offerRestore() {
             keepAside();
             if (m_autosave.flush()) CAutosave::remove(leftover); // it is safe again
         } catch (const std::exception& e) {
-            tellError(tr("Cannot restore"), QString::fromUtf8(e.what()));
+            tellError(tr("Cannot restore"), errorText(e));
         }
         return; // one document per window; the others are offered next time
     }

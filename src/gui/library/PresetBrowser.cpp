@@ -1,5 +1,6 @@
 #include "library/PresetBrowser.h"
 #include "window/QtText.h"
+#include "window/SearchField.h"
 #include "library/Thumbnails.h"
 #include "stromar/app/Export.h"
 #include "stromar/params/TreeFile.h"
@@ -8,6 +9,7 @@
 #include <QFile>
 #include <QHBoxLayout>
 #include <QKeyEvent>
+#include <QLabel>
 #include <QLineEdit>
 #include <QListWidget>
 #include <QMenu>
@@ -41,11 +43,10 @@ QIcon placeholder(const QPalette& palette, bool broken, qreal ratio) {
 } // namespace
 
 CPresetBrowser::CPresetBrowser(CThumbnails& thumbnails, QWidget* parent)
-    : QWidget(parent), m_thumbnails(thumbnails), m_filter(new QLineEdit), m_folder(new QComboBox),
-      m_list(new QListWidget) {
-    m_filter->setPlaceholderText(tr("Find a tree"));
-    m_filter->setAccessibleName(m_filter->placeholderText());
-    m_filter->setClearButtonEnabled(true);
+    : QWidget(parent), m_thumbnails(thumbnails), m_filter(new CSearchField(tr("Find a tree"))), m_folder(new QComboBox),
+      m_nothing(new QLabel), m_list(new QListWidget) {
+    m_nothing->setWordWrap(true);
+    m_nothing->setAlignment(Qt::AlignHCenter | Qt::AlignTop);
     m_folder->addItems({tr("All"), tr("Stromar's"), tr("My own")});
     m_folder->setAccessibleName(tr("Folder of presets"));
     auto* save = new QToolButton;
@@ -67,6 +68,7 @@ CPresetBrowser::CPresetBrowser(CThumbnails& thumbnails, QWidget* parent)
     column->setContentsMargins(4, 4, 4, 4);
     column->addWidget(m_filter);
     column->addLayout(top);
+    column->addWidget(m_nothing, 1);
     column->addWidget(m_list, 1);
     setTabOrder(m_filter, m_list);
     connect(m_filter, &QLineEdit::textChanged, this, &CPresetBrowser::updateVisibility);
@@ -154,7 +156,7 @@ void CPresetBrowser::addFolder(const QString& folder, bool own) {
                                      CThumbnails::Keep::OnDisk);
         } catch (const std::exception& e) {
             item->setIcon(placeholder(palette(), true, devicePixelRatioF()));
-            item->setToolTip(QString::fromUtf8(e.what()).toHtmlEscaped());
+            item->setToolTip(errorText(e).toHtmlEscaped());
             item->setData(SearchRole, file.fileName());
         }
     }
@@ -186,6 +188,11 @@ void CPresetBrowser::updateVisibility() {
             return text.contains(word, Qt::CaseInsensitive);
         }));
     }
+    const bool nothing = !firstShown();
+    m_list->setVisible(!nothing);
+    m_nothing->setVisible(nothing);
+    m_nothing->setText(words.isEmpty() ? tr("No presets yet: Save… keeps the tree in the window.")
+                                       : tr("No preset is called “%1”.").arg(m_filter->text().trimmed()));
     const QListWidgetItem* current = m_list->currentItem();
     if (current ? current->isHidden() : !words.isEmpty()) m_list->setCurrentItem(firstShown());
 }

@@ -4,6 +4,7 @@
 #include <QWidget>
 
 class QComboBox;
+class QLabel;
 class QLineEdit;
 class QListWidget;
 class QListWidgetItem;
@@ -49,6 +50,7 @@ private:
     CThumbnails& m_thumbnails;
     QLineEdit* m_filter;
     QComboBox* m_folder;
+    QLabel* m_nothing; ///< in place of the list
     QListWidget* m_list;
     QFileSystemWatcher m_watcher;
 };

@@ -235,7 +235,7 @@ void CTextureWorkshop::savePictures() {
         writePngs(m_recipe.draw(kSaved, CProgress()), toPath(path), files);
         files.commit();
     } catch (const std::exception& e) {
-        QMessageBox::critical(this, tr("Cannot save the pictures"), QString::fromUtf8(e.what()));
+        QMessageBox::critical(this, tr("Cannot save the pictures"), errorText(e));
     }
 }
 

@@ -103,7 +103,7 @@ void CThumbnails::work(const std::stop_token& stop) {
         } catch (const CCancelled&) {
             // Dropped, or the end.
         } catch (const std::exception& e) {
-            emit grown(task.number, nullptr, QString::fromUtf8(e.what()));
+            emit grown(task.number, nullptr, errorText(e));
         }
         const std::lock_guard lock(m_mutex);
         m_growing.clear();

@@ -109,7 +109,7 @@ void CRecorder::record(const RecordedTree& tree, const RecordOptions& options) {
             emit notice(options.video ? tr("Saved %1").arg(options.path) : tr("Saved %n frame(s)", nullptr, written));
     } catch (const std::exception& e) {
         progress.close();
-        QMessageBox::critical(&m_window, tr("Cannot record"), QString::fromUtf8(e.what()));
+        QMessageBox::critical(&m_window, tr("Cannot record"), errorText(e));
     }
     m_busy = false;
 }

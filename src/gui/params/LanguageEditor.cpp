@@ -332,7 +332,7 @@ void CLanguageEditor::importFile() {
         m_typed.stop();
         check();
     } catch (const CError& e) {
-        QMessageBox::critical(this, tr("Cannot import the text"), QString::fromUtf8(e.what()));
+        QMessageBox::critical(this, tr("Cannot import the text"), errorText(e));
     }
 }
 
@@ -344,7 +344,7 @@ void CLanguageEditor::exportFile() {
     try {
         writeFile(toPath(path), m_code->toPlainText().toStdString());
     } catch (const CError& e) {
-        QMessageBox::critical(this, tr("Cannot export the text"), QString::fromUtf8(e.what()));
+        QMessageBox::critical(this, tr("Cannot export the text"), errorText(e));
     }
 }
 
@@ -365,6 +365,7 @@ void CLanguageEditor::setDetached(bool detach) {
         m_window->deleteLater();
         m_window.clear();
     }
+    m_inner->findChild<QToolButton*>(QStringLiteral("detach"))->setText(detach ? tr("Attach") : tr("Detach"));
     m_inner->show();
 }
 

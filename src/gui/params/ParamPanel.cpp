@@ -7,6 +7,7 @@
 #include "params/ValuesMenu.h"
 #include "window/Keys.h"
 #include "window/QtText.h"
+#include "window/SearchField.h"
 #include "stromar/app/Methods.h"
 #include "stromar/mesh/LeafMeshes.h"
 #include "stromar/params/BuiltInMesh.h"
@@ -17,7 +18,6 @@
 #include <QFrame>
 #include <QHBoxLayout>
 #include <QLabel>
-#include <QLineEdit>
 #include <QMenu>
 #include <QPushButton>
 #include <QScrollArea>
@@ -111,10 +111,7 @@ constexpr int kNarrowLabel = 104, kScrollBar = 20; // pixels
 QString foldedKey(const QString& name) { return QStringLiteral("panel/folded/") + name; }
 } // namespace
 
-CParamPanel::CParamPanel(QWidget* parent) : QWidget(parent), m_filter(new QLineEdit), m_nothing(new QLabel), m_tabs(new CSideTabs) {
-    m_filter->setPlaceholderText(tr("Find a parameter"));
-    m_filter->setAccessibleName(m_filter->placeholderText());
-    m_filter->setClearButtonEnabled(true);
+CParamPanel::CParamPanel(QWidget* parent) : QWidget(parent), m_filter(new CSearchField(tr("Find a parameter"))), m_nothing(new QLabel), m_tabs(new CSideTabs) {
     m_tabs->setAccessibleName(tr("Parameters"));
     auto* column = new QVBoxLayout(this);
     column->setContentsMargins(0, 4, 0, 0);

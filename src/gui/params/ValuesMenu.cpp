@@ -31,7 +31,7 @@ QDir folderOf(const ValueSet& set, const ParamBlock& block) {
 std::string linesOf(const ValueSet& set, const CParams& params) { return CTreeFile::lines(params, set.refs); }
 
 void tell(QWidget* parent, const std::exception& e) {
-    QMessageBox::critical(parent, QCoreApplication::translate("Values", "Cannot use the values"), QString::fromUtf8(e.what()));
+    QMessageBox::critical(parent, QCoreApplication::translate("Values", "Cannot use the values"), errorText(e));
 }
 
 void pasteText(const ValueSet& set, const ParamBlock& block, const std::string& text, const Assign& assign, QWidget* parent) {

@@ -3,7 +3,9 @@
 #include "stromar/params/ParamTable.h"
 #include <QCoreApplication>
 #include <QLocale>
+#include <QRegularExpression>
 #include <QString>
+#include <exception>
 #include <filesystem>
 #include <string_view>
 
@@ -12,6 +14,13 @@ namespace stromar {
 // Between Qt's texts and the layers below. UTF-8 there.
 
 inline QString toQString(std::string_view text) { return QString::fromUtf8(text.data(), qsizetype(text.size())); }
+/// What an error says, as a sentence: with a capital, unless it begins with a place in a file.
+inline QString errorText(const std::exception& e) {
+    QString text = QString::fromUtf8(e.what());
+    const bool place = text.section(QLatin1Char(' '), 0, 0).contains(QRegularExpression(QStringLiteral("[/\\\\.:_]")));
+    if (!text.isEmpty() && !place) text[0] = text[0].toUpper();
+    return text;
+}
 /// A text marked with N_ below, in the user's language.
 inline QString trText(std::string_view marked) {
     return QCoreApplication::translate("stromar", QByteArray(marked.data(), qsizetype(marked.size())).constData());

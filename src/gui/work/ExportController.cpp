@@ -48,7 +48,7 @@ bool CExportController::fits() {
         refuseTooLarge(m_document.params(), detailOf(Model::Full), m_limits(), CProgress());
         return true;
     } catch (const CError& e) {
-        QMessageBox::critical(m_window, tr("Cannot export the tree"), toQString(e.what()));
+        QMessageBox::critical(m_window, tr("Cannot export the tree"), errorText(e));
         return false;
     }
 }

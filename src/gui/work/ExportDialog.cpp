@@ -132,7 +132,7 @@ void CExportDialog::loadSettings() {
     try {
         take(readSettings(toPath(file)));
     } catch (const CError& e) {
-        QMessageBox::critical(this, tr("Cannot load the settings"), toQString(e.what()));
+        QMessageBox::critical(this, tr("Cannot load the settings"), errorText(e));
     }
 }
 
@@ -145,7 +145,7 @@ void CExportDialog::saveSettings() {
         const ExportSettings settings{m_engine->currentData().toString().toStdString(), std::string(format().ending), m_options};
         writeFile(toPath(dialog.selectedFiles().front()), settingsText(settings));
     } catch (const CError& e) {
-        QMessageBox::critical(this, tr("Cannot save the settings"), toQString(e.what()));
+        QMessageBox::critical(this, tr("Cannot save the settings"), errorText(e));
     }
 }
 

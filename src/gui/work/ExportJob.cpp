@@ -1,4 +1,5 @@
 #include "work/ExportJob.h"
+#include "window/QtText.h"
 
 namespace stromar {
 
@@ -21,7 +22,7 @@ void CExportJob::work() {
     } catch (const CCancelled&) {
         emit finished({}, true);
     } catch (const std::exception& e) {
-        emit finished(QString::fromUtf8(e.what()), false);
+        emit finished(errorText(e), false);
     }
 }
 

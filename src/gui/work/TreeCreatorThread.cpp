@@ -1,4 +1,5 @@
 #include "work/TreeCreatorThread.h"
+#include "window/QtText.h"
 #include "stromar/app/Methods.h"
 #include "stromar/texture/Draw.h"
 #include <algorithm>
@@ -136,7 +137,7 @@ void CTreeCreatorThread::run() {
         } catch (const CTooLarge& e) {
             emit tooLarge(std::make_shared<const TooLargeTree>(refusedTree(*request, e.size())));
         } catch (const std::exception& e) {
-            emit failed(QString::fromUtf8(e.what()));
+            emit failed(errorText(e));
         }
     }
 }
