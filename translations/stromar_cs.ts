@@ -4214,6 +4214,10 @@
         <source>All files (*)</source>
         <translation>Všechny soubory (*)</translation>
     </message>
+    <message>
+        <source>Attach</source>
+        <translation>Připojit</translation>
+    </message>
 </context>
 <context>
     <name>stromar::CLightPanel</name>
@@ -4553,6 +4557,14 @@
         <source>%1 cannot be removed.</source>
         <translation>%1 nelze odstranit.</translation>
     </message>
+    <message>
+        <source>No presets yet: Save… keeps the tree in the window.</source>
+        <translation>Zatím žádné předvolby: Uložit… uchová strom v okně.</translation>
+    </message>
+    <message>
+        <source>No preset is called “%1”.</source>
+        <translation>Žádná předvolba se nejmenuje „%1“.</translation>
+    </message>
 </context>
 <context>
     <name>stromar::CRecordDialog</name>
@@ -4789,10 +4801,12 @@
         <translation>LOD %1</translation>
     </message>
     <message>
-        <source>%1
-%2 triangles</source>
-        <translation>%1
-%2 trojúhelníků</translation>
+        <source>%1 triangles</source>
+        <translation>Trojúhelníky: %1</translation>
+    </message>
+    <message>
+        <source>from %1 m</source>
+        <translation>od %1 m</translation>
     </message>
 </context>
 <context>

@@ -4214,6 +4214,10 @@
         <source>All files (*)</source>
         <translation>Все файлы (*)</translation>
     </message>
+    <message>
+        <source>Attach</source>
+        <translation>Прикрепить</translation>
+    </message>
 </context>
 <context>
     <name>stromar::CLightPanel</name>
@@ -4553,6 +4557,14 @@
         <source>%1 cannot be removed.</source>
         <translation>%1 не удаётся удалить.</translation>
     </message>
+    <message>
+        <source>No presets yet: Save… keeps the tree in the window.</source>
+        <translation>Заготовок ещё нет: «Сохранить…» сохранит дерево из окна.</translation>
+    </message>
+    <message>
+        <source>No preset is called “%1”.</source>
+        <translation>Нет заготовки с названием «%1».</translation>
+    </message>
 </context>
 <context>
     <name>stromar::CRecordDialog</name>
@@ -4789,10 +4801,12 @@
         <translation>LOD %1</translation>
     </message>
     <message>
-        <source>%1
-%2 triangles</source>
-        <translation>%1
-треугольников: %2</translation>
+        <source>%1 triangles</source>
+        <translation>Треугольники: %1</translation>
+    </message>
+    <message>
+        <source>from %1 m</source>
+        <translation>от %1 м</translation>
     </message>
 </context>
 <context>

@@ -4214,6 +4214,10 @@
         <source>All files (*)</source>
         <translation>Vse datoteke (*)</translation>
     </message>
+    <message>
+        <source>Attach</source>
+        <translation>Pripni</translation>
+    </message>
 </context>
 <context>
     <name>stromar::CLightPanel</name>
@@ -4553,6 +4557,14 @@
         <source>%1 cannot be removed.</source>
         <translation>%1 ni mogoče odstraniti.</translation>
     </message>
+    <message>
+        <source>No presets yet: Save… keeps the tree in the window.</source>
+        <translation>Predlog še ni: Shrani… ohrani drevo v oknu.</translation>
+    </message>
+    <message>
+        <source>No preset is called “%1”.</source>
+        <translation>Nobena predloga se ne imenuje »%1«.</translation>
+    </message>
 </context>
 <context>
     <name>stromar::CRecordDialog</name>
@@ -4791,10 +4803,12 @@
         <translation>LOD %1</translation>
     </message>
     <message>
-        <source>%1
-%2 triangles</source>
-        <translation>%1
-%2 trikotnikov</translation>
+        <source>%1 triangles</source>
+        <translation>Trikotniki: %1</translation>
+    </message>
+    <message>
+        <source>from %1 m</source>
+        <translation>od %1 m</translation>
     </message>
 </context>
 <context>

@@ -36,8 +36,12 @@ TEST(Document, StepsSayWhatTheyChangeInThePanelsWords) {
     EXPECT_EQ(document.history().text(0).toStdString(), "Branches 1 ▸ Number: 10 → 90") << "all of a drag";
     document.setValue(paramRef("Shape"), 1, 0);
     EXPECT_EQ(document.history().text(1).toStdString(), "Tree ▸ Crown shape: conical → spherical");
+    document.setValue(paramRef("Seed"), 629581, 0);
+    EXPECT_EQ(document.history().text(2).section(QStringLiteral("→ "), 1).toStdString(), "629,581");
+    document.setValue(paramRef("Scale"), 13.05, 0);
+    EXPECT_EQ(document.history().text(3).section(QStringLiteral("→ "), 1).toStdString(), "13.05 m");
     document.setValue(paramRef("Species"), std::string("Elm"), 0);
-    EXPECT_FALSE(document.history().text(2).contains(QStringLiteral("→"))) << "texts may be long";
+    EXPECT_FALSE(document.history().text(4).contains(QStringLiteral("→"))) << "texts may be long";
 }
 
 TEST(Document, ADragBackToItsStartLeavesNoStep) {

@@ -162,8 +162,10 @@ TEST_F(GrammarEditor, APickedBranchMarksItsLineAndALineItsBranches) {
 }
 
 TEST_F(GrammarEditor, CanBeDetached) {
-    part<QToolButton>("detach")->click();
+    auto* detach = part<QToolButton>("detach");
+    detach->click();
     EXPECT_TRUE(editor().detached());
+    EXPECT_EQ(detach->text(), QStringLiteral("Attach"));
     EXPECT_NE(code().window(), &window);
     EXPECT_TRUE(code().isVisible());
     code().window()->close();

@@ -50,6 +50,21 @@ TEST_F(PresetTest, KeysOfTheSearchActOnWhatIsFound) {
     EXPECT_EQ(value("Scale"), weberPenn(CTreeFile::read(toPath(presetPath("weeping_willow"))).params()).scale);
 }
 
+TEST_F(PresetTest, ASearchThatFindsNothingSaysSoUntilEsc) {
+    ASSERT_TRUE(waitFor([&] { return item("Black Tupelo") != nullptr; }));
+    CPresetBrowser& presets = window.presets();
+    ASSERT_TRUE(presets.nothing().isHidden());
+    presets.filter().setFocus();
+    presets.filter().setText(QStringLiteral("baobab"));
+    EXPECT_TRUE(presets.nothing().isVisible());
+    EXPECT_TRUE(presets.nothing().text().contains(QLatin1String("baobab")));
+    QTest::keyClick(&presets.filter(), Qt::Key_Return);
+    QTest::keyClick(&presets.filter(), Qt::Key_Escape);
+    EXPECT_TRUE(presets.filter().text().isEmpty());
+    EXPECT_TRUE(presets.nothing().isHidden());
+    EXPECT_TRUE(presets.list().isVisible());
+}
+
 TEST_F(PresetTest, KeysOfTheViewWorkInTheList) {
     QListWidget& list = window.presets().list();
     list.setFocus();

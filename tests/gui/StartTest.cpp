@@ -48,6 +48,13 @@ TEST_F(StartTest, ATreeAndACardWithTheWaysToBegin) {
     EXPECT_TRUE(card());
 }
 
+TEST_F(StartTest, EscClosesTheCard) {
+    QApplication::setActiveWindow(&window); // a bare X server has no window manager to do it
+    QTest::keyClick(&window.viewport(), Qt::Key_Escape);
+    EXPECT_TRUE(waitFor([&] { return !card(); }));
+    EXPECT_FALSE(CWelcomeCard::wanted());
+}
+
 TEST_F(StartTest, ANewTreeOfEveryMethod) {
     const auto methods = card()->findChild<QPushButton*>(QStringLiteral("newTree"))->menu()->actions();
     ASSERT_EQ(methods.size(), qsizetype(treeMethods().size()));

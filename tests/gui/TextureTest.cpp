@@ -19,6 +19,7 @@ QImage pictureOf(CTextureWorkshop& workshop) {
 
 TEST(TextureWorkshop, ShowsWhatItsEditorsSay) {
     CTextureWorkshop workshop(CRecipe("leaf:oak"));
+    ASSERT_TRUE(waitFor([&] { return !pictureOf(workshop).isNull(); }));
     const QImage oak = pictureOf(workshop);
     workshop.findChild<QDoubleSpinBox*>(QStringLiteral("lobes"))->setValue(8);
     EXPECT_EQ(workshop.recipe().text(), "leaf:oak lobes=8");
@@ -98,6 +99,7 @@ TEST(TextureWorkshop, ShowsEveryMapInTheFormOfTheLeaf) {
     std::vector<QImage> seen;
     auto* map = workshop.findChild<QComboBox*>(QStringLiteral("map"));
     ASSERT_EQ(map->count(), 4);
+    ASSERT_TRUE(waitFor([&] { return !pictureOf(workshop).isNull(); }));
     for (int i = 0; i < map->count(); ++i) {
         map->setCurrentIndex(i);
         const QImage image = pictureOf(workshop);

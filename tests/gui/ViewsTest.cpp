@@ -186,6 +186,8 @@ TEST_F(ViewsTest, LevelsOfDetailStandSideBySideWithTheirTriangles) {
     EXPECT_TRUE(std::ranges::any_of(labels, [&](const auto& label) {
         return label.second.contains(QLocale().toString(qulonglong(window.shown()->model->triangleCount())));
     }));
+    EXPECT_EQ(std::ranges::count_if(labels, [](const auto& label) { return label.second.contains(QLatin1String("from ")); }), 3)
+        << "where programs change to levels 1 to 3";
     action("lodSimple")->trigger();
     EXPECT_TRUE(showsNow(Model::Simple));
     action("lod0")->trigger();

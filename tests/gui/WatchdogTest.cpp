@@ -1,7 +1,9 @@
 // Nothing but drawing keeps the event loop.
 #include "WatchedApplication.h"
 #include "WindowFixture.h"
+#include "library/TextureWorkshop.h"
 #include "library/Variants.h"
+#include <QDoubleSpinBox>
 #include <QTemporaryDir>
 #include <QUndoStack>
 
@@ -46,6 +48,22 @@ TEST_F(WatchdogTest, TheWillowNeverStopsTheWindow) {
     emit window.variants().randomiseWanted({all.begin(), all.end()}, 0.1);
     ASSERT_TRUE(waitFor([&] { return window.document().history().undoText().contains(QStringLiteral("andom")) || !notice().isEmpty(); }, 120000));
     expectFree("looking for random values");
+}
+
+TEST_F(WatchdogTest, TheWorkshopDrawsOnAThread) {
+    ASSERT_TRUE(window.files().open(presetPath("english_oak")));
+    ASSERT_TRUE(grown());
+    app().restart();
+    window.files().openWorkshop(paramRef("LeafTexture"));
+    auto* workshop = window.findChild<CTextureWorkshop*>();
+    ASSERT_TRUE(workshop);
+    auto* lobe = workshop->findChild<QDoubleSpinBox*>(QStringLiteral("lobe"));
+    for (int step = 1; step <= 5; ++step) {
+        lobe->setValue(0.3 + 0.02 * step);
+        QTest::qWait(60);
+    }
+    ASSERT_TRUE(grown());
+    expectFree("drawing a leaf");
 }
 
 } // namespace stromar::test

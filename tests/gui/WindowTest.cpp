@@ -16,6 +16,7 @@
 #include <QAbstractButton>
 #include <QAction>
 #include <QApplication>
+#include <QCheckBox>
 #include <QDockWidget>
 #include <QFileInfo>
 #include <QLabel>
@@ -25,12 +26,14 @@
 #include <QMenu>
 #include <QMenuBar>
 #include <QMessageBox>
+#include <QPainter>
 #include <QProcess>
 #include <QPushButton>
 #include <QScreen>
 #include <QSignalSpy>
 #include <QSlider>
 #include <QSpinBox>
+#include <QStyleOptionButton>
 #include <QTemporaryDir>
 #include <QTextBrowser>
 #include <QTimer>
@@ -360,6 +363,24 @@ TEST_F(WindowTest, InTheDarkThemeTheRestOfTheToolBarIsFound) {
         for (int x = 0; x < shown.width(); ++x) light += shown.pixelColor(x, y).lightness() > 160;
     EXPECT_GT(light, 4);
     bar->setMaximumWidth(QWIDGETSIZE_MAX);
+    applyTheme(QStringLiteral("light"));
+}
+
+TEST_F(WindowTest, InTheDarkThemeBoxesToCheckHaveAnOutline) {
+    applyTheme(QStringLiteral("dark"));
+    QCheckBox box;
+    box.setEnabled(true);
+    box.resize(box.sizeHint());
+    QStyleOptionButton option;
+    option.initFrom(&box);
+    option.rect = QRect(0, 0, 14, 14);
+    option.state |= QStyle::State_Off;
+    QImage shown(14, 14, QImage::Format_RGB32);
+    shown.fill(option.palette.color(QPalette::Base));
+    QPainter painter(&shown);
+    QApplication::style()->drawPrimitive(QStyle::PE_IndicatorCheckBox, &option, &painter);
+    painter.end();
+    EXPECT_GT(shown.pixelColor(7, 0).lightness(), shown.pixelColor(7, 7).lightness() + 60);
     applyTheme(QStringLiteral("light"));
 }
 

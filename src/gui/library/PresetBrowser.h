@@ -28,6 +28,8 @@ public:
     static QString nameOf(const QString& path);
     QListWidget& list() { return *m_list; }
     QLineEdit& filter() { return *m_filter; }
+    /// What stands in place of the list when it has nothing to show.
+    QLabel& nothing() { return *m_nothing; }
     /// Reads the folders anew.
     void refresh();
 

@@ -76,8 +76,8 @@ QImage imageOf(const TextureMaps& maps, PixelOf pixel) {
 bool CTextureWorkshop::tiles() const { return m_recipe.text().starts_with("bark:"); }
 
 /// Tiles are shown four times, so that their seams could be seen; cut-out pictures once, on grey, in the form of what wears them.
-QPixmap CTextureWorkshop::shown(const TextureMaps& maps) const {
-    const QImage image = imageOf(maps, kMaps[static_cast<std::size_t>(m_map->currentIndex())].pixel);
+QPixmap CTextureWorkshop::picture() const {
+    const QImage image = imageOf(m_maps, kMaps[static_cast<std::size_t>(m_map->currentIndex())].pixel);
     QPixmap whole(kShown, kShown);
     whole.fill(QColor(200, 206, 212));
     QPainter painter(&whole);
@@ -87,14 +87,14 @@ QPixmap CTextureWorkshop::shown(const TextureMaps& maps) const {
         painter.drawImage(QRectF(QPointF((kShown - size.width()) / 2, (kShown - size.height()) / 2), size), image);
         return whole;
     }
-    for (int y = 0; y < kShown; y += maps.height)
-        for (int x = 0; x < kShown; x += maps.width) painter.drawImage(x, y, image);
+    for (int y = 0; y < kShown; y += m_maps.height)
+        for (int x = 0; x < kShown; x += m_maps.width) painter.drawImage(x, y, image);
     return whole;
 }
 
 CTextureWorkshop::CTextureWorkshop(CRecipe recipe, double aspect, QWidget* parent)
     : QDialog(parent), m_recipe(std::move(recipe)), m_aspect(aspect), m_map(new QComboBox), m_scroll(new QScrollArea), m_picture(new QLabel),
-      m_text(new QLabel) {
+      m_text(new QLabel), m_drawing(*this) {
     setWindowTitle(tr("Texture Workshop"));
     auto* kinds = new QComboBox;
     kinds->setObjectName(QStringLiteral("kind"));
@@ -108,7 +108,7 @@ CTextureWorkshop::CTextureWorkshop(CRecipe recipe, double aspect, QWidget* paren
     for (const ShownMap& map : kMaps) m_map->addItem(trText(map.label));
     m_map->setObjectName(QStringLiteral("map"));
     m_map->setAccessibleName(tr("Picture"));
-    connect(m_map, &QComboBox::currentIndexChanged, this, &CTextureWorkshop::draw);
+    connect(m_map, &QComboBox::currentIndexChanged, this, &CTextureWorkshop::showMap);
     m_picture->setFixedSize(kShown, kShown);
     m_picture->setObjectName(QStringLiteral("picture"));
     m_text->setWordWrap(true);
@@ -222,8 +222,17 @@ void CTextureWorkshop::set(std::size_t row, const QString& value) {
 }
 
 void CTextureWorkshop::draw() {
-    m_picture->setPixmap(shown(m_recipe.draw(tiles() ? kTile : kShown, CProgress())));
     m_text->setText(QString::fromStdString(m_recipe.text()));
+    m_drawing.run([this, recipe = m_recipe, size = tiles() ? kTile : kShown](const CProgress& progress) -> CLatestTask::Then {
+        return [this, maps = recipe.draw(size, progress)] {
+            m_maps = maps;
+            showMap();
+        };
+    });
+}
+
+void CTextureWorkshop::showMap() {
+    if (m_maps.width > 0) m_picture->setPixmap(picture());
 }
 
 void CTextureWorkshop::savePictures() {

@@ -1,4 +1,5 @@
 #pragma once
+#include "work/LatestTask.h"
 #include "stromar/texture/Draw.h"
 #include <QDialog>
 #include <QTimer>
@@ -25,21 +26,24 @@ signals:
 
 private:
     bool tiles() const;
-    QPixmap shown(const TextureMaps& maps) const;
+    QPixmap picture() const;
     void makeRows();
     QWidget* makeEditor(std::size_t row);
     QWidget* makeNumberEditor(std::size_t row);
     QWidget* makeColourEditor(std::size_t row);
     void set(std::size_t row, const QString& value);
     void draw();
+    void showMap();
     void savePictures();
 
     CRecipe m_recipe;
     double m_aspect;
+    TextureMaps m_maps; ///< that were drawn last
     QComboBox* m_map; ///< which of its pictures is shown
     QScrollArea* m_scroll;
     QLabel *m_picture, *m_text;
     QTimer m_redraw; ///< a little later: the newest value counts
+    CLatestTask m_drawing;
 };
 
 } // namespace stromar

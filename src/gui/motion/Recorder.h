@@ -1,5 +1,5 @@
 #pragma once
-#include "motion/PoseThread.h"
+#include "motion/SwayMoment.h"
 #include "motion/RecordDialog.h"
 #include "stromar/app/Motion.h"
 #include "stromar/scene/Camera.h"

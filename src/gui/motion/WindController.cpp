@@ -11,11 +11,10 @@ constexpr int kFrameMs = 16;
 }
 
 CWindController::CWindController(CViewport& viewport, CWindPanel& panel, CGrowthController& growth, QObject* parent)
-    : QObject(parent), m_viewport(viewport), m_panel(panel), m_growth(growth) {
+    : QObject(parent), m_viewport(viewport), m_panel(panel), m_growth(growth), m_poses(*this) {
     m_timer.setInterval(kFrameMs);
     m_timer.setTimerType(Qt::PreciseTimer);
     connect(&m_timer, &QTimer::timeout, this, &CWindController::tick);
-    connect(&m_poses, &CPoseThread::posed, this, &CWindController::onPosed, Qt::QueuedConnection);
     connect(&m_panel, &CWindPanel::switched, this, &CWindController::follow);
     connect(&m_panel, &CWindPanel::changed, this, &CWindController::follow);
     connect(&m_viewport, &CViewport::windDragged, &m_panel, &CWindPanel::setDirection);
@@ -61,7 +60,9 @@ void CWindController::tick() {
     m_ready.reset();
     if (m_waiting) return;
     m_waiting = true;
-    m_poses.request(now());
+    m_poses.run([this, moment = now()](const CProgress&) -> CLatestTask::Then {
+        return [this, moment, pose = moment.pose()] { onPosed(moment, pose); };
+    });
 }
 
 void CWindController::onPosed(const SwayMoment& moment, const std::shared_ptr<const WindPose>& pose) {

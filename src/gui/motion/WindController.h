@@ -1,5 +1,6 @@
 #pragma once
-#include "motion/PoseThread.h"
+#include "motion/SwayMoment.h"
+#include "work/LatestTask.h"
 #include <QElapsedTimer>
 #include <QTimer>
 
@@ -40,7 +41,7 @@ private:
     bool m_waiting = false; ///< for a pose
     std::optional<std::pair<SwayMoment, std::shared_ptr<const WindPose>>>
         m_ready;         ///< it is worked out while a picture is drawn
-    CPoseThread m_poses; ///< last: it stops before anything it reports to is gone
+    CLatestTask m_poses; ///< last: it stops before anything it reports to is gone
 };
 
 } // namespace stromar

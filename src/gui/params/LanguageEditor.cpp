@@ -4,6 +4,7 @@
 #include "params/DefineSlider.h"
 #include "window/Keys.h"
 #include "window/QtText.h"
+#include "window/SearchField.h"
 #include "stromar/params/ParamText.h"
 #include "stromar/util/FileSet.h"
 #include "stromar/util/Text.h"
@@ -33,63 +34,10 @@ constexpr int kBurstMs = 2000; // typing that pauses longer is another step of t
 constexpr int kStepMs = 150;
 } // namespace
 
-/// Derives words away from the GUI thread. One slot: a newer request cancels what runs.
-class CLanguageEditor::CStepReader {
-public:
-    CStepReader(const TextLanguage& language, CLanguageEditor& editor)
-        : m_thread([this, &language, &editor](const std::stop_token& stop) { work(language, editor, stop); }) {}
-    ~CStepReader() {
-        m_thread.request_stop();
-        cancel();
-    }
-    void request(const CParams& params, int step) {
-        cancel();
-        {
-            const std::lock_guard lock(m_mutex);
-            m_wanted = {params, step};
-        }
-        m_wake.notify_one();
-    }
-
-private:
-    void cancel() {
-        const std::lock_guard lock(m_mutex);
-        m_wanted.reset();
-        if (m_running) m_running->cancel();
-    }
-
-    void work(const TextLanguage& language, CLanguageEditor& editor, const std::stop_token& stop) {
-        while (!stop.stop_requested()) {
-            std::optional<std::pair<CParams, int>> task;
-            CProgress progress(1);
-            {
-                std::unique_lock lock(m_mutex);
-                if (!m_wake.wait(lock, stop, [this] { return m_wanted.has_value(); })) return;
-                task = std::exchange(m_wanted, std::nullopt);
-                m_running = progress;
-            }
-            try {
-                const TextLanguage::Step step = language.step(task->first, task->second, progress);
-                QMetaObject::invokeMethod(&editor, [&editor, step] { editor.showStep(step); }, Qt::QueuedConnection);
-            } catch (const std::exception& e) {
-                const TextLanguage::Step nothing{e.what(), 0, {}};
-                if (!dynamic_cast<const CCancelled*>(&e))
-                    QMetaObject::invokeMethod(&editor, [&editor, nothing] { editor.showStep(nothing); }, Qt::QueuedConnection);
-            }
-        }
-    }
-
-    std::mutex m_mutex;
-    std::condition_variable_any m_wake;
-    std::optional<std::pair<CParams, int>> m_wanted;
-    std::optional<CProgress> m_running;
-    std::jthread m_thread; ///< last: it uses all above
-};
-
 CLanguageEditor::CLanguageEditor(const TextLanguage& language, QWidget* parent)
     : QWidget(parent), m_language(language), m_inner(new QWidget), m_code(new CCodeEditor(language)),
-      m_find(new QLineEdit), m_problems(new QListWidget), m_sliderColumn(new QVBoxLayout), m_step(new QSpinBox),
-      m_rules(new QLabel), m_word(new QPlainTextEdit), m_reader(std::make_unique<CStepReader>(language, *this)) {
+      m_find(new CSearchField(tr("Find"))), m_problems(new QListWidget), m_sliderColumn(new QVBoxLayout), m_step(new QSpinBox),
+      m_rules(new QLabel), m_word(new QPlainTextEdit), m_reader(*this) {
     m_code->setObjectName(QStringLiteral("code"));
     m_code->installEventFilter(this);
     m_problems->setObjectName(QStringLiteral("problems"));
@@ -131,9 +79,6 @@ QWidget* CLanguageEditor::makeToolBar() {
     auto* row = new QHBoxLayout(bar);
     row->setContentsMargins(0, 0, 0, 0);
     m_find->setObjectName(QStringLiteral("find"));
-    m_find->setPlaceholderText(tr("Find"));
-    m_find->setAccessibleName(m_find->placeholderText());
-    m_find->setClearButtonEnabled(true);
     m_find->installEventFilter(this);
     row->addWidget(m_find, 1);
     const auto addButton = [&](const char* name, const QString& text, const QString& tip, auto&& does) {
@@ -374,7 +319,19 @@ void CLanguageEditor::showLine(int line) { m_code->markLine(line); }
 // Steps.
 
 void CLanguageEditor::readStep() {
-    if (m_params && m_inner->isVisible()) m_reader->request(*m_params, m_step->value());
+    if (!m_params || !m_inner->isVisible()) return;
+    m_reader.cancel(); // words grow large
+    m_reader.run([this, params = *m_params, step = m_step->value()](const CProgress& progress) -> CLatestTask::Then {
+        TextLanguage::Step shown;
+        try {
+            shown = m_language.step(params, step, progress);
+        } catch (const CCancelled&) {
+            throw;
+        } catch (const std::exception& e) {
+            shown = {e.what(), 0, {}};
+        }
+        return [this, shown] { showStep(shown); };
+    });
 }
 
 void CLanguageEditor::showStep(const TextLanguage::Step& step) {

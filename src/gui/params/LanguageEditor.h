@@ -1,4 +1,5 @@
 #pragma once
+#include "work/LatestTask.h"
 #include "stromar/app/TextLanguage.h"
 #include <QElapsedTimer>
 #include <QPointer>
@@ -49,8 +50,6 @@ protected:
     bool eventFilter(QObject* watched, QEvent* event) override;
 
 private:
-    class CStepReader;
-
     QWidget* makeToolBar();
     QWidget* makeSteps();
     void tellLine();
@@ -77,7 +76,7 @@ private:
     QSpinBox* m_step;
     QLabel* m_rules;
     QPlainTextEdit* m_word;
-    std::unique_ptr<CStepReader> m_reader;
+    CLatestTask m_reader;
     std::unique_ptr<CParams> m_params;
     QTimer m_typed, m_stepPause;
     QElapsedTimer m_sinceCommit;

@@ -81,6 +81,8 @@ void CMainWindow::makeDocks() {
     auto* steps = new QUndoView(&m_document->history());
     steps->setEmptyLabel(tr("As opened"));
     steps->setAccessibleName(tr("History"));
+    steps->setWordWrap(true);
+    steps->setResizeMode(QListView::Adjust); // lines break anew
     QDockWidget* history = addDock("history", tr("History"), steps, Qt::LeftDockWidgetArea);
     m_light = new CLightPanel;
     QDockWidget* light = addDock("light", tr("Light"), m_light, Qt::LeftDockWidgetArea);

@@ -6,6 +6,7 @@
 #include <QLocale>
 #include <QSettings>
 #include <algorithm>
+#include <cmath>
 
 namespace stromar {
 
@@ -91,11 +92,11 @@ QString lengthText(double metres) {
 QString captionOf(const ParamInfo& info, double value) {
     if (!info.words.empty())
         return trText(info.words[static_cast<std::size_t>(value)]).replace(QLatin1Char('-'), QLatin1Char(' '));
-    if (info.unit == Unit::Metre) {
-        const LengthUnit unit = lengthUnit();
-        return QLocale().toString(value * unit.perMetre, 'g', 3) + QLatin1Char(' ') + unit.name;
-    }
-    return QLocale().toString(value, 'g', 4) + trText(unitName(info.unit));
+    const bool metres = info.unit == Unit::Metre;
+    const LengthUnit unit = lengthUnit();
+    const double fine = std::pow(10, info.decimals), shown = std::round(value * (metres ? unit.perMetre : 1) * fine) / fine;
+    return QLocale().toString(shown, 'f', QLocale::FloatingPointShortest) +
+           (metres ? QLatin1Char(' ') + unit.name : trText(unitName(info.unit)));
 }
 
 } // namespace stromar

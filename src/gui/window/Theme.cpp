@@ -1,7 +1,9 @@
 #include "window/Theme.h"
 #include <QApplication>
+#include <QPainter>
 #include <QPalette>
-#include <QStyle>
+#include <QProxyStyle>
+#include <QStyleOption>
 #include <QStyleFactory>
 #include <QToolTip>
 
@@ -42,6 +44,8 @@ constexpr Shade kFaded[] = {
     {QPalette::HighlightedText, "#f4f4f4", "#9a9fa4"},
 };
 
+bool isDark(const QPalette& palette) { return palette.color(QPalette::Window).lightness() < 128; }
+
 QPalette paletteOf(bool dark) {
     QPalette palette;
     for (const Shade& shade : kShades)
@@ -51,9 +55,31 @@ QPalette paletteOf(bool dark) {
     return palette;
 }
 
+/// Fusion, with boxes to check that one sees: it draws their outline darker than the window, which a dark one swallows.
+class CStyle : public QProxyStyle {
+public:
+    CStyle() : QProxyStyle(QStyleFactory::create(QStringLiteral("Fusion"))) {}
+
+    void drawPrimitive(PrimitiveElement element, const QStyleOption* option, QPainter* painter, const QWidget* widget) const override {
+        QProxyStyle::drawPrimitive(element, option, painter, widget);
+        const bool box = element == PE_IndicatorCheckBox, radio = element == PE_IndicatorRadioButton;
+        if ((!box && !radio) || !isDark(option->palette)) return;
+        painter->save();
+        painter->setPen(option->palette.color(option->state & State_Enabled ? QPalette::PlaceholderText : QPalette::Light));
+        painter->setBrush(Qt::NoBrush);
+        if (box)
+            painter->drawRect(option->rect.adjusted(0, 0, -1, -1));
+        else {
+            painter->setRenderHint(QPainter::Antialiasing);
+            painter->drawEllipse(QRectF(option->rect).adjusted(0.5, 0.5, -0.5, -0.5));
+        }
+        painter->restore();
+    }
+};
+
 /// Qt before 6.5 does not say which theme the system has: the palette it starts with does.
 bool systemIsDark() {
-    static const bool dark = QApplication::palette().color(QPalette::Window).lightness() < 128;
+    static const bool dark = isDark(QApplication::palette());
     return dark;
 }
 } // namespace
@@ -61,8 +87,7 @@ bool systemIsDark() {
 void applyTheme(const QString& theme) {
     const bool system = systemIsDark(); // asked before the palette is ours
     const bool dark = theme == QLatin1String("dark") || (theme != QLatin1String("light") && system);
-    if (!QApplication::style() || QApplication::style()->name() != QLatin1String("fusion"))
-        QApplication::setStyle(QStyleFactory::create(QStringLiteral("Fusion")));
+    if (!dynamic_cast<CStyle*>(QApplication::style())) QApplication::setStyle(new CStyle);
     const QPalette palette = paletteOf(dark);
     QApplication::setPalette(palette);
     QToolTip::setPalette(palette);
