@@ -2648,10 +2648,6 @@
         <translation>0 je zatažený den beze stínů, 1 jasný.</translation>
     </message>
     <message>
-        <source>Sun temperature</source>
-        <translation>Teplota slunce</translation>
-    </message>
-    <message>
         <source>The colour of its light: low is warm and red, high is cold and blue.</source>
         <translation>Barva jeho světla: nízká je teplá a červená, vysoká studená a modrá.</translation>
     </message>
@@ -2662,10 +2658,6 @@
     <message>
         <source>How bright the sky is: what lights the shadows.</source>
         <translation>Jak jasná je obloha: co osvětluje stíny.</translation>
-    </message>
-    <message>
-        <source>Sky temperature</source>
-        <translation>Teplota oblohy</translation>
     </message>
     <message>
         <source>The colour of the sky: low is warm, high is blue.</source>
@@ -3742,6 +3734,14 @@
     <message>
         <source>never</source>
         <translation>nikdy</translation>
+    </message>
+    <message>
+        <source>Sun colour</source>
+        <translation>Barva slunce</translation>
+    </message>
+    <message>
+        <source>Sky colour</source>
+        <translation>Barva oblohy</translation>
     </message>
 </context>
 <context>
@@ -5160,8 +5160,8 @@ Na: %5, č. %6</translation>
         <translation>&amp;Kymácet ve větru</translation>
     </message>
     <message>
-        <source>Flexibility of the tree: %1</source>
-        <translation>Ohebnost stromu: %1</translation>
+        <source>Flexibility: %1</source>
+        <translation>Ohebnost: %1</translation>
     </message>
 </context>
 </TS>

@@ -2648,10 +2648,6 @@
         <translation>0 — пасмурный день без теней, 1 — ясный.</translation>
     </message>
     <message>
-        <source>Sun temperature</source>
-        <translation>Температура солнца</translation>
-    </message>
-    <message>
         <source>The colour of its light: low is warm and red, high is cold and blue.</source>
         <translation>Цвет его света: низкая — тёплый и красный, высокая — холодный и синий.</translation>
     </message>
@@ -2662,10 +2658,6 @@
     <message>
         <source>How bright the sky is: what lights the shadows.</source>
         <translation>Насколько ярко небо: оно освещает тени.</translation>
-    </message>
-    <message>
-        <source>Sky temperature</source>
-        <translation>Температура неба</translation>
     </message>
     <message>
         <source>The colour of the sky: low is warm, high is blue.</source>
@@ -3742,6 +3734,14 @@
     <message>
         <source>never</source>
         <translation>никогда</translation>
+    </message>
+    <message>
+        <source>Sun colour</source>
+        <translation>Цвет солнца</translation>
+    </message>
+    <message>
+        <source>Sky colour</source>
+        <translation>Цвет неба</translation>
     </message>
 </context>
 <context>
@@ -5160,8 +5160,8 @@ On %5, stem %6</source>
         <translation>&amp;Качать на ветру</translation>
     </message>
     <message>
-        <source>Flexibility of the tree: %1</source>
-        <translation>Гибкость дерева: %1</translation>
+        <source>Flexibility: %1</source>
+        <translation>Гибкость: %1</translation>
     </message>
 </context>
 </TS>

@@ -2648,10 +2648,6 @@
         <translation>0 je oblačen dan brez senc, 1 jasen.</translation>
     </message>
     <message>
-        <source>Sun temperature</source>
-        <translation>Temperatura sonca</translation>
-    </message>
-    <message>
         <source>The colour of its light: low is warm and red, high is cold and blue.</source>
         <translation>Barva njegove svetlobe: nizka je topla in rdeča, visoka hladna in modra.</translation>
     </message>
@@ -2662,10 +2658,6 @@
     <message>
         <source>How bright the sky is: what lights the shadows.</source>
         <translation>Kako svetlo je nebo: kar osvetljuje sence.</translation>
-    </message>
-    <message>
-        <source>Sky temperature</source>
-        <translation>Temperatura neba</translation>
     </message>
     <message>
         <source>The colour of the sky: low is warm, high is blue.</source>
@@ -3742,6 +3734,14 @@
     <message>
         <source>never</source>
         <translation>nikoli</translation>
+    </message>
+    <message>
+        <source>Sun colour</source>
+        <translation>Barva sonca</translation>
+    </message>
+    <message>
+        <source>Sky colour</source>
+        <translation>Barva neba</translation>
     </message>
 </context>
 <context>
@@ -5166,8 +5166,8 @@ Na: %5, št. %6</translation>
         <translation>&amp;Zibanje v vetru</translation>
     </message>
     <message>
-        <source>Flexibility of the tree: %1</source>
-        <translation>Prožnost drevesa: %1</translation>
+        <source>Flexibility: %1</source>
+        <translation>Prožnost: %1</translation>
     </message>
 </context>
 </TS>

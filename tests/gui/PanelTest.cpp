@@ -179,6 +179,7 @@ TEST(Panel, WhereLeavesPointStandsWithTheLeaves) {
     panel.showParam(paramRef("3DownAngle"));
     EXPECT_EQ(panel.tabs().tabText(panel.tabs().currentIndex()), QStringLiteral("Leaves"));
     EXPECT_TRUE(panel.editor(paramRef("3DownAngle"))->isVisible());
+    EXPECT_TRUE(panel.editor(paramRef("3BranchDistV"))->isVisible()) << "beside the spread, which leaves have not";
     EXPECT_LT(panel.editor(paramRef("3DownAngle"))->mapTo(&panel, QPoint()).y(), panel.editor(paramRef("3Rotate"))->mapTo(&panel, QPoint()).y());
 }
 

@@ -124,7 +124,7 @@ void CWindPanel::addFlexibility() {
 void CWindPanel::showFlexibility(double flexibility) {
     const QSignalBlocker quiet(m_flexibility);
     m_flexibility->setValue(static_cast<int>(std::lround(flexibility / kFlexibilityStep * CParamSlider::kFinePerStep)));
-    m_flexibilityLabel->setText(tr("Flexibility of the tree: %1").arg(numberOf(flexibility)));
+    m_flexibilityLabel->setText(tr("Flexibility: %1").arg(numberOf(flexibility)));
 }
 
 bool CWindPanel::held() const { return m_flexibility->isSliderDown(); }

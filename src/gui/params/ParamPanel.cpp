@@ -203,10 +203,18 @@ void CParamPanel::addLeafSection(const ParamPage& page) {
     m_leafSection = m_sections.size() - 1;
 }
 
+namespace {
+/// That of a row's values which may place leaves; null where none does.
+const CParamEditor* leafEditorOf(const CParamRow& row) {
+    const auto found = std::ranges::find_if(row.editors(), [](const CParamEditor* editor) { return editor->ref().info->placesLeaves; });
+    return found == row.editors().end() ? nullptr : *found;
+}
+} // namespace
+
 void CParamPanel::placeLeafRows(const CParams& params) {
     if (!m_leafSection) return;
     for (const auto& [row, home] : m_leafRows) {
-        const bool ofLeaves = methodOf(params).generationOf(row->ref(), params) == TreeMethod::kLeaves;
+        const bool ofLeaves = methodOf(params).generationOf(leafEditorOf(*row)->ref(), params) == TreeMethod::kLeaves;
         Section &is = sectionOf(row), &wanted = m_sections[ofLeaves ? *m_leafSection : home];
         if (&is != &wanted) move(row, is, wanted);
     }
@@ -341,7 +349,7 @@ void CParamPanel::addRow(const ParamRef& ref) {
     m_sections.back().rows.push_back(row);
     for (const CParamEditor* editor : row->editors()) m_sections.back().refs.push_back(editor->ref());
     m_rows.push_back(row);
-    if (ref.info->placesLeaves) m_leafRows.emplace(row, m_sections.size() - 1);
+    if (leafEditorOf(*row)) m_leafRows.emplace(row, m_sections.size() - 1);
     connect(row, &CParamRow::edited, this, &CParamPanel::edited);
     connect(row, &CParamRow::assigned, this, &CParamPanel::assigned);
     connect(row, &CParamRow::released, this, &CParamPanel::released);

@@ -94,6 +94,7 @@ void CParamRow::show(const CParams& params, const CParams& saved) {
     m_params = params;
     m_saved = saved;
     m_marked = false;
+    const ParamInfo* named = nullptr; // the first that has an effect
     for (CParamEditor* editor : m_editors) {
         const ParamRef& ref = editor->ref();
         editor->showValue(ref.value(params));
@@ -102,8 +103,11 @@ void CParamRow::show(const CParams& params, const CParams& saved) {
         const std::string_view why = inactiveReason(ref, params);
         if (editor->isEnabled() != why.empty()) editor->setEnabled(why.empty());
         if (editor == m_editors.front()) m_inactive = why.empty() ? QString() : trText(why);
+        if (why.empty() && !named) named = ref.info;
     }
-    m_label->setEnabled(m_inactive.isEmpty());
+    if (named) m_inactive.clear();
+    m_label->setEnabled(named);
+    m_label->setText(trText((named ? named : ref().info)->label));
     static_cast<CMark*>(m_mark)->show(m_marked, m_locked);
 }
 
