@@ -3743,6 +3743,94 @@
         <source>Sky colour</source>
         <translation>Barva oblohy</translation>
     </message>
+    <message>
+        <source>leaves are spread along their stem as in the paper</source>
+        <translation>listy jsou na větvi rozloženy jako v článku</translation>
+    </message>
+    <message>
+        <source>there it roughens the mesh of the trunk</source>
+        <translation>tam zdrsňuje síť kmene</translation>
+    </message>
+    <message>
+        <source>trunks lean by TrunksLean</source>
+        <translation>kmeny se naklánějí podle TrunksLean</translation>
+    </message>
+    <message>
+        <source>trunks are turned by chance</source>
+        <translation>kmeny jsou natočeny náhodně</translation>
+    </message>
+    <message>
+        <source>of its shapes of discs and spheres an oval leaf is nearest</source>
+        <translation>z jeho kotoučů a koulí je nejblíže oválný list</translation>
+    </message>
+    <message>
+        <source>&apos;%1&apos; cannot be had: %2</source>
+        <translation>„%1“ nelze převzít: %2</translation>
+    </message>
+    <message>
+        <source>&apos;%1&apos; becomes %2 = %3: %4</source>
+        <translation>„%1“ se mění na %2 = %3: %4</translation>
+    </message>
+    <message>
+        <source>its shapes 8 and 10 have no formula here; the nearest is a tapered cylinder</source>
+        <translation>jeho tvary 8 a 10 zde nemají vzorec; nejblíže je zúžený válec</translation>
+    </message>
+    <message>
+        <source>branches have no bare base here</source>
+        <translation>větve zde nemají holou část</translation>
+    </message>
+    <message>
+        <source>the trunk splits from its first segment on</source>
+        <translation>kmen se dělí od prvního dílu</translation>
+    </message>
+    <message>
+        <source>splits are spread evenly</source>
+        <translation>rozdvojení jsou rozložena rovnoměrně</translation>
+    </message>
+    <message>
+        <source>branches are as thick as RatioPower says</source>
+        <translation>větve jsou tak silné, jak říká RatioPower</translation>
+    </message>
+    <message>
+        <source>branches are not drawn outwards here</source>
+        <translation>větve se zde netáhnou ven</translation>
+    </message>
+    <message>
+        <source>branches are spread evenly along the trunk</source>
+        <translation>větve jsou po kmeni rozloženy rovnoměrně</translation>
+    </message>
+    <message>
+        <source>rings of branches are Whorl here</source>
+        <translation>kruhy větví jsou zde Whorl</translation>
+    </message>
+    <message>
+        <source>the trunk does not thin towards branches</source>
+        <translation>kmen se k větvím nezužuje</translation>
+    </message>
+    <message>
+        <source>the envelope ends at the crown&apos;s base</source>
+        <translation>obálka končí u základny koruny</translation>
+    </message>
+    <message>
+        <source>leaves of a stem are equally large</source>
+        <translation>listy jedné větve jsou stejně velké</translation>
+    </message>
+    <message>
+        <source>leaves turn to the light by LeafBend</source>
+        <translation>listy se ke světlu natáčejí podle LeafBend</translation>
+    </message>
+    <message>
+        <source>a negative number there is a random one</source>
+        <translation>záporné číslo tam znamená náhodné</translation>
+    </message>
+    <message>
+        <source>stems bend by CurveV</source>
+        <translation>stonky se ohýbají podle CurveV</translation>
+    </message>
+    <message>
+        <source>whorls are counted by their branches, and between alternate and opposite there is nothing</source>
+        <translation>přesleny se počítají po větvích a mezi střídavými a vstřícnými není nic</translation>
+    </message>
 </context>
 <context>
     <name>stromar::CComparison</name>

@@ -3743,6 +3743,94 @@
         <source>Sky colour</source>
         <translation>Цвет неба</translation>
     </message>
+    <message>
+        <source>leaves are spread along their stem as in the paper</source>
+        <translation>листья распределены по ветви, как в статье</translation>
+    </message>
+    <message>
+        <source>there it roughens the mesh of the trunk</source>
+        <translation>там он делает сетку ствола неровной</translation>
+    </message>
+    <message>
+        <source>trunks lean by TrunksLean</source>
+        <translation>наклон стволов задаёт TrunksLean</translation>
+    </message>
+    <message>
+        <source>trunks are turned by chance</source>
+        <translation>стволы повёрнуты случайно</translation>
+    </message>
+    <message>
+        <source>of its shapes of discs and spheres an oval leaf is nearest</source>
+        <translation>из его дисков и сфер ближе всего овальный лист</translation>
+    </message>
+    <message>
+        <source>&apos;%1&apos; cannot be had: %2</source>
+        <translation>«%1» не перенести: %2</translation>
+    </message>
+    <message>
+        <source>&apos;%1&apos; becomes %2 = %3: %4</source>
+        <translation>«%1» становится %2 = %3: %4</translation>
+    </message>
+    <message>
+        <source>its shapes 8 and 10 have no formula here; the nearest is a tapered cylinder</source>
+        <translation>для его форм 8 и 10 здесь нет формулы; ближе всего сужающийся цилиндр</translation>
+    </message>
+    <message>
+        <source>branches have no bare base here</source>
+        <translation>у ветвей здесь нет голого основания</translation>
+    </message>
+    <message>
+        <source>the trunk splits from its first segment on</source>
+        <translation>ствол ветвится с первого сегмента</translation>
+    </message>
+    <message>
+        <source>splits are spread evenly</source>
+        <translation>развилки распределены равномерно</translation>
+    </message>
+    <message>
+        <source>branches are as thick as RatioPower says</source>
+        <translation>толщину ветвей задаёт RatioPower</translation>
+    </message>
+    <message>
+        <source>branches are not drawn outwards here</source>
+        <translation>ветви здесь не тянутся наружу</translation>
+    </message>
+    <message>
+        <source>branches are spread evenly along the trunk</source>
+        <translation>ветви распределены по стволу равномерно</translation>
+    </message>
+    <message>
+        <source>rings of branches are Whorl here</source>
+        <translation>кольца ветвей здесь задаёт Whorl</translation>
+    </message>
+    <message>
+        <source>the trunk does not thin towards branches</source>
+        <translation>ствол не сужается к ветвям</translation>
+    </message>
+    <message>
+        <source>the envelope ends at the crown&apos;s base</source>
+        <translation>оболочка кончается у основания кроны</translation>
+    </message>
+    <message>
+        <source>leaves of a stem are equally large</source>
+        <translation>листья одной ветви одинаковы по размеру</translation>
+    </message>
+    <message>
+        <source>leaves turn to the light by LeafBend</source>
+        <translation>к свету листья поворачивает LeafBend</translation>
+    </message>
+    <message>
+        <source>a negative number there is a random one</source>
+        <translation>отрицательное число там означает случайное</translation>
+    </message>
+    <message>
+        <source>stems bend by CurveV</source>
+        <translation>стебли изгибает CurveV</translation>
+    </message>
+    <message>
+        <source>whorls are counted by their branches, and between alternate and opposite there is nothing</source>
+        <translation>мутовки считаются по ветвям, а между очередными и супротивными ничего нет</translation>
+    </message>
 </context>
 <context>
     <name>stromar::CComparison</name>

@@ -3743,6 +3743,94 @@
         <source>Sky colour</source>
         <translation>Barva neba</translation>
     </message>
+    <message>
+        <source>leaves are spread along their stem as in the paper</source>
+        <translation>listi so po veji razporejeni kot v članku</translation>
+    </message>
+    <message>
+        <source>there it roughens the mesh of the trunk</source>
+        <translation>tam nagrbanči mrežo debla</translation>
+    </message>
+    <message>
+        <source>trunks lean by TrunksLean</source>
+        <translation>debla se nagibajo po TrunksLean</translation>
+    </message>
+    <message>
+        <source>trunks are turned by chance</source>
+        <translation>debla so obrnjena naključno</translation>
+    </message>
+    <message>
+        <source>of its shapes of discs and spheres an oval leaf is nearest</source>
+        <translation>med njegovimi ploščami in kroglami je najbližji ovalen list</translation>
+    </message>
+    <message>
+        <source>&apos;%1&apos; cannot be had: %2</source>
+        <translation>»%1« ni mogoče prevzeti: %2</translation>
+    </message>
+    <message>
+        <source>&apos;%1&apos; becomes %2 = %3: %4</source>
+        <translation>»%1« postane %2 = %3: %4</translation>
+    </message>
+    <message>
+        <source>its shapes 8 and 10 have no formula here; the nearest is a tapered cylinder</source>
+        <translation>njegovi obliki 8 in 10 tukaj nimata formule; najbližji je zožen valj</translation>
+    </message>
+    <message>
+        <source>branches have no bare base here</source>
+        <translation>veje tukaj nimajo golega dela</translation>
+    </message>
+    <message>
+        <source>the trunk splits from its first segment on</source>
+        <translation>deblo se cepi od prvega člena</translation>
+    </message>
+    <message>
+        <source>splits are spread evenly</source>
+        <translation>razcepi so enakomerno razporejeni</translation>
+    </message>
+    <message>
+        <source>branches are as thick as RatioPower says</source>
+        <translation>veje so tako debele, kot pravi RatioPower</translation>
+    </message>
+    <message>
+        <source>branches are not drawn outwards here</source>
+        <translation>veje se tukaj ne vlečejo navzven</translation>
+    </message>
+    <message>
+        <source>branches are spread evenly along the trunk</source>
+        <translation>veje so po deblu enakomerno razporejene</translation>
+    </message>
+    <message>
+        <source>rings of branches are Whorl here</source>
+        <translation>obroči vej so tukaj Whorl</translation>
+    </message>
+    <message>
+        <source>the trunk does not thin towards branches</source>
+        <translation>deblo se proti vejam ne tanjša</translation>
+    </message>
+    <message>
+        <source>the envelope ends at the crown&apos;s base</source>
+        <translation>ovojnica se konča ob vznožju krošnje</translation>
+    </message>
+    <message>
+        <source>leaves of a stem are equally large</source>
+        <translation>listi ene veje so enako veliki</translation>
+    </message>
+    <message>
+        <source>leaves turn to the light by LeafBend</source>
+        <translation>listi se proti svetlobi obračajo po LeafBend</translation>
+    </message>
+    <message>
+        <source>a negative number there is a random one</source>
+        <translation>negativno število tam pomeni naključno</translation>
+    </message>
+    <message>
+        <source>stems bend by CurveV</source>
+        <translation>stebla se upogibajo po CurveV</translation>
+    </message>
+    <message>
+        <source>whorls are counted by their branches, and between alternate and opposite there is nothing</source>
+        <translation>vretenca se štejejo po vejah in med izmeničnimi in nasprotnimi ni ničesar</translation>
+    </message>
 </context>
 <context>
     <name>stromar::CComparison</name>

@@ -12,7 +12,9 @@
 #include <QRegularExpression>
 #include <QTabWidget>
 #include <QTemporaryDir>
+#include "stromar/app/Import.h"
 #include "stromar/params/TreeFile.h"
+#include "stromar/util/Translatable.h"
 #include <gtest/gtest.h>
 
 namespace stromar {
@@ -119,6 +121,13 @@ TEST_P(LanguageTest, FaultsOfFilesAreSaidInIt) {
         EXPECT_EQ(said.substr(0, said.find(' ')), english[i].substr(0, english[i].find(' '))) << "the place in the file";
     }
     EXPECT_NE(faultOf("Shape = conicle").find("conical"), std::string::npos) << "the suggestion";
+}
+
+TEST_P(LanguageTest, WhatAnImportChangesIsSaidInIt) {
+    ASSERT_TRUE(speak(QLatin1String(GetParam())));
+    for (const ImportFormat& format : importTable())
+        for (const ImportRow& row : format.rows)
+            EXPECT_EQ(translated(row.note) == row.note, row.note.empty() || GetParam() == std::string("en")) << row.note;
 }
 
 INSTANTIATE_TEST_SUITE_P(All, LanguageTest, ::testing::Values("en", "cs", "sl", "ru"),

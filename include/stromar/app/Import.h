@@ -12,7 +12,7 @@ namespace stromar {
 struct ImportRow {
     std::string_view foreign; ///< its name there
     std::string_view ours;    ///< the parameter; empty: it cannot be had
-    std::string_view note{};  ///< what changes on the way, or is lost; empty: nothing
+    std::string_view note{};  ///< what changes on the way, or is lost, marked N_; empty: nothing
     double (*value)(double) = nullptr; ///< ours from theirs; null: the same number
     double neutral = 0;       ///< at this value nothing is lost
 };

@@ -1,5 +1,5 @@
-#include "stromar/util/Translatable.h"
 #include "ForeignFile.h"
+#include "stromar/util/Translatable.h"
 #include <pugixml.hpp>
 
 namespace stromar {
@@ -26,20 +26,20 @@ constexpr ImportRow kRows[] = {
     {"LeafQuality", "LeafQuality"},
     {"LeafBend", "LeafBend"},
     {"LeafStemLen", "LeafStalk"},
-    {"LeafDistrib", "", "leaves are spread along their stem as in the paper", nullptr, 4},
+    {"LeafDistrib", "", N_("leaves are spread along their stem as in the paper"), nullptr, 4},
     {"PruneRatio", "PruneRatio"},
     {"PruneWidth", "PruneWidth"},
     {"PruneWidthPeak", "PruneWidthPeak"},
     {"PrunePowerLow", "PrunePowerLow"},
     {"PrunePowerHigh", "PrunePowerHigh"},
     {"0Scale", "0Scale"},
-    {"0ScaleV", "", "there it roughens the mesh of the trunk"},
+    {"0ScaleV", "", N_("there it roughens the mesh of the trunk")},
     {"0BaseSplits", "0BaseSplits"},
     {"0Branches", "Trunks"},
-    {"0DownAngle", "", "trunks lean by TrunksLean"},
-    {"0DownAngleV", "", "trunks lean by TrunksLean"},
-    {"0Rotate", "", "trunks are turned by chance"},
-    {"0RotateV", "", "trunks are turned by chance"},
+    {"0DownAngle", "", N_("trunks lean by TrunksLean")},
+    {"0DownAngleV", "", N_("trunks lean by TrunksLean")},
+    {"0Rotate", "", N_("trunks are turned by chance")},
+    {"0RotateV", "", N_("trunks are turned by chance")},
     {"0BranchDist", "TrunksSpread"},
     {"nDownAngle", "nDownAngle"},
     {"nDownAngleV", "nDownAngleV"},
@@ -57,7 +57,7 @@ constexpr ImportRow kRows[] = {
     {"nCurve", "nCurve"},
     {"nCurveBack", "nCurveBack"},
     {"nCurveV", "nCurveV"},
-    {"LeafShape", "", "of its shapes of discs and spheres an oval leaf is nearest"},
+    {"LeafShape", "", N_("of its shapes of discs and spheres an oval leaf is nearest")},
     {"Smooth", ""}, // of its mesh
 };
 } // namespace

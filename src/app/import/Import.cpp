@@ -71,7 +71,7 @@ private:
         const ImportRow* row = rowOf(value, level);
         if (!row) return note(value, translated(NC_("stromar", "'%1' is not known and left out"), value.key));
         if (row->ours.empty()) {
-            if (!row->note.empty() && !isNeutral(value, *row)) note(value, "'" + value.key + "' cannot be had: " + std::string(row->note));
+            if (!row->note.empty() && !isNeutral(value, *row)) note(value, translated(NC_("stromar", "'%1' cannot be had: %2"), value.key, translated(row->note)));
             return;
         }
         const bool perLevel = row->ours.starts_with('n');
@@ -88,7 +88,8 @@ private:
         const auto theirs = value.number(item);
         if (!theirs) return note(value, translated(NC_("stromar", "'%1' wants a number, not '%2'; it is left out"), value.key, value.items[item]));
         const double ours = row.value ? row.value(*theirs) : *theirs;
-        if (!row.note.empty() && ours != *theirs && *theirs != row.neutral) note(value, "'" + value.key + "' becomes " + ref.key() + " = " + numberText(ours) + ": " + std::string(row.note));
+        if (!row.note.empty() && ours != *theirs && *theirs != row.neutral)
+            note(value, translated(NC_("stromar", "'%1' becomes %2 = %3: %4"), value.key, ref.key(), numberText(ours), translated(row.note)));
         if (!ref.set(m_tree.params, ours))
             note(value, translated(NC_("stromar", "%1 is %2: %3 is out of its range"), ref.key(), ref.get(m_tree.params), ours));
     }

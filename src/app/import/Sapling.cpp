@@ -1,22 +1,23 @@
 #include "ForeignFile.h"
 #include "stromar/params/methods/weberpenn/WeberPennParams.h"
+#include "stromar/util/Translatable.h"
 #include <cmath>
 
 namespace stromar {
 
 namespace {
 constexpr ImportRow kRows[] = {
-    {"shape", "Shape", "its shapes 8 and 10 have no formula here; the nearest is a tapered cylinder", [](double shape) { return shape > 7 ? 4 : shape; }, 7},
+    {"shape", "Shape", N_("its shapes 8 and 10 have no formula here; the nearest is a tapered cylinder"), [](double shape) { return shape > 7 ? 4 : shape; }, 7},
     {"scale", "Scale"},
     {"scaleV", "ScaleV"},
     {"levels", "Levels"},
     {"ratio", "Ratio"},
     {"ratioPower", "RatioPower"},
     {"baseSize", "BaseSize"},
-    {"baseSize_s", "", "branches have no bare base here"},
+    {"baseSize_s", "", N_("branches have no bare base here")},
     {"baseSplits", "0BaseSplits", {}, [](double splits) { return std::abs(splits); }},
-    {"splitHeight", "", "the trunk splits from its first segment on"},
-    {"splitBias", "", "splits are spread evenly"},
+    {"splitHeight", "", N_("the trunk splits from its first segment on")},
+    {"splitBias", "", N_("splits are spread evenly")},
     {"scale0", "0Scale"},
     {"scaleV0", "0ScaleV"},
     {"rootFlare", "Flare", {}, [](double flare) { return flare - 1; }},
@@ -25,7 +26,7 @@ constexpr ImportRow kRows[] = {
     {"nLength", "nLength"},
     {"nLengthV", "nLengthV"},
     {"nTaper", "nTaper"},
-    {"nRadiusTweak", "", "branches are as thick as RatioPower says", nullptr, 1},
+    {"nRadiusTweak", "", N_("branches are as thick as RatioPower says"), nullptr, 1},
     {"nCurveRes", "nCurveRes"},
     {"nCurve", "nCurve"},
     {"nCurveBack", "nCurveBack"},
@@ -38,23 +39,23 @@ constexpr ImportRow kRows[] = {
     {"nRotate", "nRotate"},
     {"nRotateV", "nRotateV"},
     {"nBranches", "nBranches"},
-    {"nAttractOut", "", "branches are not drawn outwards here"},
-    {"branchDist", "", "branches are spread evenly along the trunk", nullptr, 1},
-    {"nrings", "", "rings of branches are Whorl here"},
-    {"taperCrown", "", "the trunk does not thin towards branches"},
+    {"nAttractOut", "", N_("branches are not drawn outwards here")},
+    {"branchDist", "", N_("branches are spread evenly along the trunk"), nullptr, 1},
+    {"nrings", "", N_("rings of branches are Whorl here")},
+    {"taperCrown", "", N_("the trunk does not thin towards branches")},
     {"pruneRatio", "PruneRatio"},
     {"pruneWidth", "PruneWidth"},
     {"pruneWidthPeak", "PruneWidthPeak"},
     {"prunePowerLow", "PrunePowerLow"},
     {"prunePowerHigh", "PrunePowerHigh"},
-    {"pruneBase", "", "the envelope ends at the crown's base"},
+    {"pruneBase", "", N_("the envelope ends at the crown's base")},
     {"leaves", "Leaves"},
     {"leafScale", "LeafScale"},
     {"leafScaleX", "LeafScaleX"},
-    {"leafScaleT", "", "leaves of a stem are equally large"},
-    {"leafScaleV", "", "leaves of a stem are equally large"},
+    {"leafScaleT", "", N_("leaves of a stem are equally large")},
+    {"leafScaleV", "", N_("leaves of a stem are equally large")},
     {"bend", "LeafBend"},
-    {"leafangle", "", "leaves turn to the light by LeafBend"},
+    {"leafangle", "", N_("leaves turn to the light by LeafBend")},
     {"customShape", ""}, {"shapeS", ""}, {"leafShape", ""}, {"leafDist", ""}, {"rMode", ""}, {"autoTaper", ""}, {"splitByLen", ""}, // see finish
     {"leafDownAngle", ""}, {"leafDownAngleV", ""}, {"leafRotate", ""}, {"leafRotateV", ""}, {"prune", ""}, {"useOldDownAngle", ""}, {"useParentAngle", ""},
     {"attractUp", ""}, {"horzLeaves", ""}, {"showLeaves", ""}, {"nradiusTweak", ""}, {"radiusTweak", ""}, {"closeTip", ""}, {"startCurv", ""},

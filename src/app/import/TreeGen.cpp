@@ -1,5 +1,6 @@
 #include "ForeignFile.h"
 #include "stromar/params/methods/weberpenn/WeberPennParams.h"
+#include "stromar/util/Translatable.h"
 #include <algorithm>
 #include <cmath>
 
@@ -23,8 +24,8 @@ constexpr ImportRow kRows[] = {
     {"ratio", "Ratio"},
     {"ratio_power", "RatioPower"},
     {"flare", "Flare"},
-    {"base_splits", "0BaseSplits", "a negative number there is a random one", [](double splits) { return std::abs(splits); }},
-    {"base_size", "BaseSize", "branches have no bare base here"},
+    {"base_splits", "0BaseSplits", N_("a negative number there is a random one"), [](double splits) { return std::abs(splits); }},
+    {"base_size", "BaseSize", N_("branches have no bare base here")},
     {"nbase_size", ""},
     {"ndown_angle", "nDownAngle"},
     {"ndown_angle_v", "nDownAngleV"},
@@ -41,9 +42,9 @@ constexpr ImportRow kRows[] = {
     {"ncurve", "nCurve"},
     {"ncurve_back", "nCurveBack"},
     {"ncurve_v", "nCurveV"},
-    {"nbend_v", "", "stems bend by CurveV"},
-    {"nbranch_dist", "nWhorl", "whorls are counted by their branches, and between alternate and opposite there is nothing", whorl},
-    {"nradius_mod", "", "branches are as thick as RatioPower says", nullptr, 1},
+    {"nbend_v", "", N_("stems bend by CurveV")},
+    {"nbranch_dist", "nWhorl", N_("whorls are counted by their branches, and between alternate and opposite there is nothing"), whorl},
+    {"nradius_mod", "", N_("branches are as thick as RatioPower says"), nullptr, 1},
     {"nbevel_res", ""}, // of its mesh
     {"leaf_blos_num", "Leaves"},
     {"leaf_shape", "LeafShape", {}, leafShape},
@@ -59,7 +60,7 @@ constexpr ImportRow kRows[] = {
     {"prune_width_peak", "PruneWidthPeak"},
     {"prune_power_low", "PrunePowerLow"},
     {"prune_power_high", "PrunePowerHigh"},
-    {"floor_splits", "", "the trunk splits from its first segment on"},
+    {"floor_splits", "", N_("the trunk splits from its first segment on")},
 };
 } // namespace
 
