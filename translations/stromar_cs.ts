@@ -3831,6 +3831,10 @@
         <source>whorls are counted by their branches, and between alternate and opposite there is nothing</source>
         <translation>přesleny se počítají po větvích a mezi střídavými a vstřícnými není nic</translation>
     </message>
+    <message>
+        <source>maps of roughness, occlusion, tints of leaves and tangents; Blender and Godot do not read where leaves are transparent</source>
+        <translation>mapy drsnosti, zastínění, odstíny listů a tečny; Blender a Godot nečtou, kde jsou listy průhledné</translation>
+    </message>
 </context>
 <context>
     <name>stromar::CComparison</name>

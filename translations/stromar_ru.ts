@@ -3831,6 +3831,10 @@
         <source>whorls are counted by their branches, and between alternate and opposite there is nothing</source>
         <translation>мутовки считаются по ветвям, а между очередными и супротивными ничего нет</translation>
     </message>
+    <message>
+        <source>maps of roughness, occlusion, tints of leaves and tangents; Blender and Godot do not read where leaves are transparent</source>
+        <translation>карты шероховатости, затенение, оттенки листьев и касательные; Blender и Godot не читают, где листья прозрачны</translation>
+    </message>
 </context>
 <context>
     <name>stromar::CComparison</name>

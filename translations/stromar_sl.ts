@@ -3831,6 +3831,10 @@
         <source>whorls are counted by their branches, and between alternate and opposite there is nothing</source>
         <translation>vretenca se štejejo po vejah in med izmeničnimi in nasprotnimi ni ničesar</translation>
     </message>
+    <message>
+        <source>maps of roughness, occlusion, tints of leaves and tangents; Blender and Godot do not read where leaves are transparent</source>
+        <translation>karte hrapavosti, senčenje, odtenki listov in tangente; Blender in Godot ne bereta, kje so listi prosojni</translation>
+    </message>
 </context>
 <context>
     <name>stromar::CComparison</name>

@@ -171,11 +171,12 @@ std::optional<fs::path> mapOf(const fs::path& picture, const char* suffix) {
 
 /// Of normals and roughness, where there are some.
 template <typename Place>
-void addMaps(Material& material, const fs::path& whole, const ExportOptions& options, Place&& place) {
+void addMaps(Material& material, const fs::path& whole, Maps maps, const ExportOptions& options, Place&& place) {
+    if (maps == Maps::None) return;
     if (const auto normal = mapOf(whole, "_normal"))
         material.normal = place(preparedPicture(*normal, PictureUse::Normal, options), "_normal");
     const auto rough = mapOf(whole, "_roughness");
-    if (!rough) return;
+    if (!rough || maps < Maps::NormalsAndRoughness) return;
     const bool wantsPicture = options.packedMaps != static_cast<int>(ExportedPackedMaps::None);
     if (const auto same = wantsPicture ? std::nullopt : uniformGrey(*rough)) {
         material.roughnessFactor = float(*same) / 255;
@@ -212,7 +213,7 @@ Material materialOf(const TreeModel& model, Surface surface, const ExportOptions
     if (format.opacity && info.cutOut && lowerCase(whole.extension().string()) == ".png" &&
         textures != ExportedTextures::Refer)
         material.opacity = place(preparedPicture(whole, PictureUse::Opacity, options), "_opacity");
-    if (format.maps) addMaps(material, whole, options, place);
+    addMaps(material, whole, format.maps, options, place);
     if (options.packedMaps == static_cast<int>(ExportedPackedMaps::UnityMask) && to.copiesPictures)
         if (const auto rough = mapOf(whole, "_roughness"))
             files.copy(preparedPicture(*rough, PictureUse::UnityMask, options), mapBeside(copy, "_mask"));

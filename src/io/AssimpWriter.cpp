@@ -6,7 +6,6 @@
 #include <assimp/scene.h>
 #include <exception>
 #include <string>
-#include <string_view>
 
 namespace stromar {
 
@@ -18,7 +17,7 @@ public:
     std::size_t Read(void*, std::size_t, std::size_t) override { return 0; }
     std::size_t Write(const void* bytes, std::size_t size, std::size_t count) override {
         try {
-            if (!m_failure) write({static_cast<const char*>(bytes), size * count});
+            if (!m_failure) m_out.write(static_cast<const char*>(bytes), static_cast<std::streamsize>(size * count));
         } catch (...) {
             m_failure = std::current_exception(); // assimp would make a text of it
         }
@@ -30,19 +29,6 @@ public:
     void Flush() override {}
 
 private:
-    /// The same model has to give the same bytes at any time: the dates in a COLLADA file's head become a fixed one.
-    void write(std::string_view bytes) {
-        constexpr std::string_view kDate = "2000-01-01T00:00:00";
-        constexpr std::size_t kHead = 2048;
-        std::string head(bytes.substr(0, m_atStart ? kHead : 0));
-        for (const std::string_view tag : {"<created>", "<modified>"})
-            if (const auto at = head.find(tag); at != std::string::npos && at + tag.size() + kDate.size() < head.size())
-                head.replace(at + tag.size(), kDate.size(), kDate);
-        m_atStart = false;
-        m_out << head << bytes.substr(head.size());
-    }
-
-    bool m_atStart = true;
     std::ostream& m_out;
     std::exception_ptr& m_failure;
 };
@@ -69,10 +55,9 @@ private:
 
 aiVector3D inAssimp(const glm::vec3& v) { return {v.x, v.y, v.z}; }
 
-aiMesh* makeMesh(const CMesh& mesh, std::size_t material) {
+aiMesh* makeMesh(const CMesh& mesh) {
     auto* made = new aiMesh;
     made->mName = mesh.name;
-    made->mMaterialIndex = static_cast<unsigned>(material);
     made->mPrimitiveTypes = aiPrimitiveType_TRIANGLE;
     const std::size_t count = mesh.vertexCount();
     made->mNumVertices = static_cast<unsigned>(count);
@@ -96,33 +81,19 @@ aiMesh* makeMesh(const CMesh& mesh, std::size_t material) {
     return made;
 }
 
-aiMaterial* makeMaterial(const Material& look) {
-    auto* material = new aiMaterial;
-    const aiString name(look.name), texture(look.texture);
-    material->AddProperty(&name, AI_MATKEY_NAME);
-    const glm::vec3 shown = look.texture.empty() ? look.colour : glm::vec3(1);
-    const aiColor3D colour(shown.x, shown.y, shown.z);
-    material->AddProperty(&colour, 1, AI_MATKEY_COLOR_DIFFUSE);
-    if (!look.texture.empty()) material->AddProperty(&texture, AI_MATKEY_TEXTURE_DIFFUSE(0));
-    if (!look.texture.empty() && look.cutOut) material->AddProperty(&texture, AI_MATKEY_TEXTURE_OPACITY(0));
-    return material;
-}
-
-/// A node per mesh under one that bears the model's name. `turn` maps our axes to the file's.
-std::unique_ptr<aiScene> makeScene(const ExportModel& model, const aiMatrix4x4& turn) {
+/// A node per mesh under one that bears the model's name.
+std::unique_ptr<aiScene> makeScene(const ExportModel& model) {
     auto scene = std::make_unique<aiScene>();
-    const auto meshes = static_cast<unsigned>(model.meshes.size()), materials = static_cast<unsigned>(model.materials.size());
+    const auto meshes = static_cast<unsigned>(model.meshes.size());
     scene->mNumMeshes = meshes;
     scene->mMeshes = new aiMesh*[meshes];
-    scene->mNumMaterials = materials;
-    scene->mMaterials = new aiMaterial*[materials];
-    for (unsigned i = 0; i < materials; ++i) scene->mMaterials[i] = makeMaterial(model.materials[i]);
+    scene->mNumMaterials = 1; // the formats have none, and assimp asks for one
+    scene->mMaterials = new aiMaterial*[1]{new aiMaterial};
     scene->mRootNode = new aiNode(model.name);
-    scene->mRootNode->mTransformation = turn;
     scene->mRootNode->mNumChildren = meshes;
     scene->mRootNode->mChildren = new aiNode*[meshes];
     for (unsigned i = 0; i < meshes; ++i) {
-        scene->mMeshes[i] = makeMesh(*model.meshes[i], model.materialIndex(*model.meshes[i]));
+        scene->mMeshes[i] = makeMesh(*model.meshes[i]);
         auto* node = scene->mRootNode->mChildren[i] = new aiNode(model.meshes[i]->name);
         node->mParent = scene->mRootNode;
         node->mNumMeshes = 1;
@@ -131,12 +102,11 @@ std::unique_ptr<aiScene> makeScene(const ExportModel& model, const aiMatrix4x4& 
     return scene;
 }
 
-void writeByAssimp(const char* format, const ExportModel& model, const aiMatrix4x4& turn,
-                   const std::filesystem::path& path, CFileSet& files) {
+void writeByAssimp(const char* format, const ExportModel& model, const std::filesystem::path& path, CFileSet& files) {
     std::exception_ptr failure;
     Assimp::Exporter exporter;
     exporter.SetIOHandler(new CFiles(files, failure));
-    const aiReturn result = exporter.Export(makeScene(model, turn).get(), format, path.string());
+    const aiReturn result = exporter.Export(makeScene(model).get(), format, path.string());
     if (failure) std::rethrow_exception(failure);
     if (result != aiReturn_SUCCESS)
         throw CError("assimp cannot write " + path.string() + ": " + exporter.GetErrorString());
@@ -144,16 +114,11 @@ void writeByAssimp(const char* format, const ExportModel& model, const aiMatrix4
 } // namespace
 
 void writeStl(const ExportModel& model, const std::filesystem::path& path, CFileSet& files) {
-    writeByAssimp("stlb", model, {}, path, files);
+    writeByAssimp("stlb", model, path, files);
 }
 
 void writePly(const ExportModel& model, const std::filesystem::path& path, CFileSet& files) {
-    writeByAssimp("plyb", model, {}, path, files);
-}
-
-void writeDae(const ExportModel& model, const std::filesystem::path& path, CFileSet& files) {
-    const aiMatrix4x4 yUp(1, 0, 0, 0, 0, 0, 1, 0, 0, -1, 0, 0, 0, 0, 0, 1);
-    writeByAssimp("collada", model, yUp, path, files);
+    writeByAssimp("plyb", model, path, files);
 }
 
 } // namespace stromar

@@ -1,3 +1,4 @@
+#include "Identifier.h"
 #include "TextOut.h"
 #include "ZipOut.h"
 #include "stromar/io/Writers.h"
@@ -8,13 +9,6 @@ namespace stromar {
 
 namespace {
 glm::vec3 yUp(const glm::vec3& v) { return {v.x, v.z, -v.y}; }
-
-/// What a prim may be called: letters, digits and underscores, no digit in front.
-std::string identifier(const std::string& name) {
-    std::string plain;
-    for (const char c : name) plain += (c >= 'a' && c <= 'z') || (c >= 'A' && c <= 'Z') || (c >= '0' && c <= '9') ? c : '_';
-    return plain.empty() || (plain[0] >= '0' && plain[0] <= '9') ? "_" + plain : plain;
-}
 
 CTextOut& operator<<(CTextOut& out, const glm::vec3& v) { return out << "(" << v.x << ", " << v.y << ", " << v.z << ")"; }
 CTextOut& operator<<(CTextOut& out, const glm::vec2& v) { return out << "(" << v.x << ", " << v.y << ")"; }

@@ -79,9 +79,8 @@ TEST_P(Export, PutsPicturesBesideTheModel) {
         EXPECT_EQ(countOf(content + library, "\\" + picture), 0u) << picture;
         names.insert(picture);
     }
-    if (format().maps && copiesPictures())
-        names.insert(
-            {"tree_bark_normal.png", "tree_leaf_normal.png", "tree_leaf_roughness.png"});
+    if (format().maps >= Maps::Normals && copiesPictures()) names.insert({"tree_bark_normal.png", "tree_leaf_normal.png"});
+    if (format().maps == Maps::NormalsAndRoughness && copiesPictures()) names.insert("tree_leaf_roughness.png");
     if (format().opacity) names.insert("tree_leaf_opacity.png");
     EXPECT_EQ(m_folder.names(), names) << "other files lie about";
 }

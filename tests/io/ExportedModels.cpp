@@ -11,7 +11,7 @@
 
 namespace stromar::test {
 
-const ForeignReader kAssimp{"assimp", {".obj", ".3ds", ".lwo", ".glb", ".gltf"}};
+const ForeignReader kAssimp{"assimp", {".obj", ".dae", ".3ds", ".lwo", ".glb", ".gltf"}};
 const ForeignReader kOsg{"osgDB in another process",
                          {".osg", ".osgt", ".osgb", ".obj", ".3ds", ".dae", ".ply", ".stl"}};
 const ForeignReader kPovRay{"POV-Ray", {".pov"}};

@@ -9,6 +9,7 @@
 namespace stromar {
 
 enum class Pictures { None, Beside, Inside, AlwaysInside }; ///< what a format does with them by itself
+enum class Maps { None, Normals, NormalsAndRoughness }; ///< pictures of the relief that it holds
 enum class Channels { None, ColoursAndUvs, All }; ///< what vertices carry besides: vertex colours and a second UV; any attribute, bones and tables
 /// Leaves are seen from both sides: not unless that is asked for; by triangles of their own for the back, as readers do not draw what is
 /// seen from behind; as the material says so.
@@ -26,7 +27,7 @@ struct Format {
     bool objects = false; ///< readers keep objects apart, by their names
     bool lods = false;  ///< holds levels of detail in one file
     bool anyUp = false; ///< readers do not mind which axis is up
-    bool maps = false;  ///< holds pictures of the relief
+    Maps maps = Maps::None;
     bool opacity = false;  ///< opacity is a picture of its own
     bool embeds = false;   ///< can hold pictures, too
     Sides sides = Sides::One;

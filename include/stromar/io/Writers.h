@@ -33,9 +33,11 @@ void writeFbx(const ExportModel& model, const std::filesystem::path& path, CFile
 void writeUsda(const ExportModel& model, const std::filesystem::path& path, CFileSet& files);
 void writeUsdz(const ExportModel& model, const std::filesystem::path& path, CFileSet& files);
 
-/// STL and PLY, binary, and COLLADA. Metres, z up. Through assimp, which needs a copy of the model in memory.
+/// COLLADA 1.4.1. Metres, y up. Normals, texture coordinates, normal maps as an extension that several programs read.
+void writeDae(const ExportModel& model, const std::filesystem::path& path, CFileSet& files);
+
+/// STL and PLY, binary. Metres, z up. Through assimp, which needs a copy of the model in memory.
 void writeStl(const ExportModel& model, const std::filesystem::path& path, CFileSet& files);
 void writePly(const ExportModel& model, const std::filesystem::path& path, CFileSet& files);
-void writeDae(const ExportModel& model, const std::filesystem::path& path, CFileSet& files);
 
 } // namespace stromar
