@@ -3835,6 +3835,30 @@
         <source>maps of roughness, occlusion, tints of leaves and tangents; Blender and Godot do not read where leaves are transparent</source>
         <translation>mapy drsnosti, zastínění, odstíny listů a tečny; Blender a Godot nečtou, kde jsou listy průhledné</translation>
     </message>
+    <message>
+        <source>Fewer bits (KHR_mesh_quantization)</source>
+        <translation>Méně bitů (KHR_mesh_quantization)</translation>
+    </message>
+    <message>
+        <source>Fewer bits, packed (EXT_meshopt_compression)</source>
+        <translation>Méně bitů, zabaleno (EXT_meshopt_compression)</translation>
+    </message>
+    <message>
+        <source>Compression</source>
+        <translation>Komprese</translation>
+    </message>
+    <message>
+        <source>Of glTF files: numbers of 16 and 8 bits, which programs have to know and most do, or packed besides, for web pages whose loader has the decoder of meshoptimizer.</source>
+        <translation>Soubory glTF: čísla o 16 a 8 bitech, která programy musí znát a většina je zná, nebo navíc zabalená, pro webové stránky, jejichž načítač má dekodér meshoptimizeru.</translation>
+    </message>
+    <message>
+        <source>%1 cannot be compressed; choose glTF</source>
+        <translation>%1 nelze komprimovat; zvolte glTF</translation>
+    </message>
+    <message>
+        <source>what moves in the wind cannot be compressed</source>
+        <translation>co se hýbe ve větru, nelze komprimovat</translation>
+    </message>
 </context>
 <context>
     <name>stromar::CComparison</name>

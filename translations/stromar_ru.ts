@@ -3835,6 +3835,30 @@
         <source>maps of roughness, occlusion, tints of leaves and tangents; Blender and Godot do not read where leaves are transparent</source>
         <translation>карты шероховатости, затенение, оттенки листьев и касательные; Blender и Godot не читают, где листья прозрачны</translation>
     </message>
+    <message>
+        <source>Fewer bits (KHR_mesh_quantization)</source>
+        <translation>Меньше битов (KHR_mesh_quantization)</translation>
+    </message>
+    <message>
+        <source>Fewer bits, packed (EXT_meshopt_compression)</source>
+        <translation>Меньше битов, сжато (EXT_meshopt_compression)</translation>
+    </message>
+    <message>
+        <source>Compression</source>
+        <translation>Сжатие</translation>
+    </message>
+    <message>
+        <source>Of glTF files: numbers of 16 and 8 bits, which programs have to know and most do, or packed besides, for web pages whose loader has the decoder of meshoptimizer.</source>
+        <translation>Файлы glTF: числа по 16 и 8 битов, которые программа должна знать (большинство знает), или ещё и сжатые, для веб-страниц, загрузчик которых имеет декодер meshoptimizer.</translation>
+    </message>
+    <message>
+        <source>%1 cannot be compressed; choose glTF</source>
+        <translation>%1 нельзя сжать; выберите glTF</translation>
+    </message>
+    <message>
+        <source>what moves in the wind cannot be compressed</source>
+        <translation>то, что движется на ветру, нельзя сжать</translation>
+    </message>
 </context>
 <context>
     <name>stromar::CComparison</name>

@@ -3835,6 +3835,30 @@
         <source>maps of roughness, occlusion, tints of leaves and tangents; Blender and Godot do not read where leaves are transparent</source>
         <translation>karte hrapavosti, senčenje, odtenki listov in tangente; Blender in Godot ne bereta, kje so listi prosojni</translation>
     </message>
+    <message>
+        <source>Fewer bits (KHR_mesh_quantization)</source>
+        <translation>Manj bitov (KHR_mesh_quantization)</translation>
+    </message>
+    <message>
+        <source>Fewer bits, packed (EXT_meshopt_compression)</source>
+        <translation>Manj bitov, stisnjeno (EXT_meshopt_compression)</translation>
+    </message>
+    <message>
+        <source>Compression</source>
+        <translation>Stiskanje</translation>
+    </message>
+    <message>
+        <source>Of glTF files: numbers of 16 and 8 bits, which programs have to know and most do, or packed besides, for web pages whose loader has the decoder of meshoptimizer.</source>
+        <translation>Datoteke glTF: števila s 16 in 8 biti, ki jih morajo programi poznati in jih večina pozna, ali poleg tega stisnjena, za spletne strani, katerih nalagalnik ima dekodirnik meshoptimizerja.</translation>
+    </message>
+    <message>
+        <source>%1 cannot be compressed; choose glTF</source>
+        <translation>%1 ni mogoče stisniti; izberite glTF</translation>
+    </message>
+    <message>
+        <source>what moves in the wind cannot be compressed</source>
+        <translation>kar se giblje v vetru, ni mogoče stisniti</translation>
+    </message>
 </context>
 <context>
     <name>stromar::CComparison</name>

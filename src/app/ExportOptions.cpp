@@ -42,6 +42,8 @@ constexpr string_view kLeafLightNames[] = {N_("No"), N_("Comes through (diffuse 
 constexpr string_view kCollisions[] = {"none", "json", "unreal", "godot"};
 constexpr string_view kCollisionNames[] = {N_("No"), N_("As a list of capsules beside the file"), N_("As Unreal looks for it: UCX_…"),
                                            N_("As Godot looks for it: …-colonly")};
+constexpr string_view kCompressions[] = {"none", "quantize", "meshopt"};
+constexpr string_view kCompressionNames[] = {N_("No"), N_("Fewer bits (KHR_mesh_quantization)"), N_("Fewer bits, packed (EXT_meshopt_compression)")};
 constexpr int kMaxBones = 256, kMaxTexture = 8192;
 
 constexpr ExportChoice kChoices[] = {
@@ -116,6 +118,13 @@ constexpr ExportChoice kChoices[] = {
      .words = kLeafLights,
      .names = kLeafLightNames,
      .field = &ExportOptions::leafLight},
+    {.key = "compress",
+     .label = N_("Compression"),
+     .help = N_("Of glTF files: numbers of 16 and 8 bits, which programs have to know and most do, or packed besides, for web pages whose loader has "
+                "the decoder of meshoptimizer."),
+     .words = kCompressions,
+     .names = kCompressionNames,
+     .field = &ExportOptions::compression},
     {.key = "occlusion",
      .label = N_("Ambient occlusion"),
      .help = N_("How much of the sky vertices see, in glTF files: as an attribute _OCCLUSION for shaders, or "
@@ -264,6 +273,10 @@ string_view conflictOf(const ExportOptions& options, const Format& format) {
     }
     if (options.leafLight != static_cast<int>(ExportedLeafLight::None) && format.channels != Channels::All)
         return N_("%1 does not know light through leaves; choose glTF");
+    if (options.compression != static_cast<int>(ExportedCompression::None)) {
+        if (format.channels != Channels::All) return N_("%1 cannot be compressed; choose glTF");
+        if (moves) return N_("what moves in the wind cannot be compressed");
+    }
     if (options.collision != static_cast<int>(ExportedCollision::None)) {
         if (!format.objects) return N_("%1 has no objects whose names an engine looks for; choose glTF or FBX");
         if (lods == ExportedLods::InOneFile) return N_("collision belongs to one level of detail; choose a file for each");

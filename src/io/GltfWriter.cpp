@@ -1,3 +1,4 @@
+#include "GltfBytes.h"
 #include "stromar/io/Writers.h"
 #include "stromar/mesh/Shading.h"
 #include "stromar/texture/Opacity.h"
@@ -8,6 +9,7 @@
 #include <glm/common.hpp>
 #include <glm/mat4x4.hpp>
 #include <glm/vec4.hpp>
+#include <map>
 #include <nlohmann/json.hpp>
 #include <sstream>
 #include <tiny_gltf.h>
@@ -17,6 +19,7 @@ namespace stromar {
 static_assert(std::endian::native == std::endian::little, "glTF's buffers are little-endian");
 
 namespace {
+constexpr std::size_t kMostShort = 65'535; // vertices; its own number may stand for the end of a strip
 constexpr std::uint64_t kLargestFile = 0xffffffff; // a GLB says its length in 32 bits
 
 glm::vec3 yUp(const glm::vec3& v) { return {v.x, v.z, -v.y}; }
@@ -39,6 +42,8 @@ public:
             addLods();
         for (const Clip& clip : source.clips) addClip(clip);
         addTables();
+        require("KHR_mesh_quantization", quantised());
+        require(kMeshopt, packed());
     }
 
     std::uint64_t bufferBytes() const { return m_bytes; }
@@ -56,6 +61,10 @@ public:
             return document.dump(uri.empty() ? -1 : 1);
         }
         document["buffers"][0] = {{"byteLength", m_bytes}};
+        for (const auto& [view, description] : m_packedViews) // the library leaves out extensions of these
+            document["bufferViews"][view]["extensions"][kMeshopt] = description;
+        if (packed()) // what it would be without: never there, but described
+            document["buffers"][1] = {{"byteLength", m_unpackedBytes}, {"extensions", {{kMeshopt, {{"fallback", true}}}}}};
         if (!uri.empty()) document["buffers"][0]["uri"] = uri;
         return document.dump(uri.empty() ? -1 : 1);
     }
@@ -74,6 +83,15 @@ public:
 
 private:
     using Part = std::function<std::string()>;
+    static constexpr const char* kMeshopt = "EXT_meshopt_compression";
+
+    bool quantised() const { return m_source.compression != ExportModel::Compression::None; }
+    bool packed() const { return m_source.compression == ExportModel::Compression::Meshopt; }
+    void require(const char* extension, bool used) {
+        if (!used || m_gltf.meshes.empty()) return;
+        m_gltf.extensionsUsed.emplace_back(extension);
+        m_gltf.extensionsRequired.emplace_back(extension);
+    }
 
     void addMaterials() {
         m_gltf.samplers.emplace_back();
@@ -151,7 +169,7 @@ private:
         for (std::size_t i = 0; i < m_source.meshes.size(); ++i) {
             const auto& mesh = m_source.meshes[i];
             const int index = addMesh(mesh->name, {mesh}, m_source.channels, i);
-            root.children.push_back(addNode(mesh->name, index));
+            root.children.push_back(addNode(mesh->name, index, {mesh}));
         }
         if (!m_source.joints.empty()) { // what bones move hangs on nothing else
             for (const int node : root.children) m_gltf.scenes[0].nodes.push_back(node);
@@ -243,9 +261,9 @@ private:
         for (std::size_t lod = 0; lod < count; ++lod) {
             const std::string name = m_source.name + "_LOD" + std::to_string(lod);
             const bool carries = !m_source.channels.empty();
-            const int mesh = addMesh(name, lod == 0 ? m_source.meshes : m_source.coarser[lod - 1],
-                                     lod == 0 || !carries ? m_source.channels : m_source.coarserChannels[lod - 1]);
-            const int node = addNode(name, mesh);
+            const Meshes& parts = lod == 0 ? m_source.meshes : m_source.coarser[lod - 1];
+            const int mesh = addMesh(name, parts, lod == 0 || !carries ? m_source.channels : m_source.coarserChannels[lod - 1]);
+            const int node = addNode(name, mesh, parts);
             if (lod == 0) first = node;
             if (lod > 0) ids.emplace_back(node);
             coverage.emplace_back(kScreenCoverage[std::min(lod, kScreenCoverage.size() - 1)]);
@@ -257,10 +275,15 @@ private:
         m_gltf.scenes[0].nodes.push_back(first);
     }
 
-    int addNode(const std::string& name, int mesh) {
+    int addNode(const std::string& name, int mesh, const Meshes& parts) {
         tinygltf::Node node;
         node.name = name;
         node.mesh = mesh;
+        if (quantised()) {
+            const QuantisedBox box(parts);
+            node.translation = {box.low.x, box.low.y, box.low.z};
+            node.scale = {box.step, box.step, box.step};
+        }
         if (!m_gltf.skins.empty()) node.skin = 0;
         m_gltf.nodes.push_back(node);
         return static_cast<int>(m_gltf.nodes.size()) - 1;
@@ -270,18 +293,32 @@ private:
     int addMesh(const std::string& name, const Meshes& parts, const std::vector<VertexChannels>& channels, std::size_t first = 0) {
         tinygltf::Mesh mesh;
         mesh.name = name;
+        const QuantisedBox box(parts);
         for (std::size_t i = 0; i < parts.size(); ++i)
-            mesh.primitives.push_back(makePrimitive(parts[i], channels.empty() ? nullptr : &channels[first + i]));
+            mesh.primitives.push_back(makePrimitive(parts[i], box, channels.empty() ? nullptr : &channels[first + i]));
         m_gltf.meshes.push_back(mesh);
         return static_cast<int>(m_gltf.meshes.size()) - 1;
     }
 
-    tinygltf::Primitive makePrimitive(const std::shared_ptr<const CMesh>& mesh, const VertexChannels* channels) {
+    tinygltf::Primitive makePrimitive(const std::shared_ptr<const CMesh>& mesh, const QuantisedBox& box, const VertexChannels* channels) {
         const std::size_t count = mesh->vertexCount();
         tinygltf::Primitive primitive;
         primitive.mode = TINYGLTF_MODE_TRIANGLES;
         primitive.material = static_cast<int>(m_source.materialIndex(*mesh));
         auto& attributes = primitive.attributes;
+        if (quantised())
+            addQuantised(mesh, box, attributes);
+        else
+            addWhole(mesh, attributes);
+        for (std::size_t c = 0; channels && c < channels->size(); ++c) attributes[(*channels)[c].name] = addChannel((*channels)[c], count);
+        primitive.indices = packed() ? addPackedIndices(*mesh) : addIndices(mesh);
+        return primitive;
+    }
+
+    using Attributes = std::map<std::string, int>;
+
+    void addWhole(const std::shared_ptr<const CMesh>& mesh, Attributes& attributes) {
+        const std::size_t count = mesh->vertexCount();
         attributes["POSITION"] = addVertices<glm::vec3>(count, TINYGLTF_TYPE_VEC3,
                                                         [mesh](std::size_t v) { return yUp(mesh->positions[v]); });
         const Bounds bounds = mesh->bounds();
@@ -295,15 +332,70 @@ private:
         attributes["TEXCOORD_0"] = addVertices<glm::vec2>(count, TINYGLTF_TYPE_VEC2, [mesh](std::size_t v) {
             return glm::vec2(mesh->texCoords[v].x, 1 - mesh->texCoords[v].y);
         });
-        for (std::size_t c = 0; channels && c < channels->size(); ++c) attributes[(*channels)[c].name] = addChannel((*channels)[c], count);
-        primitive.indices = addIndices(mesh);
-        return primitive;
+    }
+
+    /// KHR_mesh_quantization: 20 bytes a vertex instead of 48, 24 where bark repeats.
+    void addQuantised(const std::shared_ptr<const CMesh>& mesh, const QuantisedBox& box, Attributes& attributes) {
+        const std::size_t count = mesh->vertexCount();
+        attributes["POSITION"] = addStrided(count, kPositionStride, TINYGLTF_TYPE_VEC3, TINYGLTF_COMPONENT_TYPE_UNSIGNED_SHORT, false,
+                                            [mesh, box] { return quantisedPositions(*mesh, box); });
+        const Bounds bounds = mesh->bounds();
+        const glm::u16vec3 a = box.of(yUp(bounds.min)), b = box.of(yUp(bounds.max)), low = glm::min(a, b), high = glm::max(a, b);
+        m_gltf.accessors.back().minValues = {double(low.x), double(low.y), double(low.z)};
+        m_gltf.accessors.back().maxValues = {double(high.x), double(high.y), double(high.z)};
+        attributes["NORMAL"] = addStrided(count, kDirectionStride, TINYGLTF_TYPE_VEC3, TINYGLTF_COMPONENT_TYPE_BYTE, true,
+                                          [mesh] { return quantisedNormals(*mesh); });
+        attributes["TANGENT"] = addStrided(count, kDirectionStride, TINYGLTF_TYPE_VEC4, TINYGLTF_COMPONENT_TYPE_BYTE, true,
+                                           [mesh] { return quantisedTangents(*mesh); });
+        if (hasUnitTexCoords(*mesh))
+            attributes["TEXCOORD_0"] = addStrided(count, kTexCoordStride, TINYGLTF_TYPE_VEC2, TINYGLTF_COMPONENT_TYPE_UNSIGNED_SHORT, true,
+                                                  [mesh] { return quantisedTexCoords(*mesh); });
+        else
+            attributes["TEXCOORD_0"] = addVertices<glm::vec2>(count, TINYGLTF_TYPE_VEC2, [mesh](std::size_t v) {
+                return glm::vec2(mesh->texCoords[v].x, 1 - mesh->texCoords[v].y);
+            });
+    }
+
+    int addStrided(std::size_t count, std::size_t stride, int type, int component, bool normalised, const Part& part) {
+        const int view = addVertexView(count, stride, part);
+        m_gltf.bufferViews[static_cast<std::size_t>(view)].byteStride = stride;
+        const int accessor = addAccessor(view, count, type, component);
+        m_gltf.accessors.back().normalized = normalised;
+        return accessor;
+    }
+
+    int addVertexView(std::size_t count, std::size_t stride, const Part& part) {
+        if (packed()) return addPackedView(count, stride, TINYGLTF_TARGET_ARRAY_BUFFER, "ATTRIBUTES", packedVertices(part(), stride));
+        return addView(count * stride, TINYGLTF_TARGET_ARRAY_BUFFER, part);
+    }
+
+    /// How many bytes it takes is known when it is packed: it is kept until it is written.
+    int addPackedView(std::size_t count, std::size_t stride, int target, const char* mode, const std::string& bytes) {
+        const auto kept = std::make_shared<const std::string>(bytes);
+        const int index = addView(kept->size(), target, [kept] { return *kept; });
+        tinygltf::BufferView& view = m_gltf.bufferViews[static_cast<std::size_t>(index)];
+        m_packedViews[static_cast<std::size_t>(index)] = {{"buffer", 0},          {"byteOffset", view.byteOffset}, {"byteLength", kept->size()},
+                                                          {"byteStride", stride}, {"count", count},                {"mode", mode}};
+        view.buffer = 1;
+        view.byteOffset = m_unpackedBytes;
+        view.byteLength = count * stride;
+        if (target == TINYGLTF_TARGET_ARRAY_BUFFER) view.byteStride = stride;
+        m_unpackedBytes += (count * stride + 3) / 4 * 4;
+        return index;
+    }
+
+    int addPackedIndices(const CMesh& mesh) {
+        const bool isShort = mesh.vertexCount() <= kMostShort;
+        const int view = addPackedView(mesh.indices.size(), isShort ? sizeof(std::uint16_t) : sizeof(std::uint32_t),
+                                       TINYGLTF_TARGET_ELEMENT_ARRAY_BUFFER, "TRIANGLES", packedIndices(mesh.indices, mesh.vertexCount()));
+        return addAccessor(view, mesh.indices.size(), TINYGLTF_TYPE_SCALAR,
+                           isShort ? TINYGLTF_COMPONENT_TYPE_UNSIGNED_SHORT : TINYGLTF_COMPONENT_TYPE_UNSIGNED_INT);
     }
 
     int addChannel(const VertexChannel& channel, std::size_t count) {
         constexpr int kComponents[] = {TINYGLTF_COMPONENT_TYPE_FLOAT, TINYGLTF_COMPONENT_TYPE_UNSIGNED_BYTE, TINYGLTF_COMPONENT_TYPE_UNSIGNED_SHORT};
         constexpr int kTypes[] = {TINYGLTF_TYPE_SCALAR, TINYGLTF_TYPE_VEC2, TINYGLTF_TYPE_VEC3, TINYGLTF_TYPE_VEC4};
-        const int view = addView(channel.bytes.size(), TINYGLTF_TARGET_ARRAY_BUFFER, [bytes = &channel.bytes] { return *bytes; });
+        const int view = addVertexView(count, channel.bytes.size() / std::max<std::size_t>(1, count), [bytes = &channel.bytes] { return *bytes; });
         const int accessor = addAccessor(view, count, kTypes[channel.components - 1], kComponents[static_cast<std::size_t>(channel.type)]);
         m_gltf.accessors.back().normalized = channel.type == VertexChannel::Type::Byte;
         return accessor;
@@ -327,8 +419,7 @@ private:
     }
 
     int addIndices(const std::shared_ptr<const CMesh>& mesh) {
-        constexpr std::size_t kShort = 65'535; // which itself may stand for the end of a strip
-        if (mesh->vertexCount() <= kShort) return addShortIndices(mesh);
+        if (mesh->vertexCount() <= kMostShort) return addShortIndices(mesh);
         const std::size_t bytes = mesh->indices.size() * sizeof(std::uint32_t);
         const int view = addView(bytes, TINYGLTF_TARGET_ELEMENT_ARRAY_BUFFER, [mesh, bytes] {
             return std::string(reinterpret_cast<const char*>(mesh->indices.data()), bytes);
@@ -346,7 +437,7 @@ private:
 
     template <typename T, typename Get>
     int addVertices(std::size_t count, int type, Get&& get, int component = TINYGLTF_COMPONENT_TYPE_FLOAT) {
-        const int view = addView(count * sizeof(T), TINYGLTF_TARGET_ARRAY_BUFFER, [count, get] {
+        const int view = addVertexView(count, sizeof(T), [count, get] {
             std::string bytes(count * sizeof(T), '\0');
             for (std::size_t v = 0; v < count; ++v) {
                 const T value = get(v);
@@ -384,6 +475,8 @@ private:
     tinygltf::Model m_gltf;
     std::vector<Part> m_parts;
     std::uint64_t m_bytes = 0;
+    std::uint64_t m_unpackedBytes = 0; ///< of what is packed
+    std::map<std::size_t, nlohmann::ordered_json> m_packedViews; ///< how, by their place
 };
 
 void writeWord(std::ostream& out, std::uint32_t word) { out.write(reinterpret_cast<const char*>(&word), sizeof(word)); }

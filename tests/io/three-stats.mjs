@@ -19,7 +19,13 @@ const file = process.argv[2];
 const data = readFileSync(file);
 const bytes = data.buffer.slice(data.byteOffset, data.byteOffset + data.byteLength);
 const usd = async () => new (await import(from('examples/jsm/loaders/USDLoader.js'))).USDLoader().parse(extname(file) === '.usda' ? data.toString() : bytes, dirname(file) + '/');
+const gltf = async () => {
+  const { GLTFLoader } = await import(from('examples/jsm/loaders/GLTFLoader.js'));
+  const { MeshoptDecoder } = await import(from('examples/jsm/libs/meshopt_decoder.module.js'));
+  return (await new GLTFLoader().setMeshoptDecoder(MeshoptDecoder).parseAsync(bytes, dirname(file) + '/')).scene;
+};
 const readers = {
+  '.glb': gltf,
   '.fbx': async () => new (await import(from('examples/jsm/loaders/FBXLoader.js'))).FBXLoader().parse(bytes, dirname(file) + '/'),
   '.usda': usd,
   '.usdz': usd,
@@ -27,7 +33,7 @@ const readers = {
 const root = await readers[extname(file)]();
 root.updateMatrixWorld(true);
 const box = new THREE.Box3().setFromObject(root);
-const stats = { triangles: 0, opaque: 0, objects: [], materials: {}, groups: 0, scale: 0, colours: 0, uv2: 0, min: box.min.toArray(), max: box.max.toArray() };
+const stats = { triangles: 0, opaque: 0, objects: [], materials: {}, groups: 0, scale: 0, colours: 0, uv2: 0, vertices: 0, normal: [0, 0, 0], uv: [0, 0], min: box.min.toArray(), max: box.max.toArray() };
 root.traverse(object => {
   stats.scale = Math.max(stats.scale, ...object.scale.toArray());
   if (!object.isMesh) return;
@@ -37,9 +43,15 @@ root.traverse(object => {
   stats.objects.push(object.name);
   stats.groups += groups.length;
   stats.colours += attributes.color ? 1 : 0;
+  for (let v = 0; v < attributes.position.count; ++v) {
+    stats.normal = stats.normal.map((sum, i) => sum + Math.abs(attributes.normal.getComponent(v, i)));
+    stats.uv = stats.uv.map((sum, i) => sum + attributes.uv.getComponent(v, i));
+  }
+  stats.vertices += attributes.position.count;
   stats.uv2 += attributes.uv1 ? 1 : 0;
   for (const material of [object.material].flat()) stats.materials[material.name] = ['map', 'alphaMap', 'normalMap', 'roughnessMap'].filter(map => material[map]);
 });
+for (const mean of [stats.normal, stats.uv]) mean.forEach((sum, i) => { mean[i] = sum / stats.vertices; });
 stats.objects.sort();
 stats.pictures = asked;
 console.log(JSON.stringify(stats));

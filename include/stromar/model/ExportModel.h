@@ -55,6 +55,7 @@ struct ExportModel {
     std::vector<Clip> clips{};
     std::vector<DataTable> tables{};
     std::vector<std::size_t> meshMaterials{}; ///< by mesh: which of the materials it has; empty: that of its surface
+    enum class Compression { None, Quantised, Meshopt } compression = Compression::None; ///< in formats that hold it; without joints and tables
     bool leafLight = false; ///< light comes through what is cut out, in formats that hold it
 
     /// Which of the materials a mesh has.
