@@ -17,7 +17,7 @@ constexpr Detail kDetails[] = {
     {"Full model",        Model::Full,   0, 24,  12,   8,    0,  10, kAll,   3,    1.0, kNoBudget, 2, 0},
     {"Full model, LOD 1", Model::Full,   1, 16,   8,  16,    4,   6, kAll,   2,    0.5, kNoBudget, 2, 0},
     {"Full model, LOD 2", Model::Full,   2, 10,   0,   0,   10,   4, kAll,   1,    0.25, kNoBudget, 2, 2},
-    {"Full model, LOD 3", Model::Full,   3,  6,   0,   0,   20,   3,   1,    0,    0.1, kNoBudget, 2, 1},
+    {"Full model, LOD 3", Model::Full,   3,  6,   0,   0,   20,   3,   1,    0,    0.1, kNoBudget, 3.2, 1},
 };
 // clang-format on
 static_assert(std::ranges::max(kDetails, {}, &Detail::lod).lod == kMaxLod);

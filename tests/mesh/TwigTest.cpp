@@ -11,7 +11,7 @@
 namespace stromar::test {
 
 namespace {
-const std::set<std::string> kFewLeavesOnAStem{"fan_palm"};
+const std::set<std::string> kWithoutCards{"fan_palm", "coconut_palm", "lady_fern"}; // too few leaves on a stem, or too many
 
 struct Carded {
     std::shared_ptr<const CTree> tree;
@@ -46,7 +46,7 @@ INSTANTIATE_TEST_SUITE_P(All, PresetTwig, testing::Range(0, static_cast<int>(web
                          [](const auto& one) { return weberPennPresets()[static_cast<std::size_t>(one.param)].name; });
 
 TEST_P(PresetTwig, KeepsTheCrown) {
-    ASSERT_EQ(m_made.twig == nullptr, kFewLeavesOnAStem.contains(m_sample.name));
+    ASSERT_EQ(m_made.twig == nullptr, kWithoutCards.contains(m_sample.name));
     if (!m_made.twig) return;
     const Twig& twig = *m_made.twig;
     const Bounds all = meshesOf(*m_made.tree, m_sample.params, detailOf(Model::Full)).back()->bounds();
@@ -55,9 +55,10 @@ TEST_P(PresetTwig, KeepsTheCrown) {
         const auto mesh = cardMesh(*m_made.tree, twig, m_sample.params, detail);
         EXPECT_TRUE(checkLeaves(*mesh).sound()) << lod;
         EXPECT_LE(double(quads(*mesh)), std::ceil(detail.share * double(m_made.tree->leaves().size())));
-        const double kept = mesh->area() * twig.shownArea / twig.cardArea() / twig.allLeafArea;
-        EXPECT_GT(kept, 0.35) << lod; // leaves around a twig hide each other
-        EXPECT_LT(kept, 1.3) << lod;
+        // Of a plane one half is seen on the average; crossed ones hide a little of each other.
+        const double seen = 0.5 * mesh->area() * twig.shownArea / twig.cardArea(), ofTwigs = twig.seenPerLeaf * double(m_made.tree->leaves().size());
+        EXPECT_GT(seen, 0.75 * ofTwigs) << lod;
+        EXPECT_LT(seen, 1.45 * ofTwigs) << lod;
         const Bounds box = mesh->bounds();
         for (int i = 0; i < 3; ++i) {
             EXPECT_GT(box.max[i] - box.min[i], 0.85f * (all.max[i] - all.min[i])) << lod << ", " << i;
@@ -84,7 +85,9 @@ TEST_P(PresetTwig, LiesInItsPicture) {
 }
 
 TEST(Twig, IsPressedSoThatNoLeafIsSeenEdgeOn) {
-    const CParams params = preset("coconut_palm"); // its leaflets stand across the frond
+    CParams params = preset("coconut_palm"); // its leaflets stand across the frond
+    EXPECT_FALSE(cardsOf(params).twig) << "too many to be told apart";
+    weberPenn(params).leaves = 50;
     const auto twig = cardsOf(params).twig;
     std::size_t edgeOn = 0;
     for (const glm::vec3& n : twig->leaves->normals)

@@ -13,12 +13,14 @@ namespace stromar {
 
 namespace {
 constexpr double kFewestLeaves = 6; // of a large twig; most have half of them
+constexpr double kMostLeaves = 60;   // likewise; more run into each other in a picture, as the leaflets of a palm's frond
 constexpr double kLongest = 32;     // large twig, in leaves' lengths; most have half of that
 constexpr double kFlat = 0.35;       // spread out of the plane over that in it
 constexpr double kMaxTilt = 0.9;    // radians between a leaf that is seen best and one in the picture
 constexpr double kShowsBack = -0.25; // of a normal's z
 constexpr double kMargin = 0.02;     // of the card, around what it shows
 constexpr int kCells = 128;          // of the grid that measures what leaves cover, on a side
+constexpr int kDirections = 24;      // from which that is measured
 using std::numbers::pi;
 
 std::vector<const CLeaf*> leavesAt(const TwigPlace& place, const CTree& tree, const COrgans& organs, double share) {
@@ -72,20 +74,23 @@ glm::dvec3 pressed(const glm::dvec3& axis, const glm::dvec3& normal) {
     return std::cos(tilt) * best + std::sin(tilt) * across;
 }
 
+enum class Leaves { AsGrown, Pressed };
+
 /// A leaf as it stands on the straight stem.
-CLeaf straight(const CStraightStem& stem, CLeaf leaf) {
+CLeaf straight(const CStraightStem& stem, CLeaf leaf, Leaves how) {
     const double y = stem.nearest(leaf.position);
     const glm::dmat3 toCard = glm::transpose(stem.frameOf(stem.segmentAt(y)));
     leaf.position = toCard * (glm::dvec3(leaf.position) - stem.pointAt(y)) + glm::dvec3(0, y, 0);
     leaf.axis = toCard * glm::dvec3(leaf.axis);
-    leaf.normal = pressed(leaf.axis, toCard * glm::dvec3(leaf.normal));
+    leaf.normal = toCard * glm::dvec3(leaf.normal);
+    if (how == Leaves::Pressed) leaf.normal = pressed(leaf.axis, leaf.normal);
     return leaf;
 }
 
 /// Adds leaves of one form to a mesh.
-void addLeaves(const CStraightStem& stem, const std::vector<const CLeaf*>& leaves, const LeafBlade& blade, double size, CMesh& mesh) {
+void addLeaves(const CStraightStem& stem, const std::vector<const CLeaf*>& leaves, const LeafBlade& blade, double size, Leaves how, CMesh& mesh) {
     for (const CLeaf* leaf : leaves) {
-        const CBladePlacer placer(straight(stem, *leaf), size);
+        const CBladePlacer placer(straight(stem, *leaf, how), size);
         const auto first = static_cast<std::uint32_t>(mesh.vertexCount());
         for (const LeafBlade::Point& point : blade.points) {
             mesh.positions.push_back(glm::vec3(placer.place(point)));
@@ -97,18 +102,20 @@ void addLeaves(const CStraightStem& stem, const std::vector<const CLeaf*>& leave
     }
 }
 
+using KindStarts = std::array<std::size_t, kLeafKinds + 1>; // as Twig::kinds
+
 /// Kind by kind.
-void addLeaves(Twig& twig, const CStraightStem& stem, const CStem& own, const std::vector<const CLeaf*>& all, const MeshParams& params,
-               double size) {
+std::shared_ptr<CMesh> meshOf(const CStraightStem& stem, const CStem& own, const std::vector<const CLeaf*>& all, const MeshParams& params,
+                              double size, Leaves how, KindStarts& starts) {
     const auto mesh = allocateMesh("leaves", Surface::Leaf, 0, 0);
     for (std::size_t kind = 0; kind < kLeafKinds; ++kind) {
-        twig.kinds[kind] = mesh->indices.size();
+        starts[kind] = mesh->indices.size();
         std::vector<const CLeaf*> leaves;
         std::ranges::copy_if(all, std::back_inserter(leaves), [&](const CLeaf* leaf) { return params.kindOf(own, leaf->number) == kind; });
-        addLeaves(stem, leaves, makeBlade(params.formOf(kind), detailOf(Model::Full, 3)), size, *mesh);
+        addLeaves(stem, leaves, makeBlade(params.formOf(kind), detailOf(Model::Full, 3)), size, how, *mesh);
     }
-    twig.kinds[kLeafKinds] = mesh->indices.size();
-    twig.leaves = mesh;
+    starts[kLeafKinds] = mesh->indices.size();
+    return mesh;
 }
 
 /// The half of the wood that is seen.
@@ -136,16 +143,37 @@ std::shared_ptr<const CMesh> straightWood(const CStraightStem& stem, double minR
     return mesh;
 }
 
-/// The part of the card that lies behind some triangle.
-double coverage(const Twig& twig, const CMesh& mesh) {
+/// m² that triangles cover of what `view` maps their points to, between two corners.
+template <typename View>
+double coveredArea(std::initializer_list<const CMesh*> meshes, const glm::dvec2& low, const glm::dvec2& high, View&& view) {
     std::vector<bool> covered(kCells * kCells);
-    const auto cell = [&](std::uint32_t vertex) {
-        return (glm::dvec2(mesh.positions[vertex]) - twig.low) / (twig.high - twig.low) * double(kCells);
-    };
-    for (std::size_t t = 0; t < mesh.indices.size(); t += 3)
-        rasterise(cell(mesh.indices[t]), cell(mesh.indices[t + 1]), cell(mesh.indices[t + 2]), kCells, kCells,
-                  [&](int x, int y, double, double) { covered[static_cast<std::size_t>(y * kCells + x)] = true; });
-    return double(std::ranges::count(covered, true)) / double(covered.size());
+    for (const CMesh* mesh : meshes) {
+        const auto cell = [&](std::size_t corner) {
+            return (view(glm::dvec3(mesh->positions[mesh->indices[corner]])) - low) / (high - low) * double(kCells);
+        };
+        for (std::size_t t = 0; t < mesh->indices.size(); t += 3)
+            rasterise(cell(t), cell(t + 1), cell(t + 2), kCells, kCells,
+                      [&](int x, int y, double, double) { covered[static_cast<std::size_t>(y * kCells + x)] = true; });
+    }
+    return double(std::ranges::count(covered, true)) / double(covered.size()) * (high.x - low.x) * (high.y - low.y);
+}
+
+/// m² of a twig that are seen, the mean over directions that are spread evenly.
+double seenArea(const CMesh& leaves, const CMesh& wood) {
+    double sum = 0;
+    for (int i = 0; i < kDirections; ++i) { // a spiral on half a sphere
+        const double height = (i + 0.5) / kDirections, turn = i * pi * (3 - std::sqrt(5.0)), out = std::sqrt(1 - height * height);
+        const Frame frame = transported({{1, 0, 0}, {0, 1, 0}, {0, 0, 1}}, {out * std::cos(turn), out * std::sin(turn), height});
+        const auto view = [&](const glm::dvec3& p) { return glm::dvec2(glm::dot(frame[0], p), glm::dot(frame[1], p)); };
+        glm::dvec2 low(1e30), high(-1e30);
+        for (const CMesh* mesh : {&leaves, &wood})
+            for (const glm::vec3& p : mesh->positions) {
+                low = glm::min(low, view(p));
+                high = glm::max(high, view(p));
+            }
+        sum += coveredArea({&leaves, &wood}, low, high, view);
+    }
+    return sum / kDirections;
 }
 
 /// A card as wide to the left as to the right, so that it turns about its stem.
@@ -177,7 +205,7 @@ double leavesOn(const std::vector<LeafyTwig>& twigs) {
 }
 
 bool suitsCards(const TwigBound& twigs, const SeasonShare& season) {
-    return season.size > 0 && twigs.leaves * season.share >= kFewestLeaves && twigs.length <= kLongest * twigs.leafLength;
+    return season.size > 0 && twigs.leaves * season.share >= kFewestLeaves && twigs.leaves * season.share <= kMostLeaves && twigs.length <= kLongest * twigs.leafLength;
 }
 
 std::optional<TwigPlace> typicalOf(const StemSet& twigs, const CTree& tree, const COrgans& leaves, const MeshParams& params) {
@@ -209,7 +237,7 @@ std::shared_ptr<const Twig> twigAt(const TwigPlace& place, const StemSet& twigs,
     const Spread spread = spreadOf(CStraightStem(all, own, 0), leaves, season.size);
     const CStraightStem stem(all, own, spread.turn);
     auto twig = std::make_shared<Twig>();
-    addLeaves(*twig, stem, own, leaves, params, season.size);
+    twig->leaves = meshOf(stem, own, leaves, params, season.size, Leaves::Pressed, twig->kinds);
     twig->wood = straightWood(stem, params.minRadius, barkOf(place.generation));
     twig->length = stem.length();
     twig->turn = spread.turn;
@@ -220,7 +248,9 @@ std::shared_ptr<const Twig> twigAt(const TwigPlace& place, const StemSet& twigs,
     frame(*twig);
     twig->leafArea = twig->leaves->area() / double(leaves.size());
     twig->allLeafArea = leavesOn(leafyTwigs(twigs, tree, organs, season.share)) * twig->leafArea;
-    twig->shownArea = coverage(*twig, *twig->leaves) * twig->cardArea();
+    twig->shownArea = coveredArea({twig->leaves.get(), twig->wood.get()}, twig->low, twig->high, [](const glm::dvec3& p) { return glm::dvec2(p); });
+    KindStarts unused;
+    twig->seenPerLeaf = seenArea(*meshOf(stem, own, leaves, params, season.size, Leaves::AsGrown, unused), *twig->wood) / double(leaves.size());
     return twig;
 }
 

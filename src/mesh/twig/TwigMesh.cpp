@@ -13,10 +13,8 @@ namespace {
 constexpr std::size_t kGrain = 512;
 constexpr double kBendPerRow = 0.5; // radians
 constexpr int kMaxRows = 4;
-constexpr double kMinGrowth = 0.7; // of areas
+constexpr double kMinGrowth = 0.5; // of areas
 constexpr double kMaxCut = 2;       // length of a stem over that of its card
-/// A card is seen from any side, on the average half of it; a twig all around shows as much from each.
-constexpr double kSeenFromAside = 2;
 constexpr double kMaxBent = 0.3;    // cosine between a normal and the triangles around it
 constexpr double kMaxGrowth = 4;
 
@@ -58,7 +56,7 @@ public:
     void write(std::size_t card) {
         const LeafyTwig& own = m_plan.twigs[card];
         const CStraightStem stem(m_tree.generation(own.generation), own.of(m_tree), m_twig.turn);
-        setSize(stem, m_plan.each * own.leaves * m_twig.leafArea);
+        setSize(stem, m_plan.each * own.leaves);
         auto first = static_cast<std::uint32_t>(card * m_plan.verticesOfCard());
         VertexSink sink = sinkAt(m_mesh, first);
         std::uint32_t* index = m_mesh.indices.data() + card * m_plan.indicesOfCard();
@@ -84,13 +82,19 @@ private:
         double minCosine; ///< to `front` of a normal that looks out of all triangles around
     };
 
-    /// How far the card reaches, so that it shows an area of leaves.
-    void setSize(const CStraightStem& stem, double leafArea) {
+    /// The part of what the picture shows that is seen on the average from all sides: half of one plane; of two, the wider
+    /// one and what the narrower one adds in the gaps.
+    double seenPart() const {
+        if (m_plan.planes == 1) return 0.5;
+        const double wider = std::numbers::sqrt2 / 2, gaps = 1 - m_twig.shownArea / m_twig.cardArea();
+        return wider + (1 - wider) * gaps;
+    }
+
+    /// How far the card reaches, so that as much is seen of it as of the twigs for which it stands.
+    void setSize(const CStraightStem& stem, double leaves) {
         const double beyond = m_twig.high.y - m_twig.length; // the tip: leaves do not grow with their twig
         const double longer = (stem.length() + beyond) / (m_twig.length + beyond);
-        const double growth =
-            std::clamp(leafArea / (m_plan.planes * m_twig.shownArea * longer), kMinGrowth,
-                       std::min(kMaxGrowth, kSeenFromAside * m_plan.each / m_plan.planes));
+        const double growth = std::clamp(leaves * m_twig.seenPerLeaf / (seenPart() * m_twig.shownArea * longer), kMinGrowth, kMaxGrowth);
         m_along = longer * std::pow(growth, 0.25); // rather wider than longer: the crown keeps its size
         m_across = std::pow(growth, 0.75);
         double chords = 0;

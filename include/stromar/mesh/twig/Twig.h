@@ -23,14 +23,15 @@ struct Twig {
     double bend;          ///< radians that the stem turns from base to tip
     bool flat;            ///< its leaves lie near the card's plane
     double leafArea;      ///< m² of a leaf's card, on average
-    double shownArea;     ///< m² of the picture that its leaves' cards cover
+    double shownArea;     ///< m² of the picture that its leaves' cards and its wood cover
+    double seenPerLeaf;   ///< m² of the twig that are seen on the average from all sides, over the number of its leaves
     double allLeafArea;   ///< m² of all the tree's leaves that the season left
 
     double cardArea() const { return (high.x - low.x) * (high.y - low.y); }
 };
 
-/// Whether cards of whole twigs gain something: not where twigs bear few leaves (the season counts), or are too long for
-/// the leaves to be seen in a picture.
+/// Whether cards of whole twigs gain something: not where twigs bear few leaves (the season counts), or so many, or are so
+/// long, that the leaves cannot be told apart in a picture.
 bool suitsCards(const TwigBound& twigs, const SeasonShare& season);
 
 /// A stem of a tree.

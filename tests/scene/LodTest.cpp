@@ -1,0 +1,136 @@
+// What one sees when a program changes from one level of detail to the next: as much tree, in the same colours.
+#include "mesh/SampleTrees.h"
+#include "stromar/app/Pictures.h"
+#include "stromar/app/TreeCreator.h"
+#include "stromar/model/ExportModel.h"
+#include "stromar/scene/Headless.h"
+#include "stromar/scene/Outline.h"
+#include <cmath>
+#include <glm/geometric.hpp>
+#include <glm/vec3.hpp>
+#include <gtest/gtest.h>
+
+namespace stromar::test {
+namespace {
+
+constexpr int kScreenHeight = 1080, kAzimuths = 4, kSamples = 4;
+constexpr double kPitch = 5;            // degrees
+constexpr double kMaxCoverage = 0.05;   // of change
+constexpr double kMaxColour = 3;        // ΔE, CIE76
+
+double linear(std::uint8_t value) {
+    const double v = value / 255.0;
+    return v <= 0.04045 ? v / 12.92 : std::pow((v + 0.055) / 1.055, 2.4);
+}
+
+double curve(double t) { return t > 0.008856 ? std::cbrt(t) : 7.787 * t + 16.0 / 116; }
+
+/// CIE L*a*b* of linear sRGB, D65.
+glm::dvec3 labOf(const glm::dvec3& rgb) {
+    const double x = curve((0.4124 * rgb.x + 0.3576 * rgb.y + 0.1805 * rgb.z) / 0.95047), y = curve(0.2126 * rgb.x + 0.7152 * rgb.y + 0.0722 * rgb.z),
+                 z = curve((0.0193 * rgb.x + 0.1192 * rgb.y + 0.9505 * rgb.z) / 1.08883);
+    return {116 * y - 16, 500 * (x - y), 200 * (y - z)};
+}
+
+/// Of a tree on nothing.
+struct Seen {
+    double covered = 0;      ///< pixels
+    glm::dvec3 colour{0};    ///< sum over them, linear
+
+    glm::dvec3 lab() const { return labOf(colour / covered); }
+};
+
+Seen seen(const Pixels& pixels) {
+    Seen all;
+    for (const auto& p : pixels) {
+        const double cover = p[3] / 255.0;
+        all.covered += cover;
+        all.colour += cover * glm::dvec3(linear(p[0]), linear(p[1]), linear(p[2]));
+    }
+    return all;
+}
+
+/// A level of detail, ready to be drawn.
+struct Level {
+    std::shared_ptr<const TreeModel> model;
+    std::vector<ViewPart> parts;
+};
+
+Level levelOf(CTreeCreator& creator, const CParams& params, int lod) {
+    const CProgress progress(2);
+    Level level{creator.create(params, detailOf(Model::Full, lod), progress), {}};
+    makePictures(*level.model, {}, progress);
+    level.parts = viewPartsOf(*level.model, {}, progress);
+    return level;
+}
+
+std::vector<CCamera> camerasAround(const Level& level) {
+    const std::vector<osg::Vec3f> points = outlineOf(level.parts);
+    std::vector<CCamera> cameras(kAzimuths);
+    for (int i = 0; i < kAzimuths; ++i) {
+        cameras[static_cast<std::size_t>(i)].lookFrom(360.0 * i / kAzimuths, kPitch);
+        cameras[static_cast<std::size_t>(i)].fit(points, 1);
+    }
+    return cameras;
+}
+
+/// Looks at one level after the other.
+class CEye {
+public:
+    CEye() {
+        ViewLook look;
+        look.backdrop = Backdrop::Nothing;
+        m_scene.setLook(look);
+    }
+    Seen look(const Level& level, const std::vector<CCamera>& cameras, int side) {
+        m_scene.show(level.parts);
+        for (const ViewPart& part : level.parts)
+            m_scene.setSurface(part.surface, *readSurface(part.surface, textureOf(*level.model, part.surface, {}).string()));
+        Seen all;
+        for (const CCamera& camera : cameras) {
+            const Seen one = seen(m_painter.paint(camera, side, side));
+            all.covered += one.covered;
+            all.colour += one.colour;
+        }
+        return all;
+    }
+
+private:
+    CViewScene m_scene;
+    CHeadlessPainter m_painter{m_scene, kSamples};
+};
+
+/// What a species keeps to, at every change.
+struct Bound {
+    const char* preset;
+    double coverage; ///< share of the pixels that are covered before
+    double colour = kMaxColour;
+};
+
+std::string nameOf(const ::testing::TestParamInfo<Bound>& one) { return one.param.preset; }
+
+class LevelsOfDetail : public ::testing::TestWithParam<Bound> {};
+INSTANTIATE_TEST_SUITE_P(Few, LevelsOfDetail,
+                         ::testing::Values(Bound{"quaking_aspen", kMaxCoverage}, Bound{"apple", kMaxCoverage},
+                                           Bound{"wild_cherry", 0.08}, Bound{"coconut_palm", 0.14}),
+                         nameOf);
+
+TEST_P(LevelsOfDetail, DoNotPop) {
+    CTreeCreator creator;
+    CEye eye;
+    const CParams params = preset(GetParam().preset);
+    Level fine = levelOf(creator, params, 0);
+    for (int lod = 1; lod <= kMaxLod; ++lod) {
+        Level coarse = levelOf(creator, params, lod);
+        const int side = static_cast<int>(kScreenHeight * kScreenCoverage[static_cast<std::size_t>(lod) - 1]);
+        const std::vector<CCamera> cameras = camerasAround(fine);
+        const Seen before = eye.look(fine, cameras, side), after = eye.look(coarse, cameras, side);
+        const double coverage = after.covered / before.covered - 1, colour = glm::distance(before.lab(), after.lab());
+        EXPECT_LE(std::abs(coverage), GetParam().coverage) << "to level " << lod;
+        EXPECT_LE(colour, GetParam().colour) << "to level " << lod;
+        fine = std::move(coarse);
+    }
+}
+
+} // namespace
+} // namespace stromar::test
