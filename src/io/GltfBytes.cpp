@@ -76,7 +76,7 @@ std::string packedVertices(const std::string& bytes, std::size_t stride) {
 }
 
 std::string packedIndices(std::span<const std::uint32_t> indices, std::size_t vertices) {
-    meshopt_encodeIndexVersion(1); // the extension's
+    [[maybe_unused]] static const bool once = (meshopt_encodeIndexVersion(1), true); // the extension's, for the whole program
     std::string packed(meshopt_encodeIndexBufferBound(indices.size(), vertices), '\0');
     packed.resize(meshopt_encodeIndexBuffer(reinterpret_cast<unsigned char*>(packed.data()), packed.size(), indices.data(), indices.size()));
     if (packed.empty()) throw CError("the triangles cannot be compressed");

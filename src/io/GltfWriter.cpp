@@ -63,7 +63,7 @@ public:
         document["buffers"][0] = {{"byteLength", m_bytes}};
         for (const auto& [view, description] : m_packedViews) // the library leaves out extensions of these
             document["bufferViews"][view]["extensions"][kMeshopt] = description;
-        if (packed()) // what it would be without: never there, but described
+        if (m_unpackedBytes > 0) // what it would be without: never there, but described
             document["buffers"][1] = {{"byteLength", m_unpackedBytes}, {"extensions", {{kMeshopt, {{"fallback", true}}}}}};
         if (!uri.empty()) document["buffers"][0]["uri"] = uri;
         return document.dump(uri.empty() ? -1 : 1);

@@ -117,6 +117,19 @@ TEST(GltfMeshopt, DecodesToWhatWasQuantised) {
     }
 }
 
+TEST(GltfMeshopt, OfATreeBeforeItsLifeIsAFileWithoutMeshes) {
+    const CTemporaryFolder folder;
+    ExportOptions options;
+    options.compression = static_cast<int>(ExportedCompression::Meshopt);
+    CTreeCreator creator;
+    creator.setAge(0);
+    exportTree(creator, sampleModel("small").params, options, {}, folder / "seed.gltf", CProgress(2));
+    const Json file = Json::parse(readFile(folder / "seed.gltf"));
+    EXPECT_FALSE(file.contains("meshes"));
+    EXPECT_FALSE(file.contains("extensionsRequired"));
+    for (const Json& buffer : file.value("buffers", Json::array())) EXPECT_GT(buffer["byteLength"], 0);
+}
+
 TEST(GltfCompressionChoice, IsRefusedWhereItCannotBe) {
     ExportOptions options;
     options.compression = static_cast<int>(ExportedCompression::Meshopt);
