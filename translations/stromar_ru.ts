@@ -4921,8 +4921,8 @@
         <translation>Треугольники: %1</translation>
     </message>
     <message>
-        <source>from %1 m</source>
-        <translation>от %1 м</translation>
+        <source>from %1</source>
+        <translation>от %1</translation>
     </message>
 </context>
 <context>

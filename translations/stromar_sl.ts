@@ -4923,8 +4923,8 @@
         <translation>Trikotniki: %1</translation>
     </message>
     <message>
-        <source>from %1 m</source>
-        <translation>od %1 m</translation>
+        <source>from %1</source>
+        <translation>od %1</translation>
     </message>
 </context>
 <context>

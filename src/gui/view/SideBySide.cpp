@@ -2,6 +2,7 @@
 #include "view/LodDistance.h"
 #include "view/Viewport.h"
 #include "window/QtText.h"
+#include "window/Settings.h"
 #include "work/GrownView.h"
 #include "stromar/app/Prediction.h"
 #include "stromar/scene/Outline.h"
@@ -181,7 +182,7 @@ void CSideBySide::onGrown(quint64 row, quint64 place, const std::shared_ptr<cons
 QString CSideBySide::levelLabel(const QString& name, const TreeModel& model, double height) const {
     QStringList lines{name, tr("%1 triangles").arg(QLocale().toString(qulonglong(model.triangleCount())))};
     const double metres = lodDistance(*model.detail, height, m_viewport.camera());
-    if (metres > 0) lines.append(tr("from %1 m").arg(QLocale().toString(metres, 'f', 0)));
+    if (metres > 0) lines.append(tr("from %1").arg(lengthText(metres)));
     return lines.join(QLatin1Char('\n'));
 }
 
