@@ -41,7 +41,7 @@ void writePose(const Pose& pose, const ExportOptions& options, const fs::path& t
     if (coarsest.age > 0 && std::ranges::any_of(pose.meshes, &Meshes::empty))
         throw CError(translated(NC_("stromar", "the tree is empty, there is nothing to export")));
     makePictures(coarsest, treeFolder, progress);
-    CFileSet files(progress, static_cast<std::uint64_t>(format.bytesPerVertex * double(pose.vertexCount())));
+    CFileSet files(progress, static_cast<std::uint64_t>(bytesPerVertex(options, format) * double(pose.vertexCount())));
     std::vector<Material> materials;
     for (const Surface surface : kSurfaces)
         if (needsMaterial(coarsest, pose.meshes, surface)) materials.push_back(materialOf(coarsest, surface, options, format, treeFolder, to, files));
@@ -215,7 +215,7 @@ void exportModel(const TreeModel& model, const fs::path& treeFolder, const fs::p
 double estimatedBytes(double fullVertices, const ExportOptions& options, const Format& format) {
     double share = 0;
     for (const Detail* detail : detailsOf(options)) share += detail->share * (detail->twigPlanes > 0 ? kCardsTake : 1);
-    return share * fullVertices * format.bytesPerVertex;
+    return share * fullVertices * bytesPerVertex(options, format);
 }
 
 } // namespace stromar

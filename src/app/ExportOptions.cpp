@@ -196,6 +196,11 @@ bool isTwoSided(const ExportOptions& options, const Format& format) {
     return wanted == ExportedTwoSided::Yes || (wanted == ExportedTwoSided::Format && format.sides == Sides::Triangles);
 }
 
+double bytesPerVertex(const ExportOptions& options, const Format& format) {
+    constexpr double kShares[] = {1, 0.6, 0.27}; // of ExportedCompression, measured
+    return kShares[options.compression] * format.bytesPerVertex;
+}
+
 std::string choiceText(const ExportOptions& options, const ExportChoice& choice) {
     if (choice.number) return numberText(options.*choice.number);
     const int value = options.*choice.field;

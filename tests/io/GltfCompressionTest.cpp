@@ -83,6 +83,11 @@ TEST_P(GltfCompression, IsValidAndSmaller) {
         EXPECT_EQ(issues.at("numErrors"), 0) << issues.dump(1);
         EXPECT_EQ(issues.at("numWarnings"), 0) << issues.dump(1);
         EXPECT_LT(double(File(path).buffer.size()), (GetParam() == ExportedCompression::Quantize ? 0.62 : 0.3) * double(File(plain).buffer.size()));
+        ExportOptions options;
+        options.compression = static_cast<int>(GetParam());
+        if (lods == ExportedLods::None) {
+            EXPECT_NEAR(estimatedBytes(double(model.vertexCount()), options, *formatOf(path)) / double(File(path).buffer.size()), 1, 0.5);
+        }
         EXPECT_EQ(File(path).json["extensionsRequired"].size(), GetParam() == ExportedCompression::Quantize ? 1u : 2u);
     }
 }

@@ -52,6 +52,9 @@ bool isSolid(const ExportOptions& options);
 /// Whether leaves have triangles of their own for their back.
 bool isTwoSided(const ExportOptions& options, const Format& format);
 
+/// About: Format::bytesPerVertex with the compression that was chosen.
+double bytesPerVertex(const ExportOptions& options, const Format& format);
+
 /// Sets a choice by its key and a word or number. Throws CError, which says what is wrong.
 void setChoice(ExportOptions& options, std::string_view key, std::string_view value);
 /// The word or number that setChoice() takes.
