@@ -14,6 +14,7 @@ namespace stromar {
 namespace {
 constexpr double kFewestLeaves = 6; // of a large twig; most have half of them
 constexpr double kMostLeaves = 60;   // likewise; more run into each other in a picture, as the leaflets of a palm's frond
+constexpr double kDrawable = 1e5;    // of all twigs; more leaves than that are cards in any case
 constexpr double kLongest = 32;     // large twig, in leaves' lengths; most have half of that
 constexpr double kFlat = 0.35;       // spread out of the plane over that in it
 constexpr double kMaxTilt = 0.9;    // radians between a leaf that is seen best and one in the picture
@@ -205,7 +206,9 @@ double leavesOn(const std::vector<LeafyTwig>& twigs) {
 }
 
 bool suitsCards(const TwigBound& twigs, const SeasonShare& season) {
-    return season.size > 0 && twigs.leaves * season.share >= kFewestLeaves && twigs.leaves * season.share <= kMostLeaves && twigs.length <= kLongest * twigs.leafLength;
+    const double leaves = twigs.leaves * season.share;
+    const bool toldApart = leaves <= kMostLeaves || leaves * twigs.stems > kDrawable;
+    return season.size > 0 && leaves >= kFewestLeaves && toldApart && twigs.length <= kLongest * twigs.leafLength;
 }
 
 std::optional<TwigPlace> typicalOf(const StemSet& twigs, const CTree& tree, const COrgans& leaves, const MeshParams& params) {
