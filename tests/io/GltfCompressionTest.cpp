@@ -4,6 +4,8 @@
 #include "io/Tools.h"
 #include "stromar/app/Export.h"
 #include "stromar/util/FileSet.h"
+#include <algorithm>
+#include <array>
 #include <cstring>
 #include <filesystem>
 #include <gtest/gtest.h>
@@ -63,7 +65,7 @@ struct File {
 std::vector<std::array<std::uint32_t, 3>> trianglesIn(const std::string& bytes, std::size_t stride) {
     std::vector<std::array<std::uint32_t, 3>> triangles(bytes.size() / stride / 3);
     for (std::size_t i = 0; i < 3 * triangles.size(); ++i) std::memcpy(&triangles[i / 3][i % 3], bytes.data() + i * stride, stride);
-    for (auto& t : triangles) std::ranges::rotate(t, std::ranges::min_element(t));
+    for (auto& t : triangles) std::rotate(t.begin(), std::min_element(t.begin(), t.end()), t.end());
     return triangles;
 }
 } // namespace
