@@ -39,7 +39,7 @@ TEST(Document, StepsSayWhatTheyChangeInThePanelsWords) {
     document.setValue(paramRef("Seed"), 629581, 0);
     EXPECT_EQ(document.history().text(2).section(QStringLiteral("→ "), 1).toStdString(), "629,581");
     document.setValue(paramRef("Scale"), 13.05, 0);
-    EXPECT_EQ(document.history().text(3).section(QStringLiteral("→ "), 1).toStdString(), "13.05 m");
+    EXPECT_EQ(document.history().text(3).section(QStringLiteral("→ "), 1).toStdString(), "13.05\u00a0m");
     document.setValue(paramRef("Species"), std::string("Elm"), 0);
     EXPECT_FALSE(document.history().text(4).contains(QStringLiteral("→"))) << "texts may be long";
 }

@@ -42,7 +42,9 @@ CParams withWholePaths(CParams params, const fs::path& folder) {
 /// Of a step that changes one value: "Branches 1 ▸ Number: 50 → 90".
 QString stepText(const ParamRef& ref, const CParams& before, const CParams& after) {
     const QString name = QStringLiteral("%1 ▸ %2").arg(groupTitle(ref.group(), ref.level), trText(ref.info->label));
-    const auto caption = [&](const CParams& params) { return captionOf(*ref.info, ref.get(params)); };
+    const auto caption = [&](const CParams& params) { // a number stays with its unit where the line breaks
+        return captionOf(*ref.info, ref.get(params)).replace(QLatin1Char(' '), QChar(QChar::Nbsp));
+    };
     return ref.info->numeric() ? QStringLiteral("%1: %2 → %3").arg(name, caption(before), caption(after)) : name;
 }
 
