@@ -3836,20 +3836,8 @@
         <translation>mapy drsnosti, zastínění, odstíny listů a tečny; Blender a Godot nečtou, kde jsou listy průhledné</translation>
     </message>
     <message>
-        <source>Fewer bits (KHR_mesh_quantization)</source>
-        <translation>Méně bitů (KHR_mesh_quantization)</translation>
-    </message>
-    <message>
-        <source>Fewer bits, packed (EXT_meshopt_compression)</source>
-        <translation>Méně bitů, zabaleno (EXT_meshopt_compression)</translation>
-    </message>
-    <message>
         <source>Compression</source>
         <translation>Komprese</translation>
-    </message>
-    <message>
-        <source>Of glTF files: numbers of 16 and 8 bits, which programs have to know and most do, or packed besides, for web pages whose loader has the decoder of meshoptimizer.</source>
-        <translation>Soubory glTF: čísla o 16 a 8 bitech, která programy musí znát a většina je zná, nebo navíc zabalená, pro webové stránky, jejichž načítač má dekodér meshoptimizeru.</translation>
     </message>
     <message>
         <source>%1 cannot be compressed; choose glTF</source>
@@ -3858,6 +3846,18 @@
     <message>
         <source>what moves in the wind cannot be compressed</source>
         <translation>co se hýbe ve větru, nelze komprimovat</translation>
+    </message>
+    <message>
+        <source>Quantised (KHR_mesh_quantization)</source>
+        <translation>Kvantováno (KHR_mesh_quantization)</translation>
+    </message>
+    <message>
+        <source>Quantised, then meshopt (EXT_meshopt_compression)</source>
+        <translation>Kvantováno, pak meshopt (EXT_meshopt_compression)</translation>
+    </message>
+    <message>
+        <source>Of glTF files: vertices in 16 and 8 bits, which most programs read, or these compressed by meshoptimizer as well, for web pages whose loader has its decoder.</source>
+        <translation>Soubory glTF: vrcholy v 16 a 8 bitech, které čte většina programů, nebo navíc komprimované meshoptimizerem, pro webové stránky, jejichž načítač má jeho dekodér.</translation>
     </message>
 </context>
 <context>

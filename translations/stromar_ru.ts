@@ -3836,20 +3836,8 @@
         <translation>карты шероховатости, затенение, оттенки листьев и касательные; Blender и Godot не читают, где листья прозрачны</translation>
     </message>
     <message>
-        <source>Fewer bits (KHR_mesh_quantization)</source>
-        <translation>Меньше битов (KHR_mesh_quantization)</translation>
-    </message>
-    <message>
-        <source>Fewer bits, packed (EXT_meshopt_compression)</source>
-        <translation>Меньше битов, сжато (EXT_meshopt_compression)</translation>
-    </message>
-    <message>
         <source>Compression</source>
         <translation>Сжатие</translation>
-    </message>
-    <message>
-        <source>Of glTF files: numbers of 16 and 8 bits, which programs have to know and most do, or packed besides, for web pages whose loader has the decoder of meshoptimizer.</source>
-        <translation>Файлы glTF: числа по 16 и 8 битов, которые программа должна знать (большинство знает), или ещё и сжатые, для веб-страниц, загрузчик которых имеет декодер meshoptimizer.</translation>
     </message>
     <message>
         <source>%1 cannot be compressed; choose glTF</source>
@@ -3858,6 +3846,18 @@
     <message>
         <source>what moves in the wind cannot be compressed</source>
         <translation>то, что движется на ветру, нельзя сжать</translation>
+    </message>
+    <message>
+        <source>Quantised (KHR_mesh_quantization)</source>
+        <translation>Квантование (KHR_mesh_quantization)</translation>
+    </message>
+    <message>
+        <source>Quantised, then meshopt (EXT_meshopt_compression)</source>
+        <translation>Квантование, затем meshopt (EXT_meshopt_compression)</translation>
+    </message>
+    <message>
+        <source>Of glTF files: vertices in 16 and 8 bits, which most programs read, or these compressed by meshoptimizer as well, for web pages whose loader has its decoder.</source>
+        <translation>Файлы glTF: вершины по 16 и 8 битов, которые читает большинство программ, или ещё и сжатые meshoptimizer, для веб-страниц, загрузчик которых имеет его декодер.</translation>
     </message>
 </context>
 <context>

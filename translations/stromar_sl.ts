@@ -3836,20 +3836,8 @@
         <translation>karte hrapavosti, senčenje, odtenki listov in tangente; Blender in Godot ne bereta, kje so listi prosojni</translation>
     </message>
     <message>
-        <source>Fewer bits (KHR_mesh_quantization)</source>
-        <translation>Manj bitov (KHR_mesh_quantization)</translation>
-    </message>
-    <message>
-        <source>Fewer bits, packed (EXT_meshopt_compression)</source>
-        <translation>Manj bitov, stisnjeno (EXT_meshopt_compression)</translation>
-    </message>
-    <message>
         <source>Compression</source>
         <translation>Stiskanje</translation>
-    </message>
-    <message>
-        <source>Of glTF files: numbers of 16 and 8 bits, which programs have to know and most do, or packed besides, for web pages whose loader has the decoder of meshoptimizer.</source>
-        <translation>Datoteke glTF: števila s 16 in 8 biti, ki jih morajo programi poznati in jih večina pozna, ali poleg tega stisnjena, za spletne strani, katerih nalagalnik ima dekodirnik meshoptimizerja.</translation>
     </message>
     <message>
         <source>%1 cannot be compressed; choose glTF</source>
@@ -3858,6 +3846,18 @@
     <message>
         <source>what moves in the wind cannot be compressed</source>
         <translation>kar se giblje v vetru, ni mogoče stisniti</translation>
+    </message>
+    <message>
+        <source>Quantised (KHR_mesh_quantization)</source>
+        <translation>Kvantizirano (KHR_mesh_quantization)</translation>
+    </message>
+    <message>
+        <source>Quantised, then meshopt (EXT_meshopt_compression)</source>
+        <translation>Kvantizirano, nato meshopt (EXT_meshopt_compression)</translation>
+    </message>
+    <message>
+        <source>Of glTF files: vertices in 16 and 8 bits, which most programs read, or these compressed by meshoptimizer as well, for web pages whose loader has its decoder.</source>
+        <translation>Datoteke glTF: oglišča s 16 in 8 biti, ki jih bere večina programov, ali poleg tega stisnjena z meshoptimizerjem, za spletne strani, katerih nalagalnik ima njegov dekodirnik.</translation>
     </message>
 </context>
 <context>

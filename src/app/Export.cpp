@@ -55,7 +55,7 @@ void writePose(const Pose& pose, const ExportOptions& options, const fs::path& t
         if (!pose.sways.empty()) addWind(model, std::span(pose.sways).subspan(first, count), options, motion, arrangement);
         if (format.channels != Channels::None) addColours(model, isSolid(options) ? std::span<const std::shared_ptr<const TreeModel>>() : std::span(pose.lods).subspan(first, count), options);
         if (isTwoSided(options, format)) addBacks(model, arrangement.scale);
-        model.compression = static_cast<ExportModel::Compression>(options.compression);
+        model.compression = static_cast<ExportedCompression>(options.compression);
         model.leafLight = options.leafLight == static_cast<int>(ExportedLeafLight::Transmission);
         if (first == 0) addCollision(model, *pose.lods.front()->tree, options, format, arrangement, to.path, files);
         format.write(model, withSuffix(to.path, suffix), files);

@@ -22,7 +22,7 @@ public:
               CFileSet& files)
         : m_options(options), m_format(format), m_treeFolder(treeFolder), m_path(path),
           m_files(files), m_row{plainName(path), {}, {}, {}} {
-        m_row.compression = static_cast<ExportModel::Compression>(options.compression);
+        m_row.compression = static_cast<ExportedCompression>(options.compression);
         m_row.leafLight = options.leafLight == static_cast<int>(ExportedLeafLight::Transmission);
     }
 

@@ -1,3 +1,4 @@
+#include "Axes.h"
 #include "Identifier.h"
 #include "TextOut.h"
 #include "stromar/io/Writers.h"
@@ -6,8 +7,6 @@
 namespace stromar {
 
 namespace {
-glm::vec3 yUp(const glm::vec3& v) { return {v.x, v.z, -v.y}; }
-
 /// A reference to a file: what is not a plain letter is written by its bytes.
 std::string uri(const std::string& path) {
     constexpr const char* kDigits = "0123456789ABCDEF";

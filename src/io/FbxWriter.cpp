@@ -1,3 +1,4 @@
+#include "Axes.h"
 #include "FbxOut.h"
 #include "stromar/io/Writers.h"
 #include "stromar/mesh/Shading.h"
@@ -13,8 +14,6 @@ namespace {
 constexpr float kCentimetres = 100; // in a metre
 constexpr std::string_view kFileId("\x28\xb3\x2a\xeb\xb6\x24\xcc\xc2\xbf\xc8\xb0\x2a\xa9\x2b\xfc\xf1", 16);
 constexpr const char* kFileTime = "1970-01-01 10:00:00:000"; // the id and the mark at the end belong to this time
-
-glm::vec3 yUp(const glm::vec3& v) { return {v.x, v.z, -v.y}; }
 
 /// Names of objects have their class behind them.
 std::string named(std::string_view name, std::string_view kind) { return std::string(name) + std::string("\0\1", 2) + std::string(kind); }

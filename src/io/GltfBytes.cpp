@@ -1,3 +1,4 @@
+#include "Axes.h"
 #include "GltfBytes.h"
 #include "stromar/mesh/Shading.h"
 #include "stromar/util/Error.h"
@@ -12,8 +13,6 @@
 namespace stromar {
 
 namespace {
-glm::vec3 yUp(const glm::vec3& v) { return {v.x, v.z, -v.y}; }
-
 /// The values of all vertices, `stride` bytes each; write(vertex, where to).
 template <typename Write>
 std::string strided(std::size_t count, std::size_t stride, Write&& write) {

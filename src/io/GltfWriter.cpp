@@ -1,3 +1,4 @@
+#include "Axes.h"
 #include "GltfBytes.h"
 #include "stromar/io/Writers.h"
 #include "stromar/mesh/Shading.h"
@@ -21,8 +22,6 @@ static_assert(std::endian::native == std::endian::little, "glTF's buffers are li
 namespace {
 constexpr std::size_t kMostShort = 65'535; // vertices; its own number may stand for the end of a strip
 constexpr std::uint64_t kLargestFile = 0xffffffff; // a GLB says its length in 32 bits
-
-glm::vec3 yUp(const glm::vec3& v) { return {v.x, v.z, -v.y}; }
 
 /// One after the other: what the parts of the buffer hold is described first and streamed later, so that no copy of the
 /// model is made.
@@ -329,9 +328,12 @@ private:
         attributes["NORMAL"] =
             addVertices<glm::vec3>(count, TINYGLTF_TYPE_VEC3, [mesh](std::size_t v) { return yUp(mesh->normals[v]); });
         attributes["TANGENT"] = addTangents(mesh);
-        attributes["TEXCOORD_0"] = addVertices<glm::vec2>(count, TINYGLTF_TYPE_VEC2, [mesh](std::size_t v) {
-            return glm::vec2(mesh->texCoords[v].x, 1 - mesh->texCoords[v].y);
-        });
+        attributes["TEXCOORD_0"] = addTexCoords(mesh);
+    }
+
+    int addTexCoords(const std::shared_ptr<const CMesh>& mesh) {
+        return addVertices<glm::vec2>(mesh->vertexCount(), TINYGLTF_TYPE_VEC2,
+                                      [mesh](std::size_t v) { return glm::vec2(mesh->texCoords[v].x, 1 - mesh->texCoords[v].y); });
     }
 
     /// KHR_mesh_quantization: 20 bytes a vertex instead of 48, 24 where bark repeats.
@@ -351,9 +353,7 @@ private:
             attributes["TEXCOORD_0"] = addStrided(count, kTexCoordStride, TINYGLTF_TYPE_VEC2, TINYGLTF_COMPONENT_TYPE_UNSIGNED_SHORT, true,
                                                   [mesh] { return quantisedTexCoords(*mesh); });
         else
-            attributes["TEXCOORD_0"] = addVertices<glm::vec2>(count, TINYGLTF_TYPE_VEC2, [mesh](std::size_t v) {
-                return glm::vec2(mesh->texCoords[v].x, 1 - mesh->texCoords[v].y);
-            });
+            attributes["TEXCOORD_0"] = addTexCoords(mesh);
     }
 
     int addStrided(std::size_t count, std::size_t stride, int type, int component, bool normalised, const Part& part) {

@@ -1,3 +1,4 @@
+#include "Axes.h"
 #include "Identifier.h"
 #include "TextOut.h"
 #include "ZipOut.h"
@@ -8,8 +9,6 @@
 namespace stromar {
 
 namespace {
-glm::vec3 yUp(const glm::vec3& v) { return {v.x, v.z, -v.y}; }
-
 CTextOut& operator<<(CTextOut& out, const glm::vec3& v) { return out << "(" << v.x << ", " << v.y << ", " << v.z << ")"; }
 CTextOut& operator<<(CTextOut& out, const glm::vec2& v) { return out << "(" << v.x << ", " << v.y << ")"; }
 

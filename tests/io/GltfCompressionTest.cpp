@@ -71,8 +71,8 @@ std::vector<std::array<std::uint32_t, 3>> trianglesIn(const std::string& bytes, 
 } // namespace
 
 class GltfCompression : public testing::TestWithParam<ExportedCompression> {};
-INSTANTIATE_TEST_SUITE_P(All, GltfCompression, testing::Values(ExportedCompression::Quantize, ExportedCompression::Meshopt),
-                         [](const auto& one) { return std::string(one.param == ExportedCompression::Quantize ? "quantize" : "meshopt"); });
+INSTANTIATE_TEST_SUITE_P(All, GltfCompression, testing::Values(ExportedCompression::Quantised, ExportedCompression::Meshopt),
+                         [](const auto& one) { return std::string(one.param == ExportedCompression::Quantised ? "quantize" : "meshopt"); });
 
 TEST_P(GltfCompression, IsValidAndSmaller) {
     needTool(fs::exists(STROMAR_BIN "/../node_modules/gltf-validator"), "the validator of glTF files (npm)");
@@ -84,13 +84,13 @@ TEST_P(GltfCompression, IsValidAndSmaller) {
         const Json issues = jsonBy({"node", STROMAR_SOURCE "/tests/io/validate-gltf.js", path.string()}).at("issues");
         EXPECT_EQ(issues.at("numErrors"), 0) << issues.dump(1);
         EXPECT_EQ(issues.at("numWarnings"), 0) << issues.dump(1);
-        EXPECT_LT(double(File(path).buffer.size()), (GetParam() == ExportedCompression::Quantize ? 0.62 : 0.3) * double(File(plain).buffer.size()));
+        EXPECT_LT(double(File(path).buffer.size()), (GetParam() == ExportedCompression::Quantised ? 0.62 : 0.3) * double(File(plain).buffer.size()));
         ExportOptions options;
         options.compression = static_cast<int>(GetParam());
         if (lods == ExportedLods::None) {
             EXPECT_NEAR(estimatedBytes(double(model.vertexCount()), options, *formatOf(path)) / double(File(path).buffer.size()), 1, 0.5);
         }
-        EXPECT_EQ(File(path).json["extensionsRequired"].size(), GetParam() == ExportedCompression::Quantize ? 1u : 2u);
+        EXPECT_EQ(File(path).json["extensionsRequired"].size(), GetParam() == ExportedCompression::Quantised ? 1u : 2u);
     }
 }
 
@@ -113,7 +113,7 @@ TEST_P(GltfCompression, ThreeReadsTheSameTree) {
 TEST(GltfMeshopt, DecodesToWhatWasQuantised) {
     const CTemporaryFolder folder;
     const TreeModel& model = sampleModel("aspen");
-    const File packed(exported(folder, model, ExportedCompression::Meshopt, ".gltf")), plain(exported(folder, model, ExportedCompression::Quantize, ".gltf"));
+    const File packed(exported(folder, model, ExportedCompression::Meshopt, ".gltf")), plain(exported(folder, model, ExportedCompression::Quantised, ".gltf"));
     ASSERT_EQ(packed.json["meshes"].size(), plain.json["meshes"].size());
     for (std::size_t m = 0; m < plain.json["meshes"].size(); ++m) {
         const Json &one = packed.json["meshes"][m]["primitives"][0], &other = plain.json["meshes"][m]["primitives"][0];

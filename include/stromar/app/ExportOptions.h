@@ -29,7 +29,7 @@ enum class ExportedWatertight { None, Voxel };
 enum class ExportedNormalMaps { OpenGl, DirectX };
 enum class ExportedPackedMaps { None, Orm, UnityMask };
 enum class ExportedLeafLight { None, Transmission };
-enum class ExportedCompression { None, Quantize, Meshopt }; // as ExportModel::Compression
+using ExportedCompression = ExportModel::Compression;
 enum class ExportedCollision { None, Json, Unreal, Godot };
 enum class ExportedTwoSided { Format, No, Yes };
 enum class ExportedWind { None, Attributes, CryEngine, Unity, PivotPainter, Bones };

@@ -52,7 +52,7 @@ struct LengthUnit {
     QString name;
 };
 LengthUnit lengthUnit();
-/// A number of a row as people read it: a word, or in the unit that is shown, with few digits.
+/// A number of a row as people read it: a word, or in the unit that is shown, with no more decimals than its editor.
 QString captionOf(const ParamInfo& info, double value);
 /// "12.3 m" or "40.4 ft".
 QString lengthText(double metres);

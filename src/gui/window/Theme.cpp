@@ -55,7 +55,7 @@ QPalette paletteOf(bool dark) {
     return palette;
 }
 
-/// Fusion, with boxes to check that one sees: it draws their outline darker than the window, which a dark one swallows.
+/// Fusion with visible check boxes: it draws their outline darker than the window, which is invisible on a dark one.
 class CStyle : public QProxyStyle {
 public:
     CStyle() : QProxyStyle(QStyleFactory::create(QStringLiteral("Fusion"))) {}

@@ -146,33 +146,30 @@ std::shared_ptr<const CMesh> straightWood(const CStraightStem& stem, double minR
 
 /// m² that triangles cover of what `view` maps their points to, between two corners.
 template <typename View>
-double coveredArea(std::initializer_list<const CMesh*> meshes, const glm::dvec2& low, const glm::dvec2& high, View&& view) {
+double coveredArea(const CMesh& mesh, const glm::dvec2& low, const glm::dvec2& high, View&& view) {
     std::vector<bool> covered(kCells * kCells);
-    for (const CMesh* mesh : meshes) {
-        const auto cell = [&](std::size_t corner) {
-            return (view(glm::dvec3(mesh->positions[mesh->indices[corner]])) - low) / (high - low) * double(kCells);
-        };
-        for (std::size_t t = 0; t < mesh->indices.size(); t += 3)
-            rasterise(cell(t), cell(t + 1), cell(t + 2), kCells, kCells,
-                      [&](int x, int y, double, double) { covered[static_cast<std::size_t>(y * kCells + x)] = true; });
-    }
+    const auto cell = [&](std::size_t corner) {
+        return (view(glm::dvec3(mesh.positions[mesh.indices[corner]])) - low) / (high - low) * double(kCells);
+    };
+    for (std::size_t t = 0; t < mesh.indices.size(); t += 3)
+        rasterise(cell(t), cell(t + 1), cell(t + 2), kCells, kCells,
+                  [&](int x, int y, double, double) { covered[static_cast<std::size_t>(y * kCells + x)] = true; });
     return double(std::ranges::count(covered, true)) / double(covered.size()) * (high.x - low.x) * (high.y - low.y);
 }
 
-/// m² of a twig that are seen, the mean over directions that are spread evenly.
-double seenArea(const CMesh& leaves, const CMesh& wood) {
+/// m² of a mesh that are seen, the mean over directions that are spread evenly.
+double seenArea(const CMesh& mesh) {
     double sum = 0;
     for (int i = 0; i < kDirections; ++i) { // a spiral on half a sphere
         const double height = (i + 0.5) / kDirections, turn = i * pi * (3 - std::sqrt(5.0)), out = std::sqrt(1 - height * height);
         const Frame frame = transported({{1, 0, 0}, {0, 1, 0}, {0, 0, 1}}, {out * std::cos(turn), out * std::sin(turn), height});
         const auto view = [&](const glm::dvec3& p) { return glm::dvec2(glm::dot(frame[0], p), glm::dot(frame[1], p)); };
         glm::dvec2 low(1e30), high(-1e30);
-        for (const CMesh* mesh : {&leaves, &wood})
-            for (const glm::vec3& p : mesh->positions) {
-                low = glm::min(low, view(p));
-                high = glm::max(high, view(p));
-            }
-        sum += coveredArea({&leaves, &wood}, low, high, view);
+        for (const glm::vec3& p : mesh.positions) {
+            low = glm::min(low, view(p));
+            high = glm::max(high, view(p));
+        }
+        sum += coveredArea(mesh, low, high, view);
     }
     return sum / kDirections;
 }
@@ -251,9 +248,9 @@ std::shared_ptr<const Twig> twigAt(const TwigPlace& place, const StemSet& twigs,
     frame(*twig);
     twig->leafArea = twig->leaves->area() / double(leaves.size());
     twig->allLeafArea = leavesOn(leafyTwigs(twigs, tree, organs, season.share)) * twig->leafArea;
-    twig->shownArea = coveredArea({twig->leaves.get(), twig->wood.get()}, twig->low, twig->high, [](const glm::dvec3& p) { return glm::dvec2(p); });
+    twig->shownArea = coveredArea(*twig->leaves, twig->low, twig->high, [](const glm::dvec3& p) { return glm::dvec2(p); });
     KindStarts unused;
-    twig->seenPerLeaf = seenArea(*meshOf(stem, own, leaves, params, season.size, Leaves::AsGrown, unused), *twig->wood) / double(leaves.size());
+    twig->seenPerLeaf = seenArea(*meshOf(stem, own, leaves, params, season.size, Leaves::AsGrown, unused)) / double(leaves.size());
     return twig;
 }
 

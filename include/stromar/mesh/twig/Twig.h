@@ -23,8 +23,8 @@ struct Twig {
     double bend;          ///< radians that the stem turns from base to tip
     bool flat;            ///< its leaves lie near the card's plane
     double leafArea;      ///< m² of a leaf's card, on average
-    double shownArea;     ///< m² of the picture that its leaves' cards and its wood cover
-    double seenPerLeaf;   ///< m² of the twig that are seen on the average from all sides, over the number of its leaves
+    double shownArea;     ///< m² of the picture that its leaves' cards cover
+    double seenPerLeaf;   ///< m² that are seen of its leaves' cards, on the average from all sides, over their number
     double allLeafArea;   ///< m² of all the tree's leaves that the season left
 
     double cardArea() const { return (high.x - low.x) * (high.y - low.y); }
@@ -50,7 +50,8 @@ std::shared_ptr<const Twig> typicalTwig(const CTree& tree, const MeshParams& par
 
 /// A card for every twig that bears leaves, bent with it, in the detail's number of planes. No
 /// more rectangles than the detail's share of the leaves: else fewer planes, straight cards, at last fewer cards. Each
-/// shows as much leaf as its stem has, up to four times its own area. Throws CCancelled.
+/// is so large that as much is seen of it as of its stem's leaves (Twig::seenPerLeaf), within half and four times the typical one's
+/// area. Throws CCancelled.
 /// Of the leaves only the counts are looked at.
 std::shared_ptr<const CMesh> meshOfTwigs(const StemSet& twigs, const CTree& tree, const COrgans& leaves, const Twig& typical,
                                          const MeshParams& params, const Detail& detail, const CProgress& progress);
