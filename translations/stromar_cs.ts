@@ -5199,8 +5199,8 @@ Na: %5, č. %6</translation>
 <context>
     <name>stromar::CViewOverlay</name>
     <message>
-        <source>%1 higher</source>
-        <translation>o %1 výše</translation>
+        <source>Height %1</source>
+        <translation>Výška %1</translation>
     </message>
     <message>
         <source>Before …</source>

@@ -5199,8 +5199,8 @@ On %5, stem %6</source>
 <context>
     <name>stromar::CViewOverlay</name>
     <message>
-        <source>%1 higher</source>
-        <translation>на %1 выше</translation>
+        <source>Height %1</source>
+        <translation>Высота %1</translation>
     </message>
     <message>
         <source>Before …</source>

@@ -5205,8 +5205,8 @@ Na: %5, št. %6</translation>
 <context>
     <name>stromar::CViewOverlay</name>
     <message>
-        <source>%1 higher</source>
-        <translation>%1 višje</translation>
+        <source>Height %1</source>
+        <translation>Višina %1</translation>
     </message>
     <message>
         <source>Before …</source>

@@ -59,6 +59,16 @@ TEST(Guides, DraggingTheEnvelopeTurnsPruningOn) {
     EXPECT_EQ(after(3, 1, 0), 0) << "the bare trunk is there without";
 }
 
+TEST(Guides, DraggingTheEnvelopeKeepsAWidthThatHasNoEffect) {
+    CParams params = pruned();
+    weberPenn(params).shape = 8;
+    weberPenn(params).pruneRatio = 0;
+    const CParams before = params;
+    handles()[0].drag(params, 15, {2, 8});
+    EXPECT_EQ(weberPenn(params).pruneWidth, weberPenn(before).pruneWidth);
+    EXPECT_NE(weberPenn(params).pruneWidthPeak, weberPenn(before).pruneWidthPeak);
+}
+
 TEST(Guides, TheEnvelopeIsWidestWhereItSaysSo) {
     const CParams params = pruned();
     const auto profile = methodOf(params).guides[0].profile(params, 10);

@@ -407,6 +407,16 @@ TEST_F(WindowTest, ATreeThatWouldBeTooLargeAsksFirstAndOffersWhatFits) {
     EXPECT_TRUE(showsNow(Model::Full));
 }
 
+TEST_F(WindowTest, AQuestionTakesThePlaceOfTheOneBefore) {
+    CMessageBar& bar = window.bar();
+    for (const char* text : {"one", "two"}) bar.ask(QStringLiteral("test"), QLatin1String(text), {{QLatin1String(text), [] {}}});
+    QCoreApplication::processEvents(); // shows what is new
+    QStringList seen;
+    for (const auto* button : bar.findChildren<QPushButton*>())
+        if (button->isVisible()) seen << button->text();
+    EXPECT_EQ(seen, QStringList{QStringLiteral("two")});
+}
+
 TEST(Program, TakesAScreenshotOfTheWholeWindow) {
     QTemporaryDir folder;
     const QString path = folder.filePath(QStringLiteral("shot.png"));

@@ -73,9 +73,9 @@ constexpr GuideHandle kEnvelopeHandles[] = {
     {N_("Width and widest place"),
      [](const CParams& p, double scale) { return placeAt(Outline::Envelope, p, scale, weberPenn(p).pruneWidthPeak); },
      [](CParams& p, double scale, const glm::dvec2& to) {
-         set(p, "PruneWidth", to.x / scale);
-         set(p, "PruneWidthPeak", std::clamp(crownShare(p, scale, to.y), 0.01, 0.99));
          usePruning(p);
+         if (weberPenn(p).pruneRatio > 0) set(p, "PruneWidth", to.x / scale); // a crown of the envelope's shape has its own width
+         set(p, "PruneWidthPeak", std::clamp(crownShare(p, scale, to.y), 0.01, 0.99));
      }},
     {N_("Curve above"),
      [](const CParams& p, double scale) {

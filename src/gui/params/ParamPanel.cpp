@@ -107,7 +107,7 @@ protected:
 
 constexpr int kTouchMs = 80;
 constexpr const char* kLockedKey = "panel/lockedOf"; // by tree
-constexpr int kNarrowLabel = 104, kScrollBar = 20; // pixels
+constexpr int kNarrowLabel = 104, kScrollBar = 20, kArrow = 12; // pixels
 QString foldedKey(const QString& name) { return QStringLiteral("panel/folded/") + name; }
 } // namespace
 
@@ -400,6 +400,7 @@ QWidget* CParamPanel::makePathEditor(const ParamRef& ref, QLineEdit* line) {
     drawn->setText(ref.info->picture() ? tr("Draw") : tr("Built in"));
     drawn->setToolTip(ref.info->picture() ? tr("A picture that Stromar draws; the words behind its name can be changed")
                                           : tr("A mesh that comes with Stromar"));
+    drawn->setMinimumWidth(drawn->sizeHint().width() + kArrow);
     layout->addWidget(drawn);
     return row;
 }

@@ -337,7 +337,7 @@ void CViewOverlay::paintRuler(QPainter& painter) const {
     }
     const double rise = std::abs(to.z() - from.z()), length = (to - from).length();
     QStringList rows{lengthText(length)};
-    if (rise > kLevel * length && rise < (1 - kLevel) * length) rows << tr("%1 higher").arg(lengthText(rise));
+    if (rise > kLevel * length && rise < (1 - kLevel) * length) rows << tr("Height %1").arg(lengthText(rise));
     drawPlate(painter, *end + QPointF(12, -8), Qt::TopLeftCorner, rows);
 }
 

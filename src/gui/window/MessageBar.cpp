@@ -28,7 +28,11 @@ CMessageBar::CMessageBar(QWidget* parent) : QFrame(parent), m_text(new QLabel), 
 QString CMessageBar::text() const { return m_text->text(); }
 
 void CMessageBar::ask(const QString& about, const QString& text, const std::vector<Choice>& choices) {
-    for (QWidget* button : m_buttons) button->deleteLater();
+    for (QWidget* button : m_buttons) {
+        m_row->removeWidget(button);
+        button->hide(); // it may live on while an event of its own runs
+        button->deleteLater();
+    }
     m_buttons.clear();
     m_about = about;
     m_text->setText(text.left(1).toUpper() + text.mid(1));
