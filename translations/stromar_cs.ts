@@ -3859,6 +3859,30 @@
         <source>Of glTF files: vertices in 16 and 8 bits, which most programs read, or these compressed by meshoptimizer as well, for web pages whose loader has its decoder.</source>
         <translation>Soubory glTF: vrcholy v 16 a 8 bitech, které čte většina programů, nebo navíc komprimované meshoptimizerem, pro webové stránky, jejichž načítač má jeho dekodér.</translation>
     </message>
+    <message>
+        <source>leaves that move in the wind cannot be instances</source>
+        <translation>listy, které se hýbou ve větru, nemohou být instancemi</translation>
+    </message>
+    <message>
+        <source>Leaves (EXT_mesh_gpu_instancing)</source>
+        <translation>Listy (EXT_mesh_gpu_instancing)</translation>
+    </message>
+    <message>
+        <source>Instances</source>
+        <translation>Instance</translation>
+    </message>
+    <message>
+        <source>%1 cannot hold instances; choose glTF</source>
+        <translation>%1 nemůže obsahovat instance; zvolte glTF</translation>
+    </message>
+    <message>
+        <source>instances belong to one level of detail; choose a file for each</source>
+        <translation>instance patří k jedné úrovni detailů; zvolte soubor pro každou</translation>
+    </message>
+    <message>
+        <source>Of glTF files: one mesh for all leaves of a kind and a list of places instead of a copy for each, for programs that know it. The others refuse the file. Normals are not rounded, and each leaf has one tint.</source>
+        <translation>Soubory glTF: jedna síť pro všechny listy jednoho druhu a seznam míst namísto kopie pro každý, pro programy, které to znají. Ostatní soubor odmítnou. Normály nejsou zaoblené a každý list má jeden odstín.</translation>
+    </message>
 </context>
 <context>
     <name>stromar::CComparison</name>

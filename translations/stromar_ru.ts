@@ -3859,6 +3859,30 @@
         <source>Of glTF files: vertices in 16 and 8 bits, which most programs read, or these compressed by meshoptimizer as well, for web pages whose loader has its decoder.</source>
         <translation>Файлы glTF: вершины по 16 и 8 битов, которые читает большинство программ, или ещё и сжатые meshoptimizer, для веб-страниц, загрузчик которых имеет его декодер.</translation>
     </message>
+    <message>
+        <source>leaves that move in the wind cannot be instances</source>
+        <translation>листья, которые движутся на ветру, не могут быть экземплярами</translation>
+    </message>
+    <message>
+        <source>Leaves (EXT_mesh_gpu_instancing)</source>
+        <translation>Листья (EXT_mesh_gpu_instancing)</translation>
+    </message>
+    <message>
+        <source>Instances</source>
+        <translation>Экземпляры</translation>
+    </message>
+    <message>
+        <source>%1 cannot hold instances; choose glTF</source>
+        <translation>%1 не может содержать экземпляры; выберите glTF</translation>
+    </message>
+    <message>
+        <source>instances belong to one level of detail; choose a file for each</source>
+        <translation>экземпляры относятся к одному уровню детализации; выберите файл для каждого</translation>
+    </message>
+    <message>
+        <source>Of glTF files: one mesh for all leaves of a kind and a list of places instead of a copy for each, for programs that know it. The others refuse the file. Normals are not rounded, and each leaf has one tint.</source>
+        <translation>Файлы glTF: одна сетка для всех листьев одного вида и список мест вместо копии для каждого, для программ, которые это знают. Другие отвергают файл. Нормали не скруглены, и у каждого листа один оттенок.</translation>
+    </message>
 </context>
 <context>
     <name>stromar::CComparison</name>

@@ -3859,6 +3859,30 @@
         <source>Of glTF files: vertices in 16 and 8 bits, which most programs read, or these compressed by meshoptimizer as well, for web pages whose loader has its decoder.</source>
         <translation>Datoteke glTF: oglišča s 16 in 8 biti, ki jih bere večina programov, ali poleg tega stisnjena z meshoptimizerjem, za spletne strani, katerih nalagalnik ima njegov dekodirnik.</translation>
     </message>
+    <message>
+        <source>leaves that move in the wind cannot be instances</source>
+        <translation>listi, ki se gibljejo v vetru, ne morejo biti instance</translation>
+    </message>
+    <message>
+        <source>Leaves (EXT_mesh_gpu_instancing)</source>
+        <translation>Listi (EXT_mesh_gpu_instancing)</translation>
+    </message>
+    <message>
+        <source>Instances</source>
+        <translation>Instance</translation>
+    </message>
+    <message>
+        <source>%1 cannot hold instances; choose glTF</source>
+        <translation>%1 ne more vsebovati instanc; izberite glTF</translation>
+    </message>
+    <message>
+        <source>instances belong to one level of detail; choose a file for each</source>
+        <translation>instance pripadajo eni ravni podrobnosti; izberite datoteko za vsako</translation>
+    </message>
+    <message>
+        <source>Of glTF files: one mesh for all leaves of a kind and a list of places instead of a copy for each, for programs that know it. The others refuse the file. Normals are not rounded, and each leaf has one tint.</source>
+        <translation>Datoteke glTF: ena mreža za vse liste ene vrste in seznam mest namesto kopije za vsakega, za programe, ki to poznajo. Drugi datoteko zavrnejo. Normale niso zaobljene in vsak list ima en odtenek.</translation>
+    </message>
 </context>
 <context>
     <name>stromar::CComparison</name>

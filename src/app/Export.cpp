@@ -46,6 +46,7 @@ void writePose(const Pose& pose, const ExportOptions& options, const fs::path& t
     for (const Surface surface : kSurfaces)
         if (needsMaterial(coarsest, pose.meshes, surface)) materials.push_back(materialOf(coarsest, surface, options, format, treeFolder, to, files));
     const Arrangement arrangement = arrangementFor(options, format);
+    const bool instances = options.instances != static_cast<int>(ExportedInstances::None) && !isSolid(options);
     const auto write = [&](const std::string& suffix, std::size_t first, std::size_t count) {
         ExportModel model{plainName(to.path) + suffix, arranged(pose.meshes[first], arrangement), {}, {}};
         const std::vector<Meshes> own(pose.meshes.begin() + std::ptrdiff_t(first), pose.meshes.begin() + std::ptrdiff_t(first + count));
@@ -55,6 +56,7 @@ void writePose(const Pose& pose, const ExportOptions& options, const fs::path& t
         if (!pose.sways.empty()) addWind(model, std::span(pose.sways).subspan(first, count), options, motion, arrangement);
         if (format.channels != Channels::None) addColours(model, isSolid(options) ? std::span<const std::shared_ptr<const TreeModel>>() : std::span(pose.lods).subspan(first, count), options);
         if (isTwoSided(options, format)) addBacks(model, arrangement.scale);
+        if (instances) addInstances(model, *pose.lods[first], arrangement);
         model.compression = static_cast<ExportedCompression>(options.compression);
         model.leafLight = options.leafLight == static_cast<int>(ExportedLeafLight::Transmission);
         if (first == 0) addCollision(model, *pose.lods.front()->tree, options, format, arrangement, to.path, files);
@@ -95,6 +97,8 @@ public:
     /// For wind: what all moments share.
     void prepare(double age, const CProgress& progress) {
         if (!m_motion.sways()) return;
+        if (m_options.instances != static_cast<int>(ExportedInstances::None))
+            throw CError(translated(NC_("stromar", "leaves that move in the wind cannot be instances")));
         CTreeCreator creator(m_varied, SizeLimits::none());
         creator.setAge(age);
         m_lods = finishedLods(makeLods(creator, m_params, m_options, progress), m_options, m_folder, m_limits, progress);

@@ -12,8 +12,10 @@
 #include "stromar/util/Text.h"
 #include "stromar/util/Translatable.h"
 #include <algorithm>
+#include <cassert>
 #include <glm/geometric.hpp>
 #include <optional>
+#include <utility>
 
 namespace stromar {
 
@@ -123,6 +125,57 @@ void addBacks(ExportModel& model, float metre) {
     model.coarserChannels.resize(model.coarser.size());
     for (std::size_t lod = 0; lod < model.coarser.size(); ++lod)
         addBacks(model.coarser[lod], model.coarserChannels[lod], metre);
+}
+
+namespace {
+/// Of length and width 1.
+std::shared_ptr<const CMesh> meshOfBlade(const COrganMesh& organs) {
+    auto mesh = std::make_shared<CMesh>();
+    mesh->name = organs.name();
+    mesh->surface = organs.surface();
+    for (const LeafBlade::Point& point : organs.blade().points) {
+        mesh->positions.emplace_back(point.place);
+        mesh->normals.emplace_back(point.normal);
+        mesh->texCoords.push_back(point.texCoord);
+        mesh->looks.emplace_back();
+    }
+    mesh->indices.assign(organs.blade().indices.begin(), organs.blade().indices.end());
+    return mesh;
+}
+
+Instances placesOf(const COrganMesh& organs, const Arrangement& arrangement, float shift) {
+    assert(!arrangement.turns && "formats that hold instances have one axis up");
+    Instances all;
+    for (std::size_t i = 0; i < organs.count(); ++i) {
+        const InstancePlace own = organs.place(i);
+        all.places.push_back(arrangement.point(own.position + glm::vec3(shift, 0, 0)));
+        all.turns.push_back(own.turn);
+        all.sizes.push_back(arrangement.scale * glm::vec3(own.width, own.length, own.width));
+    }
+    return all;
+}
+
+/// What the first vertex of each instance carries; its name is one of the program's own, as those of instances have to be.
+VertexChannel channelOfInstances(const VertexChannel& channel, const COrganMesh& organs) {
+    VertexChannel own{channel.name.starts_with('_') ? channel.name : "_" + channel.name, channel.type, channel.components, {}};
+    const std::size_t bytes = channel.bytes.size() / organs.vertexCount(), points = organs.blade().points.size();
+    for (std::size_t i = 0; i < organs.count(); ++i) own.bytes.append(channel.bytes, i * points * bytes, bytes);
+    return own;
+}
+} // namespace
+
+void addInstances(ExportModel& model, const TreeModel& tree, const Arrangement& arrangement, float shift) {
+    model.instances.resize(model.meshes.size());
+    std::size_t next = 0;
+    tree.visitMeshes([&](const auto&, int) { ++next; },
+                     [&](const std::shared_ptr<const COrganMesh>& organs, int) {
+                         const std::size_t i = next++;
+                         model.meshes[i] = meshOfBlade(*organs);
+                         model.instances[i] = placesOf(*organs, arrangement, shift);
+                         if (model.channels.empty()) return;
+                         for (const VertexChannel& channel : std::exchange(model.channels[i], {}))
+                             model.instances[i].channels.push_back(channelOfInstances(channel, *organs));
+                     });
 }
 
 namespace {

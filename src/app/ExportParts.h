@@ -30,6 +30,10 @@ Meshes arranged(const Meshes& meshes, const Arrangement& to);
 /// The backs of leaves, with what their vertices carry. `metre` in the unit of the model.
 void addBacks(ExportModel& model, float metre);
 
+/// Organs as instances of their blade instead of vertices of their own, with what these carry. The model has the meshes of `tree` in the
+/// order of TreeModel::visitMeshes(), moved by `shift` along x before they were arranged.
+void addInstances(ExportModel& model, const TreeModel& tree, const Arrangement& arrangement, float shift = 0);
+
 /// Where a model goes.
 struct Output {
     std::filesystem::path path;

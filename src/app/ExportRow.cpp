@@ -37,6 +37,7 @@ public:
             m_row.meshes.push_back(renamed(*own.meshes[i], tree.name));
             m_row.meshMaterials.push_back(*material);
             if (!own.channels.empty()) m_row.channels.push_back(std::move(own.channels[i]));
+            if (!own.instances.empty()) m_row.instances.push_back(std::move(own.instances[i]));
         }
     }
 
@@ -55,6 +56,8 @@ private:
         const std::span<const std::shared_ptr<const TreeModel>> coloured(&model, isSolid(m_options) ? 0 : 1);
         if (m_format.channels != Channels::None) addColours(own, coloured, m_options);
         if (isTwoSided(m_options, m_format)) addBacks(own, arrangement.scale);
+        if (m_options.instances != static_cast<int>(ExportedInstances::None) && !isSolid(m_options))
+            addInstances(own, *model, arrangement, static_cast<float>(tree.place));
         return own;
     }
 

@@ -13,9 +13,9 @@ namespace {
 // clang-format off
 constexpr Format kFormats[] = {
     {.ending = ".glb", .name = N_("glTF, one file"), .upAxis = "y", .losses = N_("nothing"), .write = writeGlb, .bytesPerVertex = 68,
-     .pictures = Pictures::Inside, .objects = true, .lods = true, .maps = Maps::NormalsAndRoughness, .sides = Sides::Material, .channels = Channels::All},
+     .pictures = Pictures::Inside, .objects = true, .lods = true, .maps = Maps::NormalsAndRoughness, .sides = Sides::Material, .channels = Channels::All, .instances = true},
     {.ending = ".gltf", .name = N_("glTF, with its buffer and pictures beside it"), .upAxis = "y", .losses = N_("nothing"), .write = writeGltf,
-     .bytesPerVertex = 68, .objects = true, .lods = true, .maps = Maps::NormalsAndRoughness, .sides = Sides::Material, .channels = Channels::All},
+     .bytesPerVertex = 68, .objects = true, .lods = true, .maps = Maps::NormalsAndRoughness, .sides = Sides::Material, .channels = Channels::All, .instances = true},
     {.ending = ".fbx", .name = N_("FBX, binary, centimetres"), .upAxis = "y",
      .losses = N_("occlusion as an attribute; roughness is not connected: its maps lie beside the file"), .write = writeFbx, .bytesPerVertex = 50,
      .objects = true, .lods = true, .maps = Maps::NormalsAndRoughness, .opacity = true, .embeds = true, .channels = Channels::ColoursAndUvs},

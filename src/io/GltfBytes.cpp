@@ -62,6 +62,12 @@ std::string quantisedTexCoords(const CMesh& mesh) {
     });
 }
 
+std::string quantisedTurns(const std::vector<glm::vec4>& turns) {
+    return strided(turns.size(), kTurnStride, [&](std::size_t i, char* to) {
+        put(to, glm::i16vec4(glm::round(glm::vec4(yUp(glm::vec3(turns[i])), turns[i].w) * 32'767.0f)));
+    });
+}
+
 bool hasUnitTexCoords(const CMesh& mesh) {
     return std::ranges::all_of(mesh.texCoords, [](const glm::vec2& t) { return t.x >= 0 && t.x <= 1 && t.y >= 0 && t.y <= 1; });
 }

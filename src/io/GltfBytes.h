@@ -1,7 +1,9 @@
 #pragma once
 #include "stromar/mesh/Mesh.h"
+#include <glm/vec4.hpp>
 #include <span>
 #include <string>
+#include <vector>
 
 namespace stromar {
 
@@ -18,11 +20,12 @@ struct QuantisedBox {
     glm::u16vec3 of(const glm::vec3& place) const;
 };
 
-constexpr std::size_t kPositionStride = 8, kDirectionStride = 4, kTexCoordStride = 4; // bytes, padded to whole words
+constexpr std::size_t kPositionStride = 8, kDirectionStride = 4, kTexCoordStride = 4, kTurnStride = 8; // bytes, padded to whole words
 std::string quantisedPositions(const CMesh& mesh, const QuantisedBox& box); ///< three unsigned shorts
 std::string quantisedNormals(const CMesh& mesh);                           ///< three signed bytes, 127 is 1
 std::string quantisedTangents(const CMesh& mesh);                          ///< four
 std::string quantisedTexCoords(const CMesh& mesh);                         ///< two unsigned shorts, 65,535 is 1
+std::string quantisedTurns(const std::vector<glm::vec4>& turns);           ///< quaternions: four signed shorts, 32,767 is 1
 /// Whether all lie in the unit square, as the above wants.
 bool hasUnitTexCoords(const CMesh& mesh);
 

@@ -43,6 +43,7 @@ public:
         addTables();
         require("KHR_mesh_quantization", quantised());
         require(kMeshopt, packed());
+        require(kInstancing, std::ranges::any_of(source.instances, [](const Instances& of) { return !of.places.empty(); })); // else one huge leaf
     }
 
     std::uint64_t bufferBytes() const { return m_bytes; }
@@ -82,7 +83,7 @@ public:
 
 private:
     using Part = std::function<std::string()>;
-    static constexpr const char* kMeshopt = "EXT_meshopt_compression";
+    static constexpr const char *kMeshopt = "EXT_meshopt_compression", *kInstancing = "EXT_mesh_gpu_instancing";
 
     bool quantised() const { return m_source.compression != ExportModel::Compression::None; }
     bool packed() const { return m_source.compression == ExportModel::Compression::Meshopt; }
@@ -167,6 +168,10 @@ private:
         root.name = m_source.name;
         for (std::size_t i = 0; i < m_source.meshes.size(); ++i) {
             const auto& mesh = m_source.meshes[i];
+            if (m_source.isInstanced(i)) {
+                root.children.push_back(addInstanced(mesh, m_source.instances[i]));
+                continue;
+            }
             const int index = addMesh(mesh->name, {mesh}, m_source.channels, i);
             root.children.push_back(addNode(mesh->name, index, {mesh}));
         }
@@ -176,6 +181,31 @@ private:
         }
         m_gltf.nodes.push_back(root);
         m_gltf.scenes[0].nodes.push_back(static_cast<int>(m_gltf.nodes.size()) - 1);
+    }
+
+    /// EXT_mesh_gpu_instancing. The mesh is whole: what a quantised one is measured in belongs to its node.
+    int addInstanced(const std::shared_ptr<const CMesh>& mesh, const Instances& instances) {
+        const std::size_t count = instances.places.size();
+        tinygltf::Mesh own;
+        own.name = mesh->name;
+        own.primitives.push_back(makePrimitive(mesh, nullptr, nullptr));
+        m_gltf.meshes.push_back(own);
+        Attributes attributes;
+        attributes["TRANSLATION"] = addVertices<glm::vec3>(count, TINYGLTF_TYPE_VEC3, [&instances](std::size_t i) { return yUp(instances.places[i]); });
+        attributes["ROTATION"] = addStrided(count, kTurnStride, TINYGLTF_TYPE_VEC4, TINYGLTF_COMPONENT_TYPE_SHORT, true,
+                                            [&instances] { return quantisedTurns(instances.turns); });
+        attributes["SCALE"] = addVertices<glm::vec3>(count, TINYGLTF_TYPE_VEC3, [&instances](std::size_t i) {
+            return glm::vec3(instances.sizes[i].x, instances.sizes[i].z, instances.sizes[i].y);
+        });
+        for (const VertexChannel& channel : instances.channels) attributes[channel.name] = addChannel(channel, count);
+        tinygltf::Value::Object named;
+        for (const auto& [name, accessor] : attributes) named[name] = tinygltf::Value(accessor);
+        tinygltf::Node node;
+        node.name = mesh->name;
+        node.mesh = static_cast<int>(m_gltf.meshes.size()) - 1;
+        node.extensions[kInstancing] = tinygltf::Value(tinygltf::Value::Object{{"attributes", tinygltf::Value(named)}});
+        m_gltf.nodes.push_back(node);
+        return static_cast<int>(m_gltf.nodes.size()) - 1;
     }
 
     /// Bones at rest are only shifted; the first nodes of the file are theirs.
@@ -294,19 +324,20 @@ private:
         mesh.name = name;
         const QuantisedBox box(parts);
         for (std::size_t i = 0; i < parts.size(); ++i)
-            mesh.primitives.push_back(makePrimitive(parts[i], box, channels.empty() ? nullptr : &channels[first + i]));
+            mesh.primitives.push_back(makePrimitive(parts[i], quantised() ? &box : nullptr, channels.empty() ? nullptr : &channels[first + i]));
         m_gltf.meshes.push_back(mesh);
         return static_cast<int>(m_gltf.meshes.size()) - 1;
     }
 
-    tinygltf::Primitive makePrimitive(const std::shared_ptr<const CMesh>& mesh, const QuantisedBox& box, const VertexChannels* channels) {
+    /// Quantised in the box, or whole without one.
+    tinygltf::Primitive makePrimitive(const std::shared_ptr<const CMesh>& mesh, const QuantisedBox* box, const VertexChannels* channels) {
         const std::size_t count = mesh->vertexCount();
         tinygltf::Primitive primitive;
         primitive.mode = TINYGLTF_MODE_TRIANGLES;
         primitive.material = static_cast<int>(m_source.materialIndex(*mesh));
         auto& attributes = primitive.attributes;
-        if (quantised())
-            addQuantised(mesh, box, attributes);
+        if (box)
+            addQuantised(mesh, *box, attributes);
         else
             addWhole(mesh, attributes);
         for (std::size_t c = 0; channels && c < channels->size(); ++c) attributes[(*channels)[c].name] = addChannel((*channels)[c], count);

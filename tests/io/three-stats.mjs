@@ -32,26 +32,39 @@ const readers = {
 };
 const root = await readers[extname(file)]();
 root.updateMatrixWorld(true);
-const box = new THREE.Box3().setFromObject(root);
-const stats = { triangles: 0, opaque: 0, objects: [], materials: {}, groups: 0, scale: 0, colours: 0, uv2: 0, vertices: 0, normal: [0, 0, 0], uv: [0, 0], min: box.min.toArray(), max: box.max.toArray() };
+const box = new THREE.Box3(); // of the vertices, not of the boxes of instances
+const stats = { triangles: 0, opaque: 0, objects: [], materials: {}, groups: 0, scale: 0, colours: 0, uv2: 0, vertices: 0, instances: 0, colour: [0, 0, 0], normal: [0, 0, 0], uv: [0, 0], };
 root.traverse(object => {
   stats.scale = Math.max(stats.scale, ...object.scale.toArray());
   if (!object.isMesh) return;
   const { index, attributes, groups } = object.geometry;
   stats.opaque += [object.material].flat().every(material => material.alphaTest === 0 && !material.alphaMap) ? 1 : 0;
-  stats.triangles += (index ? index.count : attributes.position.count) / 3;
+  const places = [new THREE.Matrix4()];
+  if (object.isInstancedMesh) for (let i = 0; i < object.count; ++i) object.getMatrixAt(i, places[i] = new THREE.Matrix4());
+  stats.instances += object.isInstancedMesh ? object.count : 0;
+  stats.triangles += places.length * (index ? index.count : attributes.position.count) / 3;
   stats.objects.push(object.name);
   stats.groups += groups.length;
-  stats.colours += attributes.color ? 1 : 0;
-  for (let v = 0; v < attributes.position.count; ++v) {
-    stats.normal = stats.normal.map((sum, i) => sum + Math.abs(attributes.normal.getComponent(v, i)));
-    stats.uv = stats.uv.map((sum, i) => sum + attributes.uv.getComponent(v, i));
+  const colours = object.instanceColor ?? attributes.color;
+  stats.colours += colours ? 1 : 0;
+  const coloured = object.isInstancedMesh ? attributes.position.count : 1; // vertices by each
+  for (let c = 0; colours && c < colours.count; ++c) stats.colour = stats.colour.map((sum, i) => sum + coloured * colours.getComponent(c, i));
+  const normal = new THREE.Vector3(), point = new THREE.Vector3(), turn = new THREE.Matrix3();
+  for (const place of places) {
+    turn.getNormalMatrix(place);
+    for (let v = 0; v < attributes.position.count; ++v) {
+      box.expandByPoint(point.fromBufferAttribute(attributes.position, v).applyMatrix4(place).applyMatrix4(object.matrixWorld));
+      normal.fromBufferAttribute(attributes.normal, v).applyMatrix3(turn).normalize();
+      stats.normal = stats.normal.map((sum, i) => sum + Math.abs(normal.getComponent(i)));
+      stats.uv = stats.uv.map((sum, i) => sum + attributes.uv.getComponent(v, i));
+    }
   }
-  stats.vertices += attributes.position.count;
+  stats.vertices += places.length * attributes.position.count;
   stats.uv2 += attributes.uv1 ? 1 : 0;
   for (const material of [object.material].flat()) stats.materials[material.name] = ['map', 'alphaMap', 'normalMap', 'roughnessMap'].filter(map => material[map]);
 });
-for (const mean of [stats.normal, stats.uv]) mean.forEach((sum, i) => { mean[i] = sum / stats.vertices; });
+for (const mean of [stats.normal, stats.uv, stats.colour]) mean.forEach((sum, i) => { mean[i] = sum / stats.vertices; });
+Object.assign(stats, { min: box.min.toArray(), max: box.max.toArray() });
 stats.objects.sort();
 stats.pictures = asked;
 console.log(JSON.stringify(stats));

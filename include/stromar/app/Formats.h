@@ -32,6 +32,7 @@ struct Format {
     bool embeds = false;   ///< can hold pictures, too
     Sides sides = Sides::One;
     Channels channels = Channels::None;
+    bool instances = false; ///< holds one mesh at many places
 };
 
 std::span<const Format> formatTable();

@@ -43,6 +43,13 @@ struct DataTable {
     std::string bytes;
 };
 
+/// Where a mesh stands that stands at many places: scaled along its axes, then turned, then moved.
+struct Instances {
+    std::vector<glm::vec3> places, sizes;
+    std::vector<glm::vec4> turns; ///< unit quaternions x y z w
+    VertexChannels channels{};    ///< of the instances instead of vertices
+};
+
 /// What a writer of model files gets.
 struct ExportModel {
     std::string name;
@@ -57,7 +64,9 @@ struct ExportModel {
     std::vector<std::size_t> meshMaterials{}; ///< by mesh: which of the materials it has; empty: that of its surface
     enum class Compression { None, Quantised, Meshopt } compression = Compression::None; ///< in formats that hold it; without joints and tables
     bool leafLight = false; ///< light comes through what is cut out, in formats that hold it
+    std::vector<Instances> instances{}; ///< by mesh, of a single level of detail; without places, or beyond the end: it stands once, as it is
 
+    bool isInstanced(std::size_t mesh) const { return mesh < instances.size() && !instances[mesh].places.empty(); }
     /// Which of the materials a mesh has.
     std::size_t materialIndex(const CMesh& mesh) const;
     const Material& materialOf(const CMesh& mesh) const { return materials[materialIndex(mesh)]; }
