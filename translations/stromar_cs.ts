@@ -3883,6 +3883,22 @@
         <source>Of glTF files: one mesh for all leaves of a kind and a list of places instead of a copy for each, for programs that know it. The others refuse the file. Normals are not rounded, and each leaf has one tint.</source>
         <translation>Soubory glTF: jedna síť pro všechny listy jednoho druhu a seznam míst namísto kopie pro každý, pro programy, které to znají. Ostatní soubor odmítnou. Normály nejsou zaoblené a každý list má jeden odstín.</translation>
     </message>
+    <message>
+        <source>PNG</source>
+        <translation>PNG</translation>
+    </message>
+    <message>
+        <source>JPEG where it can be</source>
+        <translation>JPEG, kde to jde</translation>
+    </message>
+    <message>
+        <source>Texture format</source>
+        <translation>Formát textur</translation>
+    </message>
+    <message>
+        <source>What pictures of bark colours are written as: JPEG has about a fifth of the bytes. Pictures with alpha, normals and roughness stay PNG.</source>
+        <translation>V čem se zapisují barvy kůry: JPEG má asi pětinu bajtů. Obrázky s alfou, normály a drsnost zůstávají PNG.</translation>
+    </message>
 </context>
 <context>
     <name>stromar::CComparison</name>

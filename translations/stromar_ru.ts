@@ -3883,6 +3883,22 @@
         <source>Of glTF files: one mesh for all leaves of a kind and a list of places instead of a copy for each, for programs that know it. The others refuse the file. Normals are not rounded, and each leaf has one tint.</source>
         <translation>Файлы glTF: одна сетка для всех листьев одного вида и список мест вместо копии для каждого, для программ, которые это знают. Другие отвергают файл. Нормали не скруглены, и у каждого листа один оттенок.</translation>
     </message>
+    <message>
+        <source>PNG</source>
+        <translation>PNG</translation>
+    </message>
+    <message>
+        <source>JPEG where it can be</source>
+        <translation>JPEG, где возможно</translation>
+    </message>
+    <message>
+        <source>Texture format</source>
+        <translation>Формат текстур</translation>
+    </message>
+    <message>
+        <source>What pictures of bark colours are written as: JPEG has about a fifth of the bytes. Pictures with alpha, normals and roughness stay PNG.</source>
+        <translation>В чём записываются цвета коры: у JPEG около пятой части байтов. Изображения с альфой, нормали и шероховатость остаются PNG.</translation>
+    </message>
 </context>
 <context>
     <name>stromar::CComparison</name>

@@ -3883,6 +3883,22 @@
         <source>Of glTF files: one mesh for all leaves of a kind and a list of places instead of a copy for each, for programs that know it. The others refuse the file. Normals are not rounded, and each leaf has one tint.</source>
         <translation>Datoteke glTF: ena mreža za vse liste ene vrste in seznam mest namesto kopije za vsakega, za programe, ki to poznajo. Drugi datoteko zavrnejo. Normale niso zaobljene in vsak list ima en odtenek.</translation>
     </message>
+    <message>
+        <source>PNG</source>
+        <translation>PNG</translation>
+    </message>
+    <message>
+        <source>JPEG where it can be</source>
+        <translation>JPEG, kjer je mogoče</translation>
+    </message>
+    <message>
+        <source>Texture format</source>
+        <translation>Oblika tekstur</translation>
+    </message>
+    <message>
+        <source>What pictures of bark colours are written as: JPEG has about a fifth of the bytes. Pictures with alpha, normals and roughness stay PNG.</source>
+        <translation>V čem se zapišejo barve skorje: JPEG ima približno petino bajtov. Slike z alfo, normale in hrapavost ostanejo PNG.</translation>
+    </message>
 </context>
 <context>
     <name>stromar::CComparison</name>

@@ -44,6 +44,8 @@ constexpr string_view kCollisionNames[] = {N_("No"), N_("As a list of capsules b
                                            N_("As Godot looks for it: …-colonly")};
 constexpr string_view kCompressions[] = {"none", "quantize", "meshopt"};
 constexpr string_view kCompressionNames[] = {N_("No"), N_("Quantised (KHR_mesh_quantization)"), N_("Quantised, then meshopt (EXT_meshopt_compression)")};
+constexpr string_view kTextureFormats[] = {"png", "jpg"};
+constexpr string_view kTextureFormatNames[] = {N_("PNG"), N_("JPEG where it can be")};
 constexpr string_view kInstances[] = {"none", "leaves"};
 constexpr string_view kInstancesNames[] = {N_("No"), N_("Leaves (EXT_mesh_gpu_instancing)")};
 constexpr int kMaxBones = 256, kMaxTexture = 8192;
@@ -90,6 +92,12 @@ constexpr ExportChoice kChoices[] = {
      .field = &ExportOptions::textureSize,
      .range = {0, kMaxTexture},
      .whenZero = N_("as they are")},
+    {.key = "texture-format",
+     .label = N_("Texture format"),
+     .help = N_("What pictures of bark colours are written as: JPEG has about a fifth of the bytes. Pictures with alpha, normals and roughness stay PNG."),
+     .words = kTextureFormats,
+     .names = kTextureFormatNames,
+     .field = &ExportOptions::textureFormat},
     {.key = "normal-maps",
      .label = N_("Normal maps"),
      .help = N_("Which way the green of normal maps points: up, as OpenGL, Blender, Unity and Godot have it, or down, "
@@ -261,7 +269,7 @@ string_view adviceOn(const ExportOptions& options, const Format& format) {
 
 /// Pictures that the export would have to change, or to add.
 bool changesPictures(const ExportOptions& options) {
-    return options.textureSize > 0 || options.normalMaps != 0 || options.packedMaps != 0;
+    return options.textureSize > 0 || options.textureFormat != 0 || options.normalMaps != 0 || options.packedMaps != 0;
 }
 
 string_view conflictOf(const ExportOptions& options, const Format& format) {

@@ -258,11 +258,11 @@ Material materialOf(const TreeModel& model, Surface surface, const ExportOptions
     if (format.pictures == Pictures::None) return material;
     const fs::path whole = textureOf(model, surface, treeFolder);
     material.picture = preparedPicture(whole, info.cutOut ? PictureUse::CutOutAlbedo : PictureUse::Albedo, options);
-    const fs::path copy = pictureBeside(to.named, surface, material.picture);
+    const fs::path copy = pictureBeside(to.named, surface, whole); // maps keep its format
     const auto place = [&](const fs::path& picture, const char* suffix) {
         return PictureRef{placed(picture, mapBeside(copy, suffix), textures, options, to, files), picture};
     };
-    material.texture = placed(material.picture, copy, textures, options, to, files);
+    material.texture = placed(material.picture, pictureBeside(to.named, surface, material.picture), textures, options, to, files);
     if (format.opacity && info.cutOut && lowerCase(whole.extension().string()) == ".png" &&
         textures != ExportedTextures::Refer)
         material.opacity = place(preparedPicture(whole, PictureUse::Opacity, options), "_opacity");

@@ -74,10 +74,15 @@ void recolour(Pixels& pixels, PictureUse use, const ExportOptions& options) {
     }
 }
 
+/// JPEG has no alpha, and its blocks would show in normals.
+bool isJpeg(PictureUse use, const ExportOptions& options) {
+    return use == PictureUse::Albedo && options.textureFormat == static_cast<int>(ExportedTextureFormat::Jpeg);
+}
+
 bool changes(const Picture& picture, PictureUse use, const ExportOptions& options) {
     if (options.textureSize > 0 && std::max(picture.width, picture.height) > options.textureSize) return true;
     switch (use) {
-    case PictureUse::Albedo:
+    case PictureUse::Albedo: return isJpeg(use, options);
     case PictureUse::CutOutAlbedo: return false;
     case PictureUse::Normal: return options.normalMaps == static_cast<int>(ExportedNormalMaps::DirectX);
     case PictureUse::Roughness: return options.packedMaps == static_cast<int>(ExportedPackedMaps::Orm);
@@ -92,7 +97,7 @@ fs::path keptFile(const fs::path& source, PictureUse use, const ExportOptions& o
     std::string all = fs::absolute(source).string() + ' ' + std::to_string(fs::last_write_time(source).time_since_epoch().count()) + ' ' +
                       std::to_string(fs::file_size(source)) + ' ' + std::to_string(kVersion);
     for (const int choice : {static_cast<int>(use), options.textureSize, options.normalMaps, options.packedMaps}) all += ' ' + std::to_string(choice);
-    return pictureCache() / "exports" / (nameOfHash(hashOfText(all)) + ".png");
+    return pictureCache() / "exports" / (nameOfHash(hashOfText(all)) + (isJpeg(use, options) ? ".jpg" : ".png"));
 }
 
 std::optional<int> readUniformGrey(const fs::path& picture) {
@@ -117,7 +122,7 @@ std::optional<int> uniformGrey(const fs::path& picture) {
 
 fs::path preparedPicture(const fs::path& source, PictureUse use, const ExportOptions& options) {
     if (lowerCase(source.extension().string()) != ".png") return source;
-    const bool mayChange = options.textureSize > 0 || use == PictureUse::Normal || use == PictureUse::Roughness || use == PictureUse::Opacity ||
+    const bool mayChange = options.textureSize > 0 || isJpeg(use, options) || use == PictureUse::Normal || use == PictureUse::Roughness || use == PictureUse::Opacity ||
                            use == PictureUse::UnityMask;
     if (!mayChange) return source;
     try {
@@ -130,7 +135,10 @@ fs::path preparedPicture(const fs::path& source, PictureUse use, const ExportOpt
         recolour(picture.pixels, use, options);
         fs::create_directories(file.parent_path());
         CFileSet files;
-        writePng(picture.pixels, picture.width, picture.height, file, files);
+        if (isJpeg(use, options))
+            writeJpeg(picture.pixels, picture.width, picture.height, file, files);
+        else
+            writePng(picture.pixels, picture.width, picture.height, file, files);
         files.commit();
         return file;
     } catch (const fs::filesystem_error& e) {

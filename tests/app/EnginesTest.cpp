@@ -8,7 +8,9 @@
 #include "util/TemporaryFolder.h"
 #include <algorithm>
 #include <gtest/gtest.h>
+#include <memory>
 #include <nlohmann/json.hpp>
+#include <turbojpeg.h>
 
 namespace stromar::test {
 
@@ -117,6 +119,36 @@ TEST_F(EngineExport, PicturesAreHalvedUntilTheyFit) {
         return double(std::ranges::count_if(maps.albedo, [](const auto& p) { return p[3] > 102; })) / double(maps.albedo.size());
     };
     EXPECT_NEAR(cover(picture("tree_leaf.png")), cover(readPng(textureOf(smallModel()->params, Surface::Leaf, {}))), 0.03) << "leaves keep their area";
+}
+
+/// What a decoder sees.
+std::vector<std::array<std::uint8_t, 4>> jpegPixels(const std::string& bytes, int& width, int& height) {
+    const std::unique_ptr<void, int (*)(void*)> jpeg(tjInitDecompress(), tjDestroy);
+    const auto* data = reinterpret_cast<const unsigned char*>(bytes.data());
+    int sampling = 0, colours = 0;
+    EXPECT_EQ(tjDecompressHeader3(jpeg.get(), data, bytes.size(), &width, &height, &sampling, &colours), 0);
+    std::vector<std::array<std::uint8_t, 4>> pixels(static_cast<std::size_t>(width * height));
+    EXPECT_EQ(tjDecompress2(jpeg.get(), data, bytes.size(), pixels.front().data(), width, 0, height, TJPF_RGBX, TJFLAG_ACCURATEDCT), 0);
+    return pixels;
+}
+
+TEST_F(EngineExport, ColoursOfBarkMayBeJpeg) {
+    const fs::path file = write(chosen({{"texture-format", "jpg"}}), ".gltf");
+    for (const char* name : {"tree_bark_normal.png", "tree_leaf.png", "tree_leaf_normal.png", "tree_leaf_roughness.png"})
+        EXPECT_GT(picture(name).width, 100) << name << " is as before";
+    EXPECT_FALSE(fs::exists(file.parent_path() / "tree_bark.png"));
+    int width = 0, height = 0;
+    const std::string bytes = readFile(file.parent_path() / "tree_bark.jpg");
+    const auto pixels = jpegPixels(bytes, width, height);
+    const TextureMaps plain = readPng(textureOf(smallModel()->params, Surface::Bark, {}));
+    ASSERT_EQ(width, plain.width);
+    ASSERT_EQ(height, plain.height);
+    double off = 0;
+    for (std::size_t i = 0; i < pixels.size(); ++i)
+        for (std::size_t c = 0; c < 3; ++c) off += std::abs(int(pixels[i][c]) - int(plain.albedo[i][c]));
+    EXPECT_LT(off / double(3 * pixels.size()), 4) << "of 255, on the average";
+    EXPECT_LT(bytes.size(), fs::file_size(textureOf(smallModel()->params, Surface::Bark, {})) / 2);
+    EXPECT_NE(readFile(file).find("\"tree_bark.jpg\""), std::string::npos);
 }
 
 TEST_F(EngineExport, NormalsForDirectXPointDown) {

@@ -45,5 +45,7 @@ TextureMaps readPng(const std::filesystem::path& path);
 /// One picture with its opacity.
 void writePng(const std::vector<std::array<std::uint8_t, 4>>& pixels, int width, int height,
               const std::filesystem::path& path, CFileSet& files);
+/// One picture without its opacity, as JPEG. Throws CError.
+void writeJpeg(const std::vector<std::array<std::uint8_t, 4>>& pixels, int width, int height, const std::filesystem::path& path, CFileSet& files);
 
 } // namespace stromar
