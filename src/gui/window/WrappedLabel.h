@@ -1,4 +1,5 @@
 #pragma once
+#include <algorithm>
 #include <QLabel>
 
 namespace stromar {
@@ -21,7 +22,7 @@ protected:
 
 private:
     void keepHeight() {
-        if (const int height = heightForWidth(width()); height != minimumHeight()) setMinimumHeight(height);
+        if (const int height = std::max(0, heightForWidth(width())); height != minimumHeight()) setMinimumHeight(height);
     }
 };
 
