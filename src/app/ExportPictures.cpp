@@ -127,7 +127,7 @@ fs::path preparedPicture(const fs::path& source, PictureUse use, const ExportOpt
     if (!mayChange) return source;
     try {
         const fs::path file = keptFile(source, use, options);
-        if (fs::exists(file)) return file;
+        if (isKept(file)) return file;
         TextureMaps maps = readPng(source);
         Picture picture{std::move(maps.albedo), maps.width, maps.height};
         if (!changes(picture, use, options)) return source;

@@ -9,6 +9,10 @@
 #include <cassert>
 #include <cmath>
 #include <cstdlib>
+#include <ctime>
+#include <fcntl.h>
+#include <map>
+#include <sys/stat.h>
 
 namespace stromar {
 
@@ -16,6 +20,7 @@ namespace fs = std::filesystem;
 
 namespace {
 constexpr int kTileSize = 1024, kPreviewTileSize = 192, kCutOutSize = 512, kPreviewSize = 96;
+constexpr std::int64_t kSecond = 1'000'000'000, kInUse = 600 * kSecond;
 constexpr double kSeasonSteps = 0.2;      // of a month: the picture follows the slider in so many
 constexpr std::uint64_t kLookVersion = 3; // rises when the same recipe is drawn differently
 
@@ -56,23 +61,30 @@ TwigSource twigSource(const TreeModel& model, const fs::path& folder) {
         source.leaves[kind] = textureOf(model.params, shownSurface(model.params, kLeafSurfaces[kind]), folder);
     return source;
 }
+/// A picture with its maps.
 struct KeptPicture {
-    fs::path file;
-    std::uintmax_t bytes;
-    fs::file_time_type time;
+    std::vector<fs::path> files;
+    std::uintmax_t bytes = 0;
+    std::int64_t used = 0; ///< nanoseconds, when it was last written or used
 };
 
+std::int64_t nanoseconds(const timespec& time) { return time.tv_sec * kSecond + time.tv_nsec; }
+
 std::vector<KeptPicture> keptPictures() {
-    std::vector<KeptPicture> kept;
+    std::map<fs::path, KeptPicture> kept;
     std::error_code problem; // of files that others remove meanwhile
     for (fs::recursive_directory_iterator at(pictureCache(), problem), end; !problem && at != end; at.increment(problem)) {
-        if (!at->is_regular_file(problem)) continue;
-        KeptPicture picture{at->path(), at->file_size(problem), {}};
-        if (!problem) picture.time = at->last_write_time(problem);
-        if (!problem) kept.push_back(std::move(picture));
-        problem.clear();
+        struct stat found {};
+        if (stat(at->path().c_str(), &found) != 0 || !S_ISREG(found.st_mode)) continue;
+        const std::string name = at->path().stem().string();
+        KeptPicture& picture = kept[at->path().parent_path() / name.substr(0, name.find('_'))];
+        picture.files.push_back(at->path());
+        picture.bytes += static_cast<std::uintmax_t>(found.st_size);
+        picture.used = std::max({picture.used, nanoseconds(found.st_atim), nanoseconds(found.st_mtim)});
     }
-    return kept;
+    std::vector<KeptPicture> all;
+    for (auto& [name, picture] : kept) all.push_back(std::move(picture));
+    return all;
 }
 
 std::uintmax_t sizeOf(const std::vector<KeptPicture>& kept) {
@@ -93,12 +105,21 @@ std::uintmax_t pictureCacheSize() { return sizeOf(keptPictures()); }
 void trimPictureCache(std::uintmax_t bytes) {
     auto kept = keptPictures();
     std::uintmax_t left = sizeOf(kept);
-    std::ranges::sort(kept, {}, &KeptPicture::time);
+    timespec now{};
+    clock_gettime(CLOCK_REALTIME, &now);
+    const std::int64_t inUse = nanoseconds(now) - kInUse;
+    std::ranges::sort(kept, {}, &KeptPicture::used);
     for (const KeptPicture& oldest : kept) {
-        if (left <= bytes) return;
+        if (left <= bytes || (bytes > 0 && oldest.used > inUse)) return;
         std::error_code problem;
-        if (fs::remove(oldest.file, problem)) left -= oldest.bytes;
+        for (const fs::path& file : oldest.files) fs::remove(file, problem);
+        if (!problem) left -= oldest.bytes;
     }
+}
+
+bool isKept(const fs::path& picture) {
+    constexpr timespec kUsedNow[] = {{0, UTIME_NOW}, {0, UTIME_OMIT}}; // when it was written is part of what is made of it
+    return utimensat(AT_FDCWD, picture.c_str(), kUsedNow, 0) == 0 || fs::exists(picture);
 }
 
 fs::path dataFolder() {
@@ -145,8 +166,8 @@ void makePictures(const CParams& params, const CProgress& progress, PictureQuali
         if (!isRecipe(recipe)) continue;
         const CRecipe read(recipe);
         const fs::path file = textureOf(params, surface, {}, quality);
-        const bool enough = quality == PictureQuality::Preview && fs::exists(textureOf(params, surface, {}, PictureQuality::Full));
-        if (enough || fs::exists(file)) continue;
+        const bool enough = quality == PictureQuality::Preview && isKept(textureOf(params, surface, {}, PictureQuality::Full));
+        if (enough || isKept(file)) continue;
         keepPicture(read.draw(sizeOf(surface, quality), progress), file);
     }
 }
@@ -159,7 +180,7 @@ fs::path textureOf(const TreeModel& model, Surface surface, const fs::path& fold
 void makePictures(const TreeModel& model, const fs::path& folder, const CProgress& progress) {
     makePictures(model.params, progress);
     const fs::path file = textureOf(model, Surface::Twig, folder);
-    if (file.empty() || fs::exists(file)) return;
+    if (file.empty() || isKept(file)) return;
     keepPicture(drawTwig(*model.twig, twigSource(model, folder), progress), file);
 }
 

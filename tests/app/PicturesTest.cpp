@@ -5,8 +5,12 @@
 #include "stromar/texture/Draw.h"
 #include "stromar/util/FileSet.h"
 #include "util/TemporaryFolder.h"
+#include <algorithm>
 #include <cstdlib>
+#include <ctime>
+#include <fcntl.h>
 #include <gtest/gtest.h>
+#include <sys/stat.h>
 
 namespace stromar {
 namespace {
@@ -21,29 +25,39 @@ protected:
         m_params.text.barkTexture = "bark:birch seed=3";
     }
     ~RecipeTest() override { unsetenv("XDG_CACHE_HOME"); }
+    static void write(const fs::path& file, int hoursAgo) {
+        writeFile(file, std::string(500, 'x'));
+        const timespec then{time(nullptr) - 3600 * hoursAgo, 0}, both[] = {then, then};
+        utimensat(AT_FDCWD, file.c_str(), both, 0);
+    }
+    static std::vector<std::string> namesIn(const fs::path& folder) {
+        std::vector<std::string> names;
+        for (const auto& entry : fs::directory_iterator(folder)) names.push_back(entry.path().filename().string());
+        std::ranges::sort(names);
+        return names;
+    }
     fs::path bark() const { return textureOf(m_params, Surface::Bark, "/some/folder"); }
 
     test::CTemporaryFolder m_folder;
     CParams m_params;
 };
 
-TEST_F(RecipeTest, TheOldestPicturesGoFirst) {
+TEST_F(RecipeTest, WhatIsLongestUnusedGoesFirst) {
     const fs::path folder = pictureCache() / "textures";
     fs::create_directories(folder);
-    const auto now = fs::file_time_type::clock::now();
-    for (int age = 0; age < 4; ++age) {
-        const fs::path file = folder / (std::to_string(age) + ".png");
-        writeFile(file, std::string(1000, 'x'));
-        fs::last_write_time(file, now - std::chrono::hours(age));
-    }
+    for (int age = 0; age < 4; ++age)
+        for (const char* map : {".png", "_normal.png"}) write(folder / (std::to_string(age) + map), age);
     EXPECT_EQ(pictureCacheSize(), 4000u);
     trimPictureCache(4000);
     EXPECT_EQ(pictureCacheSize(), 4000u);
+    const auto written = fs::last_write_time(folder / "3.png");
+    EXPECT_TRUE(isKept(folder / "3.png"));
+    EXPECT_FALSE(isKept(folder / "4.png"));
+    EXPECT_EQ(fs::last_write_time(folder / "3.png"), written) << "other pictures are named after it";
     trimPictureCache(2500);
-    EXPECT_TRUE(fs::exists(folder / "0.png"));
-    EXPECT_TRUE(fs::exists(folder / "1.png"));
-    EXPECT_FALSE(fs::exists(folder / "2.png"));
-    EXPECT_FALSE(fs::exists(folder / "3.png"));
+    EXPECT_EQ(namesIn(folder), (std::vector<std::string>{"0.png", "0_normal.png", "3.png", "3_normal.png"})) << "those that were used last";
+    trimPictureCache(1);
+    EXPECT_EQ(namesIn(folder), (std::vector<std::string>{"0.png", "0_normal.png", "3.png", "3_normal.png"})) << "and may be in use";
     trimPictureCache(0);
     EXPECT_EQ(pictureCacheSize(), 0u);
     makePictures(m_params, CProgress());

@@ -15,7 +15,10 @@ std::filesystem::path dataFolder();
 std::filesystem::path pictureCache();
 /// What they take, bytes.
 std::uintmax_t pictureCacheSize();
-/// Removes the oldest until no more than so many bytes are left. What cannot be removed stays.
+/// Whether a picture of the cache is there; then it counts as used now.
+bool isKept(const std::filesystem::path& picture);
+/// Removes what has not been used for the longest time until no more than so many bytes are left; a picture goes with its maps. What was
+/// used in the last ten minutes stays, since another process may be about to read it, unless 0 bytes shall be left. What cannot be removed stays.
 void trimPictureCache(std::uintmax_t bytes);
 
 /// What a surface that the user can choose shows: the tree's own picture or recipe, with the month where it changes a
