@@ -224,12 +224,11 @@ std::optional<fs::path> mapOf(const fs::path& picture, const char* suffix) {
 
 /// Of normals and roughness, where there are some.
 template <typename Place>
-void addMaps(Material& material, const fs::path& whole, Maps maps, const ExportOptions& options, Place&& place) {
-    if (maps == Maps::None) return;
-    if (const auto normal = mapOf(whole, "_normal"))
+void addMaps(Material& material, const fs::path& whole, const Format& format, const ExportOptions& options, Place&& place) {
+    if (const auto normal = format.has(Content::NormalMaps) ? mapOf(whole, "_normal") : std::nullopt)
         material.normal = place(preparedPicture(*normal, PictureUse::Normal, options), "_normal");
-    const auto rough = mapOf(whole, "_roughness");
-    if (!rough || maps < Maps::NormalsAndRoughness) return;
+    const auto rough = format.has(Content::RoughnessMaps) || format.looseRoughness ? mapOf(whole, "_roughness") : std::nullopt;
+    if (!rough) return;
     const bool wantsPicture = options.packedMaps != static_cast<int>(ExportedPackedMaps::None);
     if (const auto same = wantsPicture ? std::nullopt : uniformGrey(*rough)) {
         material.roughnessFactor = float(*same) / 255;
@@ -266,7 +265,7 @@ Material materialOf(const TreeModel& model, Surface surface, const ExportOptions
     if (format.opacity && info.cutOut && lowerCase(whole.extension().string()) == ".png" &&
         textures != ExportedTextures::Refer)
         material.opacity = place(preparedPicture(whole, PictureUse::Opacity, options), "_opacity");
-    addMaps(material, whole, format.maps, options, place);
+    addMaps(material, whole, format, options, place);
     if (options.packedMaps == static_cast<int>(ExportedPackedMaps::UnityMask) && to.copiesPictures)
         if (const auto rough = mapOf(whole, "_roughness"))
             files.copy(preparedPicture(*rough, PictureUse::UnityMask, options), mapBeside(copy, "_mask"));

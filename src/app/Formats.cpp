@@ -10,54 +10,75 @@
 namespace stromar {
 
 namespace {
+constexpr ContentInfo kContents[] = {
+    {Content::Materials, N_("materials")},
+    {Content::Pictures, N_("pictures")},
+    {Content::TexCoords, N_("texture coordinates")},
+    {Content::Normals, N_("normals (programs make their own)")},
+    {Content::Opacity, N_("transparency of the leaf picture"), unsigned(Content::Pictures)},
+    {Content::NormalMaps, N_("maps of normals"), unsigned(Content::Pictures)},
+    {Content::RoughnessMaps, N_("maps of roughness"), unsigned(Content::Pictures)},
+    {Content::Tints, N_("tints of leaves")},
+    {Content::Occlusion, N_("occlusion as an attribute")},
+    {Content::Tangents, N_("tangents"), Content::Normals | Content::TexCoords},
+};
+
+constexpr unsigned kShape = Content::TexCoords | Content::Normals, kColours = Content::Materials | Content::Pictures | Content::Opacity;
+constexpr unsigned kEverything = kShape | kColours | Content::NormalMaps | Content::RoughnessMaps | Content::Tangents | Content::Tints | Content::Occlusion;
+constexpr unsigned kMaps = Content::NormalMaps | Content::RoughnessMaps;
+
 // clang-format off
 constexpr Format kFormats[] = {
-    {.ending = ".glb", .name = N_("glTF, one file"), .upAxis = "y", .losses = N_("nothing"), .write = writeGlb, .bytesPerVertex = 68,
-     .pictures = Pictures::Inside, .objects = true, .lods = true, .maps = Maps::NormalsAndRoughness, .sides = Sides::Material, .channels = Channels::All, .instances = true},
-    {.ending = ".gltf", .name = N_("glTF, with its buffer and pictures beside it"), .upAxis = "y", .losses = N_("nothing"), .write = writeGltf,
-     .bytesPerVertex = 68, .objects = true, .lods = true, .maps = Maps::NormalsAndRoughness, .sides = Sides::Material, .channels = Channels::All, .instances = true},
+    {.ending = ".glb", .name = N_("glTF, one file"), .upAxis = "y", .holds = kEverything, .write = writeGlb, .bytesPerVertex = 68,
+     .pictures = Pictures::Inside, .objects = true, .lods = true, .sides = Sides::Material, .channels = Channels::All, .instances = true},
+    {.ending = ".gltf", .name = N_("glTF, with its buffer and pictures beside it"), .upAxis = "y", .holds = kEverything, .write = writeGltf,
+     .bytesPerVertex = 68, .objects = true, .lods = true, .sides = Sides::Material, .channels = Channels::All, .instances = true},
     {.ending = ".fbx", .name = N_("FBX, binary, centimetres"), .upAxis = "y",
-     .losses = N_("occlusion as an attribute; roughness is not connected: its maps lie beside the file"), .write = writeFbx, .bytesPerVertex = 50,
-     .objects = true, .lods = true, .maps = Maps::NormalsAndRoughness, .opacity = true, .embeds = true, .channels = Channels::ColoursAndUvs},
-    {.ending = ".usda", .name = N_("USD, text"), .upAxis = "y", .losses = N_("occlusion, tints of leaves and tangents"), .write = writeUsda,
-     .bytesPerVertex = 130, .objects = true, .maps = Maps::NormalsAndRoughness, .sides = Sides::Material},
-    {.ending = ".usdz", .name = N_("USD, a package with its pictures"), .upAxis = "y", .losses = N_("occlusion, tints of leaves and tangents"),
-     .write = writeUsdz, .bytesPerVertex = 130, .pictures = Pictures::AlwaysInside, .objects = true, .maps = Maps::NormalsAndRoughness, .sides = Sides::Material},
-    {.ending = ".obj", .name = N_("Wavefront OBJ"), .upAxis = "y", .losses = N_("occlusion, tints of leaves and tangents"), .write = writeObj,
-     .bytesPerVertex = 200, .objects = true, .anyUp = true, .maps = Maps::NormalsAndRoughness, .opacity = true, .sides = Sides::Triangles},
-    {.ending = ".dae", .name = N_("COLLADA"), .upAxis = "y",
-     .losses = N_("maps of roughness, occlusion, tints of leaves and tangents; Blender and Godot do not read where leaves are transparent"),
-     .write = writeDae, .bytesPerVertex = 150, .objects = true, .maps = Maps::Normals, .sides = Sides::Triangles},
-    {.ending = ".ply", .name = N_("Stanford PLY, binary"), .upAxis = "z", .losses = N_("materials and pictures; all stems and leaves are one mesh"),
-     .write = writePly, .bytesPerVertex = 55, .pictures = Pictures::None, .anyUp = true},
-    {.ending = ".stl", .name = N_("STL, binary"), .upAxis = "z", .losses = N_("materials, pictures, texture coordinates and smooth normals"),
-     .write = writeStl, .bytesPerVertex = 35, .pictures = Pictures::None, .anyUp = true},
-    {.ending = ".3ds", .name = N_("3D Studio"), .upAxis = "z",
-     .losses = N_("normals (programs make their own), their maps and those of roughness, occlusion, tints of leaves, names beyond ten letters; large "
-                  "meshes are cut into parts"),
-     .write = write3ds, .bytesPerVertex = 70, .anyUp = true, .sides = Sides::Triangles},
-    {.ending = ".lwo", .name = N_("LightWave object"), .upAxis = "y",
-     .losses = N_("normals (the program makes its own), their maps and those of roughness, occlusion, tints of leaves, transparency of the leaf picture"),
+     .holds = kShape | kColours | Content::NormalMaps | Content::Tangents | Content::Tints, .write = writeFbx, .bytesPerVertex = 50,
+     .objects = true, .lods = true, .remark = N_("the pictures of roughness lie beside the file"), .looseRoughness = true, .opacity = true, .embeds = true,
+     .channels = Channels::ColoursAndUvs},
+    {.ending = ".usda", .name = N_("USD, text"), .upAxis = "y", .holds = kShape | kColours | kMaps, .write = writeUsda,
+     .bytesPerVertex = 130, .objects = true, .sides = Sides::Material},
+    {.ending = ".usdz", .name = N_("USD, a package with its pictures"), .upAxis = "y", .holds = kShape | kColours | kMaps,
+     .write = writeUsdz, .bytesPerVertex = 130, .pictures = Pictures::AlwaysInside, .objects = true, .sides = Sides::Material},
+    {.ending = ".obj", .name = N_("Wavefront OBJ"), .upAxis = "y", .holds = kShape | kColours | kMaps, .write = writeObj,
+     .bytesPerVertex = 200, .objects = true, .anyUp = true, .opacity = true, .sides = Sides::Triangles},
+    {.ending = ".dae", .name = N_("COLLADA"), .upAxis = "y", .holds = kShape | kColours | Content::NormalMaps,
+     .write = writeDae, .bytesPerVertex = 150, .objects = true,
+     .remark = N_("Blender and Godot do not read where leaves are transparent"), .sides = Sides::Triangles},
+    {.ending = ".ply", .name = N_("Stanford PLY, binary"), .upAxis = "z", .holds = kShape, .write = writePly, .bytesPerVertex = 55,
+     .pictures = Pictures::None, .anyUp = true, .remark = N_("all stems and leaves are one mesh")},
+    {.ending = ".stl", .name = N_("STL, binary"), .upAxis = "z", .holds = 0, .write = writeStl, .bytesPerVertex = 35,
+     .pictures = Pictures::None, .anyUp = true},
+    {.ending = ".3ds", .name = N_("3D Studio"), .upAxis = "z", .holds = kColours | Content::TexCoords, .write = write3ds, .bytesPerVertex = 70,
+     .anyUp = true, .remark = N_("names end after ten letters; large meshes are cut into parts"), .sides = Sides::Triangles},
+    {.ending = ".lwo", .name = N_("LightWave object"), .upAxis = "y", .holds = Content::Materials | Content::Pictures | Content::TexCoords,
      .write = writeLwo, .bytesPerVertex = 80, .sides = Sides::Triangles},
-    {.ending = ".pov", .name = N_("POV-Ray scene"), .upAxis = "y",
-     .losses = N_("maps of normals and roughness, occlusion, tints of leaves; a camera, lights and ground are added"), .write = writePov,
-     .bytesPerVertex = 130},
+    {.ending = ".pov", .name = N_("POV-Ray scene"), .upAxis = "y", .holds = kShape | kColours, .write = writePov, .bytesPerVertex = 130,
+     .remark = N_("a camera, lights and ground are added")},
 #ifdef STROMAR_WITH_OSG
-    {.ending = ".osgb", .name = N_("OpenSceneGraph binary"), .upAxis = "z",
-     .losses = N_("maps of normals and roughness, occlusion, tints of leaves and tangents"), .write = writeOsg, .bytesPerVertex = 45, .lods = true,
-     .anyUp = true},
-    {.ending = ".osgt", .name = N_("OpenSceneGraph text"), .upAxis = "z",
-     .losses = N_("maps of normals and roughness, occlusion, tints of leaves and tangents"), .write = writeOsg, .bytesPerVertex = 160, .lods = true,
-     .anyUp = true},
-    {.ending = ".osg", .name = N_("OpenSceneGraph, old text form"), .upAxis = "z",
-     .losses = N_("maps of normals and roughness, occlusion, tints of leaves and tangents"), .write = writeOsg, .bytesPerVertex = 120, .lods = true,
-     .anyUp = true},
+    {.ending = ".osgb", .name = N_("OpenSceneGraph binary"), .upAxis = "z", .holds = kShape | kColours, .write = writeOsg, .bytesPerVertex = 45,
+     .lods = true, .anyUp = true},
+    {.ending = ".osgt", .name = N_("OpenSceneGraph text"), .upAxis = "z", .holds = kShape | kColours, .write = writeOsg, .bytesPerVertex = 160,
+     .lods = true, .anyUp = true},
+    {.ending = ".osg", .name = N_("OpenSceneGraph, old text form"), .upAxis = "z", .holds = kShape | kColours, .write = writeOsg,
+     .bytesPerVertex = 120, .lods = true, .anyUp = true},
 #endif
 };
 // clang-format on
 } // namespace
 
+std::span<const ContentInfo> contentTable() { return kContents; }
+
 std::span<const Format> formatTable() { return kFormats; }
+
+std::string lossesOf(const Format& format) {
+    std::string all;
+    for (const ContentInfo& one : kContents)
+        if (!format.has(one.content) && (format.holds & one.needs) == one.needs) all += (all.empty() ? "" : ", ") + translated(one.name);
+    if (!format.remark.empty()) all += (all.empty() ? "" : "; ") + translated(format.remark);
+    return all.empty() ? translated(NC_("stromar", "nothing")) : all;
+}
 
 const Format* formatOf(const std::filesystem::path& path) {
     const std::string ending = lowerCase(path.extension().string());

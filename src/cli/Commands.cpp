@@ -488,7 +488,7 @@ void printFormatsPage(std::ostream& out) {
     for (const Format& format : formatTable())
         out << "| `" << format.ending << "` | " << format.name << " | " << format.upAxis
             << (format.anyUp ? ", or the other" : "") << " | " << picturesOf(format) << " | "
-            << (format.lods ? "in one file" : "a file for each") << " | " << windOf(format) << " | " << format.losses << " |\n";
+            << (format.lods ? "in one file" : "a file for each") << " | " << windOf(format) << " | " << lossesOf(format) << " |\n";
     out << "\nWind: what of `--wind` it can hold. Attributes give the exact pose, colours what their engine makes of them; bones are stiff pieces in\n"
            "place of arcs, and stems without one follow the nearest: [time and wind](time-and-wind.md#into-engines).\n";
 }
@@ -505,10 +505,10 @@ void printFormats(ListStyle style, std::ostream& out) {
                             {"pictures", picturesOf(format)},
                             {"lods_in_one_file", format.lods},
                             {"wind", windOf(format)},
-                            {"loses", format.losses}});
+                            {"loses", lossesOf(format)}});
         else
             out << format.ending << std::string(7 - format.ending.size(), ' ') << format.name << ", " << format.upAxis
-                << " up; loses: " << format.losses << "\n";
+                << " up; loses: " << lossesOf(format) << "\n";
     }
     if (style == ListStyle::Json) out << rows.dump(2) << "\n";
 }

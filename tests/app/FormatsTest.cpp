@@ -12,11 +12,21 @@ TEST(Formats, RowsAreComplete) {
         EXPECT_TRUE(endings.insert(format.ending).second) << format.ending;
         EXPECT_FALSE(format.name.empty()) << format.ending;
         EXPECT_TRUE(format.upAxis == "y" || format.upAxis == "z") << format.ending;
-        EXPECT_FALSE(format.losses.empty()) << format.ending;
+        EXPECT_FALSE(lossesOf(format).empty()) << format.ending;
         EXPECT_NE(format.write, nullptr) << format.ending;
         EXPECT_GT(format.bytesPerVertex, 0) << format.ending;
     }
     for (const std::string_view own : {".lwo", ".obj", ".pov"}) EXPECT_TRUE(endings.contains(own)) << own;
+}
+
+TEST(Formats, SayWhatTheyLose) {
+    EXPECT_EQ(lossesOf(*formatOf("a.glb")), "nothing");
+    EXPECT_EQ(lossesOf(*formatOf("a.usda")), "tints of leaves, occlusion as an attribute, tangents");
+    const std::string lwo = lossesOf(*formatOf("a.lwo"));
+    EXPECT_NE(lwo.find("normals (programs make their own)"), std::string::npos) << lwo;
+    EXPECT_EQ(lwo.find("tangents"), std::string::npos) << "without normals it goes without saying";
+    const std::string dae = lossesOf(*formatOf("a.dae"));
+    EXPECT_NE(dae.find("; Blender and Godot"), std::string::npos) << dae;
 }
 
 TEST(ExportChoices, AreCompleteRows) {

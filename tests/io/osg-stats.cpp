@@ -45,6 +45,11 @@ public:
                 {"bark_volume", m_volume},
                 {"materials", m_materials},
                 {"textures", m_textures},
+                {"maps", m_maps},
+                {"normals", m_normals},
+                {"colours", m_colours},
+                {"attributes", m_attributes},
+                {"transparent", m_transparent},
                 {"tex_min", {m_texBox._min.x(), m_texBox._min.y()}},
                 {"tex_max", {m_texBox._max.x(), m_texBox._max.y()}}};
     }
@@ -57,6 +62,8 @@ private:
             m_materials.insert(m_material);
         }
         const auto* texture = dynamic_cast<osg::Texture*>(state->getTextureAttribute(0, osg::StateAttribute::TEXTURE));
+        for (unsigned unit = 1; unit < state->getNumTextureAttributeLists(); ++unit) m_maps += state->getTextureAttribute(unit, osg::StateAttribute::TEXTURE) ? 1 : 0;
+        m_transparent = m_transparent || state->getAttribute(osg::StateAttribute::ALPHAFUNC) || state->getAttribute(osg::StateAttribute::BLENDFUNC);
         if (texture && texture->getImage(0)) m_textures.insert(texture->getImage(0)->getFileName());
     }
     void add(osg::Geometry& geometry) {
@@ -69,11 +76,15 @@ private:
             const osg::Vec3d a(triangles.corners[i]), b(triangles.corners[i + 1]), c(triangles.corners[i + 2]);
             m_volume += a * (b ^ c) / 6;
         }
+        m_normals = m_normals && geometry.getNormalArray() && geometry.getNormalArray()->getBinding() == osg::Array::BIND_PER_VERTEX;
+        m_colours = m_colours || (geometry.getColorArray() && geometry.getColorArray()->getBinding() == osg::Array::BIND_PER_VERTEX);
+        m_attributes += geometry.getNumVertexAttribArrays();
         if (const auto* coords = dynamic_cast<osg::Vec2Array*>(geometry.getTexCoordArray(0)))
             for (const osg::Vec2& t : *coords) m_texBox.expandBy(t.x(), t.y(), 0);
     }
 
-    std::size_t m_triangles = 0;
+    std::size_t m_triangles = 0, m_maps = 0, m_attributes = 0; ///< pictures beyond the first; what vertices carry besides
+    bool m_normals = true, m_colours = false, m_transparent = false;
     osg::BoundingBox m_box, m_texBox;
     double m_volume = 0;
     std::string m_material;

@@ -5,6 +5,7 @@ import { pathToFileURL } from 'url';
 
 const from = name => pathToFileURL(join(process.cwd(), 'node_modules', 'three', name)).href;
 globalThis.self = globalThis.window = globalThis;
+globalThis.ProgressEvent ??= class extends Event {};
 const asked = [];
 // Pictures are there at once; what matters is which are asked for.
 globalThis.document = {
@@ -24,16 +25,25 @@ const gltf = async () => {
   const { MeshoptDecoder } = await import(from('examples/jsm/libs/meshopt_decoder.module.js'));
   return (await new GLTFLoader().setMeshoptDecoder(MeshoptDecoder).parseAsync(bytes, dirname(file) + '/')).scene;
 };
+// A buffer beside the file is taken into it: three.js would fetch it.
+const gltfBeside = async () => {
+  const { GLTFLoader } = await import(from('examples/jsm/loaders/GLTFLoader.js'));
+  const json = JSON.parse(data.toString());
+  for (const buffer of json.buffers) buffer.uri = 'data:application/octet-stream;base64,' + readFileSync(join(dirname(file), decodeURIComponent(buffer.uri))).toString('base64');
+  return (await new GLTFLoader().parseAsync(JSON.stringify(json), dirname(file) + '/')).scene;
+};
 const readers = {
   '.glb': gltf,
+  '.gltf': gltfBeside,
   '.fbx': async () => new (await import(from('examples/jsm/loaders/FBXLoader.js'))).FBXLoader().parse(bytes, dirname(file) + '/'),
   '.usda': usd,
   '.usdz': usd,
 };
 const root = await readers[extname(file)]();
 root.updateMatrixWorld(true);
+const looks = new Set();
 const box = new THREE.Box3(); // of the vertices, not of the boxes of instances
-const stats = { triangles: 0, opaque: 0, objects: [], materials: {}, groups: 0, scale: 0, colours: 0, uv2: 0, vertices: 0, instances: 0, colour: [0, 0, 0], normal: [0, 0, 0], uv: [0, 0], };
+const stats = { triangles: 0, opaque: 0, objects: [], attributes: [], materials: {}, groups: 0, scale: 0, colours: 0, uv2: 0, vertices: 0, instances: 0, looks: 0, colour: [0, 0, 0], normal: [0, 0, 0], uv: [0, 0], };
 root.traverse(object => {
   stats.scale = Math.max(stats.scale, ...object.scale.toArray());
   if (!object.isMesh) return;
@@ -45,6 +55,7 @@ root.traverse(object => {
   stats.triangles += places.length * (index ? index.count : attributes.position.count) / 3;
   stats.objects.push(object.name);
   stats.groups += groups.length;
+  for (const name of Object.keys(attributes)) if (!stats.attributes.includes(name)) stats.attributes.push(name);
   const colours = object.instanceColor ?? attributes.color;
   stats.colours += colours ? 1 : 0;
   const coloured = object.isInstancedMesh ? attributes.position.count : 1; // vertices by each
@@ -61,10 +72,12 @@ root.traverse(object => {
   }
   stats.vertices += places.length * attributes.position.count;
   stats.uv2 += attributes.uv1 ? 1 : 0;
+  for (const material of [object.material].flat()) looks.add(material.uuid);
   for (const material of [object.material].flat()) stats.materials[material.name] = ['map', 'alphaMap', 'normalMap', 'roughnessMap'].filter(map => material[map]);
 });
 for (const mean of [stats.normal, stats.uv, stats.colour]) mean.forEach((sum, i) => { mean[i] = sum / stats.vertices; });
 Object.assign(stats, { min: box.min.toArray(), max: box.max.toArray() });
+stats.looks = looks.size;
 stats.objects.sort();
 stats.pictures = asked;
 console.log(JSON.stringify(stats));

@@ -250,7 +250,7 @@ void CExportDialog::update() {
     const std::string_view advice = adviceOn(m_options, format());
     m_notes->setText(!advice.empty() ? trText(advice) : engine ? trText(engine->notes) : QString());
     m_notes->setVisible(!m_notes->text().isEmpty());
-    m_losses->setText(trText(format().losses));
+    m_losses->setText(toQString(lossesOf(format())));
     const QString size = QLocale().formattedDataSize(static_cast<qint64>(estimatedBytes(m_fullVertices * double(wantsRow() ? m_rowTrees : 1), m_options, format())));
     m_size->setText(m_options.displacement > 0 ? tr("%1, and what displacement adds").arg(size) : size);
     m_conflict->setText(!conflict.empty() ? toQString(translated(conflict, format().ending))
