@@ -816,16 +816,8 @@
         <translation>Stanford PLY, binární</translation>
     </message>
     <message>
-        <source>materials and pictures; all stems and leaves are one mesh</source>
-        <translation>materiály a obrázky; dřevo i listy jsou jedna síť</translation>
-    </message>
-    <message>
         <source>STL, binary</source>
         <translation>STL, binární</translation>
-    </message>
-    <message>
-        <source>materials, pictures, texture coordinates and smooth normals</source>
-        <translation>materiály, obrázky, souřadnice textur a hladké normály</translation>
     </message>
     <message>
         <source>3D Studio</source>
@@ -3084,26 +3076,6 @@
         <translation>obrázky, které zůstávají na místě, nelze změnit; zvolte kopie</translation>
     </message>
     <message>
-        <source>occlusion, tints of leaves and tangents</source>
-        <translation>zastínění, odstíny listů a tečny</translation>
-    </message>
-    <message>
-        <source>maps of normals and roughness, occlusion, tints of leaves and tangents</source>
-        <translation>mapy normál a drsnosti, zastínění, odstíny listů a tečny</translation>
-    </message>
-    <message>
-        <source>normals (programs make their own), their maps and those of roughness, occlusion, tints of leaves, names beyond ten letters; large meshes are cut into parts</source>
-        <translation>normály (programy si udělají vlastní), jejich mapy a mapy drsnosti, zastínění, odstíny listů, jména nad deset písmen; velké sítě jsou rozřezány na části</translation>
-    </message>
-    <message>
-        <source>normals (the program makes its own), their maps and those of roughness, occlusion, tints of leaves, transparency of the leaf picture</source>
-        <translation>normály (program si udělá vlastní), jejich mapy a mapy drsnosti, zastínění, odstíny listů, průhlednost obrázku listu</translation>
-    </message>
-    <message>
-        <source>maps of normals and roughness, occlusion, tints of leaves; a camera, lights and ground are added</source>
-        <translation>mapy normál a drsnosti, zastínění, odstíny listů; přidány jsou kamera, světla a země</translation>
-    </message>
-    <message>
         <source>Of the full model: 0 is the finest, 1 to 3 have about 50, 12 and 7 % of its triangles.</source>
         <translation>U plného modelu: 0 je nejjemnější, 1 až 3 mají asi 50, 12 a 7 % jeho trojúhelníků.</translation>
     </message>
@@ -3142,10 +3114,6 @@
     <message>
         <source>FBX, binary, centimetres</source>
         <translation>FBX, binární, centimetry</translation>
-    </message>
-    <message>
-        <source>occlusion as an attribute; roughness is not connected: its maps lie beside the file</source>
-        <translation>zastínění jako atribut; drsnost není připojena: její mapy leží vedle souboru</translation>
     </message>
     <message>
         <source>USD, text</source>
@@ -3832,10 +3800,6 @@
         <translation>přesleny se počítají po větvích a mezi střídavými a vstřícnými není nic</translation>
     </message>
     <message>
-        <source>maps of roughness, occlusion, tints of leaves and tangents; Blender and Godot do not read where leaves are transparent</source>
-        <translation>mapy drsnosti, zastínění, odstíny listů a tečny; Blender a Godot nečtou, kde jsou listy průhledné</translation>
-    </message>
-    <message>
         <source>Compression</source>
         <translation>Komprese</translation>
     </message>
@@ -3898,6 +3862,110 @@
     <message>
         <source>What pictures of bark colours are written as: JPEG has about a fifth of the bytes. Pictures with alpha, normals and roughness stay PNG.</source>
         <translation>V čem se zapisují barvy kůry: JPEG má asi pětinu bajtů. Obrázky s alfou, normály a drsnost zůstávají PNG.</translation>
+    </message>
+    <message>
+        <source>only PNG pictures can share one: %1</source>
+        <translation>jen obrázky PNG mohou sdílet jeden: %1</translation>
+    </message>
+    <message>
+        <source>%1 repeats its picture (texture coordinates beyond 0 to 1), which cannot share one with others</source>
+        <translation>%1 opakuje svůj obrázek (souřadnice textury mimo 0 až 1), ten nelze sdílet s ostatními</translation>
+    </message>
+    <message>
+        <source>One for each level of stems, and leaves</source>
+        <translation>Jeden pro každou úroveň větví a listy</translation>
+    </message>
+    <message>
+        <source>One for each material</source>
+        <translation>Jeden pro každý materiál</translation>
+    </message>
+    <message>
+        <source>Leaves, blossoms and twigs share one picture</source>
+        <translation>Listy, květy a větvičky sdílejí jeden obrázek</translation>
+    </message>
+    <message>
+        <source>Objects</source>
+        <translation>Objekty</translation>
+    </message>
+    <message>
+        <source>Trunk, branches and leaves as objects of their own; or one object for each material, which a program draws at once.</source>
+        <translation>Kmen, větve a listy jako vlastní objekty; nebo jeden objekt pro každý materiál, který program nakreslí najednou.</translation>
+    </message>
+    <message>
+        <source>Texture atlas</source>
+        <translation>Atlas textur</translation>
+    </message>
+    <message>
+        <source>One material for leaves, blossoms and twigs, with one picture in which each has a cell. PNG pictures only.</source>
+        <translation>Jeden materiál pro listy, květy a větvičky s jedním obrázkem, kde má každý své políčko. Jen obrázky PNG.</translation>
+    </message>
+    <message>
+        <source>%1 cannot hold pictures, nor an atlas of them</source>
+        <translation>%1 nemůže obsahovat obrázky ani jejich atlas</translation>
+    </message>
+    <message>
+        <source>materials</source>
+        <translation>materiály</translation>
+    </message>
+    <message>
+        <source>pictures</source>
+        <translation>obrázky</translation>
+    </message>
+    <message>
+        <source>texture coordinates</source>
+        <translation>souřadnice textury</translation>
+    </message>
+    <message>
+        <source>normals (programs make their own)</source>
+        <translation>normály (programy si počítají vlastní)</translation>
+    </message>
+    <message>
+        <source>transparency of the leaf picture</source>
+        <translation>průhlednost obrázku listu</translation>
+    </message>
+    <message>
+        <source>maps of normals</source>
+        <translation>mapy normál</translation>
+    </message>
+    <message>
+        <source>maps of roughness</source>
+        <translation>mapy drsnosti</translation>
+    </message>
+    <message>
+        <source>tints of leaves</source>
+        <translation>odstíny listů</translation>
+    </message>
+    <message>
+        <source>occlusion as an attribute</source>
+        <translation>zastínění jako atribut</translation>
+    </message>
+    <message>
+        <source>tangents</source>
+        <translation>tečny</translation>
+    </message>
+    <message>
+        <source>the pictures of roughness lie beside the file</source>
+        <translation>obrázky drsnosti leží vedle souboru</translation>
+    </message>
+    <message>
+        <source>Blender and Godot do not read where leaves are transparent</source>
+        <translation>Blender a Godot nečtou, kde jsou listy průhledné</translation>
+    </message>
+    <message>
+        <source>all stems and leaves are one mesh</source>
+        <translation>všechny větve a listy jsou jedna síť</translation>
+    </message>
+    <message>
+        <source>names end after ten letters; large meshes are cut into parts</source>
+        <translation>jména končí po deseti písmenech; velké sítě jsou rozděleny na části</translation>
+    </message>
+    <message>
+        <source>a camera, lights and ground are added</source>
+        <translation>přidána je kamera, světla a zem</translation>
+    </message>
+    <message>
+        <source>cards of a growing tree show another twig in every frame; choose no atlas, or level of detail 0 or 1</source>
+        <translation>karty rostoucího stromu ukazují v každém snímku jinou větvičku; zvolte export bez atlasu nebo úroveň detailu 0 či 1</translation>
     </message>
 </context>
 <context>

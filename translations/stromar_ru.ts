@@ -816,16 +816,8 @@
         <translation>Stanford PLY, двоичный</translation>
     </message>
     <message>
-        <source>materials and pictures; all stems and leaves are one mesh</source>
-        <translation>материалы и картинки; вся древесина и листья — одна сетка</translation>
-    </message>
-    <message>
         <source>STL, binary</source>
         <translation>STL, двоичный</translation>
-    </message>
-    <message>
-        <source>materials, pictures, texture coordinates and smooth normals</source>
-        <translation>материалы, картинки, текстурные координаты и гладкие нормали</translation>
     </message>
     <message>
         <source>3D Studio</source>
@@ -3084,26 +3076,6 @@
         <translation>изображения, которые остаются на месте, изменить нельзя; выберите копии</translation>
     </message>
     <message>
-        <source>occlusion, tints of leaves and tangents</source>
-        <translation>затенение, оттенки листьев и касательные</translation>
-    </message>
-    <message>
-        <source>maps of normals and roughness, occlusion, tints of leaves and tangents</source>
-        <translation>карты нормалей и шероховатости, затенение, оттенки листьев и касательные</translation>
-    </message>
-    <message>
-        <source>normals (programs make their own), their maps and those of roughness, occlusion, tints of leaves, names beyond ten letters; large meshes are cut into parts</source>
-        <translation>нормали (программы делают свои), их карты и карты шероховатости, затенение, оттенки листьев, имена длиннее десяти букв; большие сетки режутся на части</translation>
-    </message>
-    <message>
-        <source>normals (the program makes its own), their maps and those of roughness, occlusion, tints of leaves, transparency of the leaf picture</source>
-        <translation>нормали (программа делает свои), их карты и карты шероховатости, затенение, оттенки листьев, прозрачность изображения листа</translation>
-    </message>
-    <message>
-        <source>maps of normals and roughness, occlusion, tints of leaves; a camera, lights and ground are added</source>
-        <translation>карты нормалей и шероховатости, затенение, оттенки листьев; добавлены камера, свет и земля</translation>
-    </message>
-    <message>
         <source>Of the full model: 0 is the finest, 1 to 3 have about 50, 12 and 7 % of its triangles.</source>
         <translation>У полной модели: 0 — самый подробный, в 1–3 около 50, 12 и 7 % её треугольников.</translation>
     </message>
@@ -3142,10 +3114,6 @@
     <message>
         <source>FBX, binary, centimetres</source>
         <translation>FBX, двоичный, сантиметры</translation>
-    </message>
-    <message>
-        <source>occlusion as an attribute; roughness is not connected: its maps lie beside the file</source>
-        <translation>затенение как атрибут; шероховатость не подключена: её карты лежат рядом с файлом</translation>
     </message>
     <message>
         <source>USD, text</source>
@@ -3832,10 +3800,6 @@
         <translation>мутовки считаются по ветвям, а между очередными и супротивными ничего нет</translation>
     </message>
     <message>
-        <source>maps of roughness, occlusion, tints of leaves and tangents; Blender and Godot do not read where leaves are transparent</source>
-        <translation>карты шероховатости, затенение, оттенки листьев и касательные; Blender и Godot не читают, где листья прозрачны</translation>
-    </message>
-    <message>
         <source>Compression</source>
         <translation>Сжатие</translation>
     </message>
@@ -3898,6 +3862,110 @@
     <message>
         <source>What pictures of bark colours are written as: JPEG has about a fifth of the bytes. Pictures with alpha, normals and roughness stay PNG.</source>
         <translation>В чём записываются цвета коры: у JPEG около пятой части байтов. Изображения с альфой, нормали и шероховатость остаются PNG.</translation>
+    </message>
+    <message>
+        <source>only PNG pictures can share one: %1</source>
+        <translation>общей может быть только картинка из файлов PNG: %1</translation>
+    </message>
+    <message>
+        <source>%1 repeats its picture (texture coordinates beyond 0 to 1), which cannot share one with others</source>
+        <translation>%1 повторяет свою картинку (координаты текстуры вне 0…1), её нельзя объединить с другими</translation>
+    </message>
+    <message>
+        <source>One for each level of stems, and leaves</source>
+        <translation>По одному на уровень ветвей и листья</translation>
+    </message>
+    <message>
+        <source>One for each material</source>
+        <translation>По одному на материал</translation>
+    </message>
+    <message>
+        <source>Leaves, blossoms and twigs share one picture</source>
+        <translation>Листья, цветы и веточки на одной картинке</translation>
+    </message>
+    <message>
+        <source>Objects</source>
+        <translation>Объекты</translation>
+    </message>
+    <message>
+        <source>Trunk, branches and leaves as objects of their own; or one object for each material, which a program draws at once.</source>
+        <translation>Ствол, ветви и листья отдельными объектами; или один объект на материал, который программа рисует за раз.</translation>
+    </message>
+    <message>
+        <source>Texture atlas</source>
+        <translation>Атлас текстур</translation>
+    </message>
+    <message>
+        <source>One material for leaves, blossoms and twigs, with one picture in which each has a cell. PNG pictures only.</source>
+        <translation>Один материал для листьев, цветов и веточек с одной картинкой, где у каждого своя ячейка. Только картинки PNG.</translation>
+    </message>
+    <message>
+        <source>%1 cannot hold pictures, nor an atlas of them</source>
+        <translation>%1 не может содержать ни картинок, ни их атласа</translation>
+    </message>
+    <message>
+        <source>materials</source>
+        <translation>материалы</translation>
+    </message>
+    <message>
+        <source>pictures</source>
+        <translation>картинки</translation>
+    </message>
+    <message>
+        <source>texture coordinates</source>
+        <translation>координаты текстуры</translation>
+    </message>
+    <message>
+        <source>normals (programs make their own)</source>
+        <translation>нормали (программы вычисляют свои)</translation>
+    </message>
+    <message>
+        <source>transparency of the leaf picture</source>
+        <translation>прозрачность картинки листа</translation>
+    </message>
+    <message>
+        <source>maps of normals</source>
+        <translation>карты нормалей</translation>
+    </message>
+    <message>
+        <source>maps of roughness</source>
+        <translation>карты шероховатости</translation>
+    </message>
+    <message>
+        <source>tints of leaves</source>
+        <translation>оттенки листьев</translation>
+    </message>
+    <message>
+        <source>occlusion as an attribute</source>
+        <translation>затенение как атрибут</translation>
+    </message>
+    <message>
+        <source>tangents</source>
+        <translation>касательные</translation>
+    </message>
+    <message>
+        <source>the pictures of roughness lie beside the file</source>
+        <translation>картинки шероховатости лежат рядом с файлом</translation>
+    </message>
+    <message>
+        <source>Blender and Godot do not read where leaves are transparent</source>
+        <translation>Blender и Godot не читают, где листья прозрачны</translation>
+    </message>
+    <message>
+        <source>all stems and leaves are one mesh</source>
+        <translation>все ветви и листья — одна сетка</translation>
+    </message>
+    <message>
+        <source>names end after ten letters; large meshes are cut into parts</source>
+        <translation>имена не длиннее десяти букв; большие сетки разрезаны на части</translation>
+    </message>
+    <message>
+        <source>a camera, lights and ground are added</source>
+        <translation>добавлены камера, свет и земля</translation>
+    </message>
+    <message>
+        <source>cards of a growing tree show another twig in every frame; choose no atlas, or level of detail 0 or 1</source>
+        <translation>карточки растущего дерева в каждом кадре показывают другую веточку; выберите экспорт без атласа либо уровень детализации 0 или 1</translation>
     </message>
 </context>
 <context>

@@ -816,16 +816,8 @@
         <translation>Stanford PLY, binarni</translation>
     </message>
     <message>
-        <source>materials and pictures; all stems and leaves are one mesh</source>
-        <translation>materiali in slike; ves les in listi so ena mreža</translation>
-    </message>
-    <message>
         <source>STL, binary</source>
         <translation>STL, binarni</translation>
-    </message>
-    <message>
-        <source>materials, pictures, texture coordinates and smooth normals</source>
-        <translation>materiali, slike, koordinate tekstur in gladke normale</translation>
     </message>
     <message>
         <source>3D Studio</source>
@@ -3084,26 +3076,6 @@
         <translation>slik, ki ostanejo, kjer so, ni mogoče spremeniti; izberite kopije</translation>
     </message>
     <message>
-        <source>occlusion, tints of leaves and tangents</source>
-        <translation>zasenčenost, odtenki listov in tangente</translation>
-    </message>
-    <message>
-        <source>maps of normals and roughness, occlusion, tints of leaves and tangents</source>
-        <translation>mape normal in hrapavosti, zasenčenost, odtenki listov in tangente</translation>
-    </message>
-    <message>
-        <source>normals (programs make their own), their maps and those of roughness, occlusion, tints of leaves, names beyond ten letters; large meshes are cut into parts</source>
-        <translation>normale (programi naredijo svoje), njihove mape in mape hrapavosti, zasenčenost, odtenki listov, imena nad deset črk; velike mreže so razrezane na dele</translation>
-    </message>
-    <message>
-        <source>normals (the program makes its own), their maps and those of roughness, occlusion, tints of leaves, transparency of the leaf picture</source>
-        <translation>normale (program naredi svoje), njihove mape in mape hrapavosti, zasenčenost, odtenki listov, prosojnost slike lista</translation>
-    </message>
-    <message>
-        <source>maps of normals and roughness, occlusion, tints of leaves; a camera, lights and ground are added</source>
-        <translation>mape normal in hrapavosti, zasenčenost, odtenki listov; dodani so kamera, luči in tla</translation>
-    </message>
-    <message>
         <source>Of the full model: 0 is the finest, 1 to 3 have about 50, 12 and 7 % of its triangles.</source>
         <translation>Pri polnem modelu: 0 je najfinejša, 1 do 3 imajo približno 50, 12 in 7 % njegovih trikotnikov.</translation>
     </message>
@@ -3142,10 +3114,6 @@
     <message>
         <source>FBX, binary, centimetres</source>
         <translation>FBX, dvojiški, centimetri</translation>
-    </message>
-    <message>
-        <source>occlusion as an attribute; roughness is not connected: its maps lie beside the file</source>
-        <translation>zasenčenje kot atribut; hrapavost ni povezana: njene slike so ob datoteki</translation>
     </message>
     <message>
         <source>USD, text</source>
@@ -3832,10 +3800,6 @@
         <translation>vretenca se štejejo po vejah in med izmeničnimi in nasprotnimi ni ničesar</translation>
     </message>
     <message>
-        <source>maps of roughness, occlusion, tints of leaves and tangents; Blender and Godot do not read where leaves are transparent</source>
-        <translation>karte hrapavosti, senčenje, odtenki listov in tangente; Blender in Godot ne bereta, kje so listi prosojni</translation>
-    </message>
-    <message>
         <source>Compression</source>
         <translation>Stiskanje</translation>
     </message>
@@ -3898,6 +3862,110 @@
     <message>
         <source>What pictures of bark colours are written as: JPEG has about a fifth of the bytes. Pictures with alpha, normals and roughness stay PNG.</source>
         <translation>V čem se zapišejo barve skorje: JPEG ima približno petino bajtov. Slike z alfo, normale in hrapavost ostanejo PNG.</translation>
+    </message>
+    <message>
+        <source>only PNG pictures can share one: %1</source>
+        <translation>le slike PNG si lahko delijo eno: %1</translation>
+    </message>
+    <message>
+        <source>%1 repeats its picture (texture coordinates beyond 0 to 1), which cannot share one with others</source>
+        <translation>%1 ponavlja svojo sliko (koordinate teksture zunaj 0 do 1), zato je ni mogoče deliti z drugimi</translation>
+    </message>
+    <message>
+        <source>One for each level of stems, and leaves</source>
+        <translation>Eden za vsako raven vej in za liste</translation>
+    </message>
+    <message>
+        <source>One for each material</source>
+        <translation>Eden za vsak material</translation>
+    </message>
+    <message>
+        <source>Leaves, blossoms and twigs share one picture</source>
+        <translation>Listi, cvetovi in vejice si delijo eno sliko</translation>
+    </message>
+    <message>
+        <source>Objects</source>
+        <translation>Predmeti</translation>
+    </message>
+    <message>
+        <source>Trunk, branches and leaves as objects of their own; or one object for each material, which a program draws at once.</source>
+        <translation>Deblo, veje in listi kot samostojni predmeti; ali en predmet za vsak material, ki ga program nariše naenkrat.</translation>
+    </message>
+    <message>
+        <source>Texture atlas</source>
+        <translation>Atlas tekstur</translation>
+    </message>
+    <message>
+        <source>One material for leaves, blossoms and twigs, with one picture in which each has a cell. PNG pictures only.</source>
+        <translation>En material za liste, cvetove in vejice, z eno sliko, v kateri ima vsak svoje polje. Le slike PNG.</translation>
+    </message>
+    <message>
+        <source>%1 cannot hold pictures, nor an atlas of them</source>
+        <translation>%1 ne more vsebovati slik niti njihovega atlasa</translation>
+    </message>
+    <message>
+        <source>materials</source>
+        <translation>materiali</translation>
+    </message>
+    <message>
+        <source>pictures</source>
+        <translation>slike</translation>
+    </message>
+    <message>
+        <source>texture coordinates</source>
+        <translation>koordinate teksture</translation>
+    </message>
+    <message>
+        <source>normals (programs make their own)</source>
+        <translation>normale (programi naredijo svoje)</translation>
+    </message>
+    <message>
+        <source>transparency of the leaf picture</source>
+        <translation>prosojnost slike lista</translation>
+    </message>
+    <message>
+        <source>maps of normals</source>
+        <translation>zemljevidi normal</translation>
+    </message>
+    <message>
+        <source>maps of roughness</source>
+        <translation>zemljevidi hrapavosti</translation>
+    </message>
+    <message>
+        <source>tints of leaves</source>
+        <translation>odtenki listov</translation>
+    </message>
+    <message>
+        <source>occlusion as an attribute</source>
+        <translation>zasenčenost kot atribut</translation>
+    </message>
+    <message>
+        <source>tangents</source>
+        <translation>tangente</translation>
+    </message>
+    <message>
+        <source>the pictures of roughness lie beside the file</source>
+        <translation>slike hrapavosti ležijo ob datoteki</translation>
+    </message>
+    <message>
+        <source>Blender and Godot do not read where leaves are transparent</source>
+        <translation>Blender in Godot ne prebereta, kje so listi prosojni</translation>
+    </message>
+    <message>
+        <source>all stems and leaves are one mesh</source>
+        <translation>vse veje in listi so ena mreža</translation>
+    </message>
+    <message>
+        <source>names end after ten letters; large meshes are cut into parts</source>
+        <translation>imena se končajo po desetih črkah; velike mreže so razrezane na dele</translation>
+    </message>
+    <message>
+        <source>a camera, lights and ground are added</source>
+        <translation>dodani so kamera, luči in tla</translation>
+    </message>
+    <message>
+        <source>cards of a growing tree show another twig in every frame; choose no atlas, or level of detail 0 or 1</source>
+        <translation>kartice rastočega drevesa kažejo v vsaki sličici drugo vejico; izberite brez atlasa ali raven podrobnosti 0 ali 1</translation>
     </message>
 </context>
 <context>

@@ -12,10 +12,10 @@ namespace stromar {
 namespace {
 constexpr std::string_view kEngineKey = "for", kFormatKey = "format";
 
-constexpr ChosenValue kUnreal[] = {{"lods", "file-each"}, {"packed-maps", "orm"}, {"occlusion", "none"}, {"wind", "pivot-painter"}, {"collision", "unreal"}};
-constexpr ChosenValue kUnity[] = {{"lods", "file-each"}, {"packed-maps", "unity"}, {"occlusion", "none"}};
-constexpr ChosenValue kGodot[] = {{"lods", "file-each"}, {"packed-maps", "orm"}, {"occlusion", "none"}, {"collision", "godot"}};
-constexpr ChosenValue kThree[] = {{"lods", "file-each"}, {"texture-size", "512"}, {"occlusion", "none"}};
+constexpr ChosenValue kUnreal[] = {{"lods", "file-each"}, {"objects", "materials"}, {"packed-maps", "orm"}, {"occlusion", "none"}, {"wind", "pivot-painter"}, {"collision", "unreal"}};
+constexpr ChosenValue kUnity[] = {{"lods", "file-each"}, {"objects", "materials"}, {"packed-maps", "unity"}, {"occlusion", "none"}};
+constexpr ChosenValue kGodot[] = {{"lods", "file-each"}, {"objects", "materials"}, {"packed-maps", "orm"}, {"occlusion", "none"}, {"collision", "godot"}};
+constexpr ChosenValue kThree[] = {{"lods", "file-each"}, {"objects", "materials"}, {"texture-size", "512"}, {"occlusion", "none"}};
 
 constexpr Engine kEngines[] = {
     {"unreal", N_("Unreal Engine"), ".glb", kUnreal,

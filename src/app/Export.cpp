@@ -1,6 +1,7 @@
 #include "stromar/app/Export.h"
 #include "CollisionExport.h"
 #include "ExportParts.h"
+#include "Merge.h"
 #include "VertexColours.h"
 #include "wind/WindExport.h"
 #include "stromar/app/Formats.h"
@@ -42,9 +43,15 @@ void writePose(const Pose& pose, const ExportOptions& options, const fs::path& t
         throw CError(translated(NC_("stromar", "the tree is empty, there is nothing to export")));
     makePictures(coarsest, treeFolder, progress);
     CFileSet files(progress, static_cast<std::uint64_t>(bytesPerVertex(options, format) * double(pose.vertexCount())));
+    const std::vector<Surface> shown = shownSurfaces(coarsest, pose.meshes, to.isFrame);
+    const std::optional<CAtlas> atlas = atlasFor(coarsest, shown, options, treeFolder, progress);
     std::vector<Material> materials;
-    for (const Surface surface : kSurfaces)
-        if (needsMaterial(coarsest, pose.meshes, surface)) materials.push_back(materialOf(coarsest, surface, options, format, treeFolder, to, files));
+    for (const Surface surface : shown)
+        materials.push_back(atlas && surfaceOf(surface).cutOut
+                                ? plainMaterial(surface)
+                                : materialOf({surface, textureOf(coarsest, surface, treeFolder)}, surfaceOf(surface).name, options, format, to, files));
+    std::optional<Material> foliage;
+    if (atlas) foliage = materialOf({Surface::Leaf, atlas->file()}, CAtlas::kName, options, format, to, files);
     const Arrangement arrangement = arrangementFor(options, format);
     const bool instances = options.instances != static_cast<int>(ExportedInstances::None) && !isSolid(options);
     const auto write = [&](const std::string& suffix, std::size_t first, std::size_t count) {
@@ -57,6 +64,8 @@ void writePose(const Pose& pose, const ExportOptions& options, const fs::path& t
         if (format.channels != Channels::None) addColours(model, isSolid(options) ? std::span<const std::shared_ptr<const TreeModel>>() : std::span(pose.lods).subspan(first, count), options);
         if (isTwoSided(options, format)) addBacks(model, arrangement.scale);
         if (instances) addInstances(model, *pose.lods[first], arrangement);
+        if (atlas) atlas->replaceIn(model, *foliage);
+        if (options.objects == static_cast<int>(ExportedObjects::Materials)) mergeByMaterial(model);
         model.compression = static_cast<ExportedCompression>(options.compression);
         model.leafLight = options.leafLight == static_cast<int>(ExportedLeafLight::Transmission);
         if (first == 0) addCollision(model, *pose.lods.front()->tree, options, format, arrangement, to.path, files);
@@ -183,13 +192,16 @@ void exportFrames(const CParams& params, const ExportOptions& options, const Mot
                   const std::function<void(const fs::path&)>& written, const CProgress& progress) {
     refuseUnless(options, formatOf(path), path);
     if (isSolid(options) && motion.sways()) throw CError(translated(NC_("stromar", "one solid does not move in the wind")));
+    const auto hasCards = [](const Detail* detail) { return detail->twigPlanes > 0; };
+    if (motion.frames > 0 && !motion.sways() && options.atlas != static_cast<int>(ExportedAtlas::None) && std::ranges::any_of(detailsOf(options), hasCards))
+        throw CError(translated(NC_("stromar", "cards of a growing tree show another twig in every frame; choose no atlas, or level of detail 0 or 1")));
     for (const Detail* detail : detailsOf(options)) refuseTooLarge(params, *detail, limits, progress);
     CPoseMaker maker(params, options, motion, varied, limits, treeFolder);
     maker.prepare(age, progress);
     const std::vector<Moment> moments = maker.moments(age);
     std::atomic<std::size_t> done = 0;
     const auto write = [&](std::size_t i, const CProgress& own) {
-        const Output to{motion.frames == 0 ? path : framePath(path, i, moments.size()), path, i == 0};
+        const Output to{motion.frames == 0 ? path : framePath(path, i, moments.size()), path, i == 0, motion.frames > 0};
         writePose(maker.poseAt(moments[i], own), options, treeFolder, to, own);
         written(to.path);
         progress.report(double(++done) / double(moments.size()));

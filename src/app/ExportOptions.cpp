@@ -48,6 +48,10 @@ constexpr string_view kTextureFormats[] = {"png", "jpg"};
 constexpr string_view kTextureFormatNames[] = {N_("PNG"), N_("JPEG where it can be")};
 constexpr string_view kInstances[] = {"none", "leaves"};
 constexpr string_view kInstancesNames[] = {N_("No"), N_("Leaves (EXT_mesh_gpu_instancing)")};
+constexpr string_view kObjects[] = {"levels", "materials"};
+constexpr string_view kObjectsNames[] = {N_("One for each level of stems, and leaves"), N_("One for each material")};
+constexpr string_view kAtlases[] = {"none", "leaves"};
+constexpr string_view kAtlasNames[] = {N_("No"), N_("Leaves, blossoms and twigs share one picture")};
 constexpr int kMaxBones = 256, kMaxTexture = 8192;
 
 constexpr ExportChoice kChoices[] = {
@@ -73,6 +77,12 @@ constexpr ExportChoice kChoices[] = {
      .help = N_("The model's metres are multiplied by this: 100 writes centimetres."),
      .number = &ExportOptions::scale,
      .range = {1e-6, 1e6}},
+    {.key = "objects",
+     .label = N_("Objects"),
+     .help = N_("Trunk, branches and leaves as objects of their own; or one object for each material, which a program draws at once."),
+     .words = kObjects,
+     .names = kObjectsNames,
+     .field = &ExportOptions::objects},
     {.key = "up",
      .label = N_("Up axis"),
      .help = N_("Which axis points up. 'format' takes what programs expect of the format."),
@@ -98,6 +108,12 @@ constexpr ExportChoice kChoices[] = {
      .words = kTextureFormats,
      .names = kTextureFormatNames,
      .field = &ExportOptions::textureFormat},
+    {.key = "atlas",
+     .label = N_("Texture atlas"),
+     .help = N_("One material for leaves, blossoms and twigs, with one picture in which each has a cell. PNG pictures only."),
+     .words = kAtlases,
+     .names = kAtlasNames,
+     .field = &ExportOptions::atlas},
     {.key = "normal-maps",
      .label = N_("Normal maps"),
      .help = N_("Which way the green of normal maps points: up, as OpenGL, Blender, Unity and Godot have it, or down, "
@@ -269,7 +285,7 @@ string_view adviceOn(const ExportOptions& options, const Format& format) {
 
 /// Pictures that the export would have to change, or to add.
 bool changesPictures(const ExportOptions& options) {
-    return options.textureSize > 0 || options.textureFormat != 0 || options.normalMaps != 0 || options.packedMaps != 0;
+    return options.textureSize > 0 || options.textureFormat != 0 || options.normalMaps != 0 || options.packedMaps != 0 || options.atlas != 0;
 }
 
 string_view conflictOf(const ExportOptions& options, const Format& format) {
@@ -307,6 +323,7 @@ string_view conflictOf(const ExportOptions& options, const Format& format) {
         if (moves) return N_("leaves that move in the wind cannot be instances");
         if (lods == ExportedLods::InOneFile) return N_("instances belong to one level of detail; choose a file for each");
     }
+    if (options.atlas != static_cast<int>(ExportedAtlas::None) && format.pictures == Pictures::None) return N_("%1 cannot hold pictures, nor an atlas of them");
     if (options.collision != static_cast<int>(ExportedCollision::None)) {
         if (!format.objects) return N_("%1 has no objects whose names an engine looks for; choose glTF or FBX");
         if (lods == ExportedLods::InOneFile) return N_("collision belongs to one level of detail; choose a file for each");

@@ -180,8 +180,8 @@ void addInstances(ExportModel& model, const TreeModel& tree, const Arrangement& 
 
 namespace {
 /// Where the copy of a picture goes: beside the model, named after it.
-fs::path pictureBeside(const fs::path& model, Surface surface, const fs::path& picture) {
-    return model.parent_path() / (plainName(model) + "_" + surfaceOf(surface).name + picture.extension().string());
+fs::path pictureBeside(const fs::path& model, const std::string& name, const fs::path& picture) {
+    return model.parent_path() / (plainName(model) + "_" + name + picture.extension().string());
 }
 
 bool isUsed(const std::vector<Meshes>& lods, Surface surface) {
@@ -242,26 +242,48 @@ void addMaps(Material& material, const fs::path& whole, const Format& format, co
 } // namespace
 
 bool needsMaterial(const TreeModel& model, const std::vector<Meshes>& lods, Surface surface) {
-    return isInEveryFile(surfaceOf(surface)) ||
-           (shownSurface(model.params, surface) == surface && isUsed(lods, surface));
+    return std::ranges::any_of(kSurfaces, [&](Surface own) { return shownSurface(model.params, own) == surface && isUsed(lods, own); });
 }
 
-Material materialOf(const TreeModel& model, Surface surface, const ExportOptions& options, const Format& format,
-                    const fs::path& treeFolder, const Output& to, CFileSet& files) {
+Material plainMaterial(Surface surface) {
     const SurfaceInfo& info = surfaceOf(surface);
+    return {surface, info.name, {}, {}, info.colour, info.cutOut};
+}
+
+std::vector<Surface> shownSurfaces(const TreeModel& model, const std::vector<Meshes>& lods, bool isFrame) {
+    std::vector<Surface> shown;
+    for (const Surface surface : kSurfaces)
+        if (needsMaterial(model, lods, surface) || (isFrame && hasSurface(model.params, surface))) shown.push_back(surface);
+    return shown;
+}
+
+std::optional<CAtlas> atlasFor(const TreeModel& model, const std::vector<Surface>& shown, const ExportOptions& options, const fs::path& treeFolder,
+                               const CProgress& progress) {
+    if (options.atlas == static_cast<int>(ExportedAtlas::None)) return {};
+    std::vector<SurfacePicture> pictures;
+    for (const Surface surface : shown)
+        if (surfaceOf(surface).cutOut) pictures.push_back({surface, textureOf(model, surface, treeFolder)});
+    if (pictures.size() < 2) return {};
+    return CAtlas(std::move(pictures), progress);
+}
+
+Material materialOf(const SurfacePicture& shown, const std::string& name, const ExportOptions& options, const Format& format, const Output& to,
+                    CFileSet& files) {
+    const SurfaceInfo& info = surfaceOf(shown.surface);
     auto textures = static_cast<ExportedTextures>(options.textures);
     if (textures == ExportedTextures::Format)
         textures = format.pictures >= Pictures::Inside ? ExportedTextures::Embed : ExportedTextures::Copy;
-    Material material{surface, info.name, {}, {}, info.colour, info.cutOut};
+    Material material = plainMaterial(shown.surface);
+    material.name = name;
     material.roughnessFactor = info.cutOut ? 0.7f : 0.9f;
     if (format.pictures == Pictures::None) return material;
-    const fs::path whole = textureOf(model, surface, treeFolder);
+    const fs::path& whole = shown.file;
     material.picture = preparedPicture(whole, info.cutOut ? PictureUse::CutOutAlbedo : PictureUse::Albedo, options);
-    const fs::path copy = pictureBeside(to.named, surface, whole); // maps keep its format
+    const fs::path copy = pictureBeside(to.named, name, whole); // maps keep its format
     const auto place = [&](const fs::path& picture, const char* suffix) {
         return PictureRef{placed(picture, mapBeside(copy, suffix), textures, options, to, files), picture};
     };
-    material.texture = placed(material.picture, pictureBeside(to.named, surface, material.picture), textures, options, to, files);
+    material.texture = placed(material.picture, pictureBeside(to.named, name, material.picture), textures, options, to, files);
     if (format.opacity && info.cutOut && lowerCase(whole.extension().string()) == ".png" &&
         textures != ExportedTextures::Refer)
         material.opacity = place(preparedPicture(whole, PictureUse::Opacity, options), "_opacity");

@@ -1,10 +1,12 @@
 #pragma once
 #include "Arrangement.h"
+#include "Atlas.h"
 #include "stromar/app/ExportOptions.h"
 #include "stromar/app/Prediction.h"
 #include "stromar/model/ExportModel.h"
 #include "stromar/model/TreeModel.h"
 #include <filesystem>
+#include <optional>
 
 // What exports of one tree and of several have in common.
 
@@ -39,11 +41,19 @@ struct Output {
     std::filesystem::path path;
     std::filesystem::path named; ///< that its pictures are named after: shared by the frames of a motion
     bool copiesPictures = true;  ///< else they are there
+    bool isFrame = false;        ///< of a motion: another may show what this one does not
 };
-/// Whether files have a material for the surface: some of the meshes show it, or every file has it.
+/// Whether some of the meshes show the surface.
 bool needsMaterial(const TreeModel& model, const std::vector<Meshes>& lods, Surface surface);
-/// How a surface looks; its pictures are put where the options want them.
-Material materialOf(const TreeModel& model, Surface surface, const ExportOptions& options, const Format& format,
-                    const std::filesystem::path& treeFolder, const Output& to, CFileSet& files);
+/// Those that some of the meshes show, or those of another frame may.
+std::vector<Surface> shownSurfaces(const TreeModel& model, const std::vector<Meshes>& lods, bool isFrame);
+/// How a surface looks that shows a picture (empty: none); its pictures are put where the options want them, named after it.
+Material materialOf(const SurfacePicture& shown, const std::string& name, const ExportOptions& options, const Format& format, const Output& to,
+                    CFileSet& files);
+/// A material that says no more than which surface it is of.
+Material plainMaterial(Surface surface);
+/// The picture that leaves, blossoms and twigs share, where that is wanted and there are several.
+std::optional<CAtlas> atlasFor(const TreeModel& model, const std::vector<Surface>& shown, const ExportOptions& options,
+                               const std::filesystem::path& treeFolder, const CProgress& progress);
 
 } // namespace stromar

@@ -1,5 +1,6 @@
 #include "stromar/app/ExportRow.h"
 #include "ExportParts.h"
+#include "Merge.h"
 #include "VertexColours.h"
 #include "stromar/app/Formats.h"
 #include "stromar/app/Pictures.h"
@@ -28,12 +29,14 @@ public:
 
     void add(const RowTree& tree, const std::shared_ptr<const TreeModel>& model, const CProgress& progress) {
         makePictures(*model, m_treeFolder, progress);
-        ExportModel own = ownModel(tree, model, progress);
+        std::optional<CAtlas> atlas;
+        ExportModel own = ownModel(tree, model, atlas, progress);
         std::vector<std::optional<std::size_t>> materials(kSurfaces.size());
         for (std::size_t i = 0; i < own.meshes.size(); ++i) {
-            const Surface shown = own.materialOf(*own.meshes[i]).surface;
-            auto& material = materials[static_cast<std::size_t>(shown)];
-            if (!material) material = materialFor(tree, *model, shown);
+            const Material& look = own.materialOf(*own.meshes[i]);
+            auto& material = materials[static_cast<std::size_t>(look.surface)];
+            const bool shared = atlas && look.name == CAtlas::kName;
+            if (!material) material = materialFor(tree, {look.surface, shared ? atlas->file() : textureOf(*model, look.surface, m_treeFolder)}, look.name);
             m_row.meshes.push_back(renamed(*own.meshes[i], tree.name));
             m_row.meshMaterials.push_back(*material);
             if (!own.channels.empty()) m_row.channels.push_back(std::move(own.channels[i]));
@@ -45,19 +48,25 @@ public:
 
 private:
     /// With materials that say no more than which surface they are of.
-    ExportModel ownModel(const RowTree& tree, const std::shared_ptr<const TreeModel>& model,
+    ExportModel ownModel(const RowTree& tree, const std::shared_ptr<const TreeModel>& model, std::optional<CAtlas>& atlas,
                          const CProgress& progress) const {
         const Arrangement arrangement = arrangementFor(m_options, m_format);
         const Meshes meshes = meshesFor(*model, m_options, progress);
         ExportModel own{tree.name, arranged(moved(meshes, glm::vec3(tree.place, 0, 0)), arrangement), {}, {}};
-        for (const Surface surface : kSurfaces)
-            if (needsMaterial(*model, {meshes}, surface))
-                own.materials.push_back({surface, {}, {}, {}, {}, surfaceOf(surface).cutOut});
+        const std::vector<Surface> shown = shownSurfaces(*model, {meshes}, false);
+        for (const Surface surface : shown) own.materials.push_back(plainMaterial(surface));
         const std::span<const std::shared_ptr<const TreeModel>> coloured(&model, isSolid(m_options) ? 0 : 1);
         if (m_format.channels != Channels::None) addColours(own, coloured, m_options);
         if (isTwoSided(m_options, m_format)) addBacks(own, arrangement.scale);
         if (m_options.instances != static_cast<int>(ExportedInstances::None) && !isSolid(m_options))
             addInstances(own, *model, arrangement, static_cast<float>(tree.place));
+        atlas = atlasFor(*model, shown, m_options, m_treeFolder, progress);
+        if (atlas) {
+            Material foliage = plainMaterial(Surface::Leaf);
+            foliage.name = CAtlas::kName;
+            atlas->replaceIn(own, foliage);
+        }
+        if (m_options.objects == static_cast<int>(ExportedObjects::Materials)) mergeByMaterial(own);
         return own;
     }
 
@@ -78,21 +87,19 @@ private:
     }
 
     /// That of an earlier tree where the picture is the same.
-    std::size_t materialFor(const RowTree& tree, const TreeModel& model, Surface surface) {
-        const fs::path picture = textureOf(model, surface, m_treeFolder);
-        const auto isSame = [&](const Known& known) { return known.surface == surface && known.picture == picture; };
+    std::size_t materialFor(const RowTree& tree, const SurfacePicture& shown, const std::string& name) {
+        const auto isSame = [&](const Known& known) { return known.name == name && known.picture == shown.file; };
         if (const auto known = std::ranges::find_if(m_known, isSame); known != m_known.end()) return known->material;
-        const bool isFirst = std::ranges::find(m_known, surface, &Known::surface) == m_known.end();
+        const bool isFirst = std::ranges::find(m_known, name, &Known::name) == m_known.end();
         const Output to{m_path, isFirst ? m_path : withSuffix(m_path, "_" + tree.name)};
-        m_known.push_back({surface, picture, m_row.materials.size()});
-        Material& material =
-            m_row.materials.emplace_back(materialOf(model, surface, m_options, m_format, m_treeFolder, to, m_files));
+        m_known.push_back({name, shown.file, m_row.materials.size()});
+        Material& material = m_row.materials.emplace_back(materialOf(shown, name, m_options, m_format, to, m_files));
         if (!isFirst) material.name += "_" + tree.name;
         return m_row.materials.size() - 1;
     }
 
     struct Known {
-        Surface surface;
+        std::string name;
         fs::path picture;
         std::size_t material;
     };

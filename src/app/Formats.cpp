@@ -10,22 +10,24 @@
 namespace stromar {
 
 namespace {
+using enum Content;
+
 constexpr ContentInfo kContents[] = {
-    {Content::Materials, N_("materials")},
-    {Content::Pictures, N_("pictures")},
-    {Content::TexCoords, N_("texture coordinates")},
-    {Content::Normals, N_("normals (programs make their own)")},
-    {Content::Opacity, N_("transparency of the leaf picture"), unsigned(Content::Pictures)},
-    {Content::NormalMaps, N_("maps of normals"), unsigned(Content::Pictures)},
-    {Content::RoughnessMaps, N_("maps of roughness"), unsigned(Content::Pictures)},
-    {Content::Tints, N_("tints of leaves")},
-    {Content::Occlusion, N_("occlusion as an attribute")},
-    {Content::Tangents, N_("tangents"), Content::Normals | Content::TexCoords},
+    {Materials, N_("materials")},
+    {Pictures, N_("pictures")},
+    {TexCoords, N_("texture coordinates")},
+    {Normals, N_("normals (programs make their own)")},
+    {Opacity, N_("transparency of the leaf picture"), unsigned(Pictures)},
+    {NormalMaps, N_("maps of normals"), unsigned(Pictures)},
+    {RoughnessMaps, N_("maps of roughness"), unsigned(Pictures)},
+    {Tints, N_("tints of leaves")},
+    {Occlusion, N_("occlusion as an attribute")},
+    {Tangents, N_("tangents"), Normals | TexCoords},
 };
 
-constexpr unsigned kShape = Content::TexCoords | Content::Normals, kColours = Content::Materials | Content::Pictures | Content::Opacity;
-constexpr unsigned kEverything = kShape | kColours | Content::NormalMaps | Content::RoughnessMaps | Content::Tangents | Content::Tints | Content::Occlusion;
-constexpr unsigned kMaps = Content::NormalMaps | Content::RoughnessMaps;
+constexpr unsigned kShape = TexCoords | Normals, kColours = Materials | Pictures | Opacity;
+constexpr unsigned kEverything = kShape | kColours | NormalMaps | RoughnessMaps | Tangents | Tints | Occlusion;
+constexpr unsigned kMaps = NormalMaps | RoughnessMaps;
 
 // clang-format off
 constexpr Format kFormats[] = {
@@ -34,7 +36,7 @@ constexpr Format kFormats[] = {
     {.ending = ".gltf", .name = N_("glTF, with its buffer and pictures beside it"), .upAxis = "y", .holds = kEverything, .write = writeGltf,
      .bytesPerVertex = 68, .objects = true, .lods = true, .sides = Sides::Material, .channels = Channels::All, .instances = true},
     {.ending = ".fbx", .name = N_("FBX, binary, centimetres"), .upAxis = "y",
-     .holds = kShape | kColours | Content::NormalMaps | Content::Tangents | Content::Tints, .write = writeFbx, .bytesPerVertex = 50,
+     .holds = kShape | kColours | NormalMaps | Tangents | Tints, .write = writeFbx, .bytesPerVertex = 50,
      .objects = true, .lods = true, .remark = N_("the pictures of roughness lie beside the file"), .looseRoughness = true, .opacity = true, .embeds = true,
      .channels = Channels::ColoursAndUvs},
     {.ending = ".usda", .name = N_("USD, text"), .upAxis = "y", .holds = kShape | kColours | kMaps, .write = writeUsda,
@@ -43,16 +45,16 @@ constexpr Format kFormats[] = {
      .write = writeUsdz, .bytesPerVertex = 130, .pictures = Pictures::AlwaysInside, .objects = true, .sides = Sides::Material},
     {.ending = ".obj", .name = N_("Wavefront OBJ"), .upAxis = "y", .holds = kShape | kColours | kMaps, .write = writeObj,
      .bytesPerVertex = 200, .objects = true, .anyUp = true, .opacity = true, .sides = Sides::Triangles},
-    {.ending = ".dae", .name = N_("COLLADA"), .upAxis = "y", .holds = kShape | kColours | Content::NormalMaps,
+    {.ending = ".dae", .name = N_("COLLADA"), .upAxis = "y", .holds = kShape | kColours | NormalMaps,
      .write = writeDae, .bytesPerVertex = 150, .objects = true,
      .remark = N_("Blender and Godot do not read where leaves are transparent"), .sides = Sides::Triangles},
     {.ending = ".ply", .name = N_("Stanford PLY, binary"), .upAxis = "z", .holds = kShape, .write = writePly, .bytesPerVertex = 55,
      .pictures = Pictures::None, .anyUp = true, .remark = N_("all stems and leaves are one mesh")},
     {.ending = ".stl", .name = N_("STL, binary"), .upAxis = "z", .holds = 0, .write = writeStl, .bytesPerVertex = 35,
      .pictures = Pictures::None, .anyUp = true},
-    {.ending = ".3ds", .name = N_("3D Studio"), .upAxis = "z", .holds = kColours | Content::TexCoords, .write = write3ds, .bytesPerVertex = 70,
+    {.ending = ".3ds", .name = N_("3D Studio"), .upAxis = "z", .holds = kColours | TexCoords, .write = write3ds, .bytesPerVertex = 70,
      .anyUp = true, .remark = N_("names end after ten letters; large meshes are cut into parts"), .sides = Sides::Triangles},
-    {.ending = ".lwo", .name = N_("LightWave object"), .upAxis = "y", .holds = Content::Materials | Content::Pictures | Content::TexCoords,
+    {.ending = ".lwo", .name = N_("LightWave object"), .upAxis = "y", .holds = Materials | Pictures | TexCoords,
      .write = writeLwo, .bytesPerVertex = 80, .sides = Sides::Triangles},
     {.ending = ".pov", .name = N_("POV-Ray scene"), .upAxis = "y", .holds = kShape | kColours, .write = writePov, .bytesPerVertex = 130,
      .remark = N_("a camera, lights and ground are added")},

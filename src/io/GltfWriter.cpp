@@ -510,11 +510,13 @@ private:
     std::map<std::size_t, nlohmann::ordered_json> m_packedViews; ///< how, by their place
 };
 
+bool embedsPictures(const ExportModel& model) { return std::ranges::any_of(model.materials, [](const Material& material) { return material.texture.empty(); }); }
+
 void writeWord(std::ostream& out, std::uint32_t word) { out.write(reinterpret_cast<const char*>(&word), sizeof(word)); }
 } // namespace
 
 void writeGlb(const ExportModel& model, const std::filesystem::path& path, CFileSet& files) {
-    const CGltf gltf(model, model.materials[0].texture.empty());
+    const CGltf gltf(model, embedsPictures(model));
     std::string json = gltf.json({});
     json.append((4 - json.size() % 4) % 4, ' ');
     const bool buffered = gltf.bufferBytes() > 0;
@@ -530,7 +532,7 @@ void writeGlb(const ExportModel& model, const std::filesystem::path& path, CFile
 }
 
 void writeGltf(const ExportModel& model, const std::filesystem::path& path, CFileSet& files) {
-    const CGltf gltf(model, model.materials[0].texture.empty());
+    const CGltf gltf(model, embedsPictures(model));
     const std::string buffer = model.name + ".bin";
     files.create(path) << gltf.json(buffer);
     if (gltf.bufferBytes() > 0) gltf.writeBuffer(files.create(path.parent_path() / buffer));

@@ -16,8 +16,6 @@ struct SurfaceInfo {
     bool (*borne)(const CParams&);    ///< whether the tree may bear some; null: any tree has it
 };
 const SurfaceInfo& surfaceOf(Surface surface);
-/// Whether every file has its material, even where no mesh needs it.
-inline bool isInEveryFile(const SurfaceInfo& info) { return info.texture && !info.borne; }
 /// Whether the tree has a picture for it, which some month or some level of detail shows.
 bool hasSurface(const CParams& params, Surface surface);
 /// What a surface of a mesh shows: itself, or where the user chose nothing for it what stands in for it.

@@ -1,0 +1,187 @@
+#include "Atlas.h"
+#include "ContentHash.h"
+#include "stromar/app/Pictures.h"
+#include "stromar/texture/TextureMaps.h"
+#include "stromar/util/Error.h"
+#include "stromar/util/FileSet.h"
+#include "stromar/util/Text.h"
+#include "stromar/util/Translatable.h"
+#include <algorithm>
+#include <bit>
+#include <cmath>
+#include <glm/common.hpp>
+
+namespace stromar {
+
+namespace fs = std::filesystem;
+
+namespace {
+constexpr int kVersion = 1;        // rises when the same is drawn differently
+constexpr int kMarginsOfCell = 64; // a margin is one of so many parts of a cell
+constexpr float kBeyond = 1e-3f;   // rounding of texture coordinates
+
+bool isPng(const fs::path& file) { return lowerCase(file.extension().string()) == ".png"; }
+
+std::string stateOf(const fs::path& file) {
+    std::error_code problem; // reading says it better
+    const auto written = fs::last_write_time(file, problem).time_since_epoch().count();
+    return fs::absolute(file).string() + ' ' + std::to_string(written) + ' ' + std::to_string(fs::file_size(file, problem));
+}
+
+/// A map that files show, and what a picture without it has.
+struct Neutral {
+    std::string_view suffix;
+    std::array<std::uint8_t, 3> value;
+};
+constexpr Neutral kNeutral[] = {{"_normal", {128, 128, 255}}, {"_roughness", {179}}}; // 0.7, as materials of leaves have
+
+const MapFile* mapFileOf(std::string_view suffix) {
+    return &*std::ranges::find_if(mapFiles(), [&](const MapFile& one) { return one.suffix == suffix; });
+}
+
+/// The mean of what a pixel of a cell covers. Beyond its edge a picture runs on.
+class CCellSampler {
+public:
+    CCellSampler(const TextureMaps& maps, int cell) : m_maps(maps), m_cell(cell), m_margin(cell / kMarginsOfCell) {
+        const int inner = cell - 2 * m_margin;
+        m_step = {double(maps.width) / inner, double(maps.height) / inner};
+        m_samples = {std::max(1, int(std::ceil(m_step.x))), std::max(1, int(std::ceil(m_step.y)))};
+    }
+
+    double at(const std::uint8_t* pixels, std::size_t channels, std::size_t channel, int x, int y) const {
+        double sum = 0;
+        for (int j = 0; j < m_samples.y; ++j)
+            for (int i = 0; i < m_samples.x; ++i)
+                sum += between(pixels, channels, channel, (x - m_margin + (i + 0.5) / m_samples.x) * m_step.x - 0.5, (y - m_margin + (j + 0.5) / m_samples.y) * m_step.y - 0.5);
+        return sum / (m_samples.x * m_samples.y);
+    }
+
+private:
+    double between(const std::uint8_t* pixels, std::size_t channels, std::size_t channel, double x, double y) const {
+        const int left = int(std::floor(x)), top = int(std::floor(y));
+        const auto pixel = [&](int px, int py) {
+            return double(pixels[m_maps.at(std::clamp(px, 0, m_maps.width - 1), std::clamp(py, 0, m_maps.height - 1)) * channels + channel]);
+        };
+        const double right = x - left, below = y - top;
+        return (1 - below) * ((1 - right) * pixel(left, top) + right * pixel(left + 1, top)) +
+               below * ((1 - right) * pixel(left, top + 1) + right * pixel(left + 1, top + 1));
+    }
+
+    const TextureMaps& m_maps;
+    int m_cell, m_margin;
+    glm::dvec2 m_step;
+    glm::ivec2 m_samples;
+};
+
+/// Draws cells of pictures.
+class CAtlasPainter {
+public:
+    CAtlasPainter(const std::vector<SurfacePicture>& pictures, const glm::ivec2& cells, const CProgress& progress) : m_cells(cells), m_progress(progress) {
+        for (const SurfacePicture& one : pictures) {
+            m_sources.push_back(readPngs(one.file));
+            m_cell = std::max({m_cell, m_sources.back().width, m_sources.back().height});
+            progress.poll();
+        }
+        m_cell = std::min(m_cell, CAtlas::kMaxCell);
+    }
+
+    TextureMaps draw() const {
+        TextureMaps atlas;
+        atlas.width = m_cells.x * m_cell;
+        atlas.height = m_cells.y * m_cell;
+        atlas.albedo.resize(static_cast<std::size_t>(atlas.width) * static_cast<std::size_t>(atlas.height));
+        const auto albedo = [](const TextureMaps& maps) { return reinterpret_cast<const std::uint8_t*>(maps.albedo.data()); };
+        drawLayer(4, albedo, {}, atlas, reinterpret_cast<std::uint8_t*>(atlas.albedo.data()));
+        for (const Neutral& neutral : kNeutral) {
+            const MapFile& map = *mapFileOf(neutral.suffix);
+            if (std::ranges::any_of(m_sources, map.pixels))
+                drawLayer(static_cast<std::size_t>(map.channels), map.pixels, neutral.value, atlas, map.room(atlas));
+        }
+        return atlas;
+    }
+
+private:
+    template <typename Pixels>
+    void drawLayer(std::size_t channels, Pixels&& pixelsOf, const std::array<std::uint8_t, 3>& neutral, const TextureMaps& atlas, std::uint8_t* out) const {
+        for (std::size_t i = 0; i < m_sources.size(); ++i) {
+            const std::uint8_t* pixels = pixelsOf(m_sources[i]);
+            const CCellSampler sampler(m_sources[i], m_cell);
+            const int left = static_cast<int>(i) % m_cells.x * m_cell, top = static_cast<int>(i) / m_cells.x * m_cell;
+            for (int y = 0; y < m_cell; ++y) {
+                m_progress.poll();
+                for (int x = 0; x < m_cell; ++x)
+                    for (std::size_t c = 0; c < channels; ++c)
+                        out[atlas.at(left + x, top + y) * channels + c] =
+                            pixels ? static_cast<std::uint8_t>(std::lround(sampler.at(pixels, channels, c, x, y))) : neutral[c];
+            }
+        }
+    }
+
+    std::vector<TextureMaps> m_sources;
+    glm::ivec2 m_cells;
+    const CProgress& m_progress;
+    int m_cell = 1;
+};
+} // namespace
+
+CAtlas::CAtlas(std::vector<SurfacePicture> pictures, const CProgress& progress) : m_pictures(std::move(pictures)) {
+    std::string state = std::to_string(kVersion);
+    for (const SurfacePicture& one : m_pictures) {
+        if (!isPng(one.file)) throw CError(translated(NC_("stromar", "only PNG pictures can share one: %1"), one.file.string()));
+        state += '\n' + stateOf(one.file);
+    }
+    m_file = pictureCache() / "atlases" / (nameOfHash(hashOfText(state)) + ".png");
+    if (!isKept(m_file)) draw(progress);
+}
+
+void CAtlas::draw(const CProgress& progress) const {
+    std::error_code problem; // writing says it better
+    fs::create_directories(m_file.parent_path(), problem);
+    CFileSet files(progress);
+    writePngs(CAtlasPainter(m_pictures, cells(), progress).draw(), m_file, files);
+    files.commit();
+}
+
+glm::ivec2 CAtlas::cells() const {
+    const auto count = static_cast<unsigned>(m_pictures.size());
+    const int across = count <= 4 ? 2 : 4; // widths and heights that graphics cards like
+    return {across, static_cast<int>(std::bit_ceil((count + static_cast<unsigned>(across) - 1) / static_cast<unsigned>(across)))};
+}
+
+glm::vec2 CAtlas::placeOf(std::size_t cell, const glm::vec2& texCoord) const {
+    const glm::ivec2 all = cells();
+    const glm::vec2 column(static_cast<float>(cell % static_cast<std::size_t>(all.x)), static_cast<float>(cell / static_cast<std::size_t>(all.x)));
+    constexpr float kMargin = 1.0f / kMarginsOfCell;
+    const glm::vec2 inside = kMargin + (1 - 2 * kMargin) * glm::clamp(texCoord, 0.0f, 1.0f);
+    return {(column.x + inside.x) / float(all.x), 1 - (column.y + 1 - inside.y) / float(all.y)};
+}
+
+std::shared_ptr<const CMesh> CAtlas::moved(const CMesh& mesh, std::size_t cell) const {
+    auto copy = std::make_shared<CMesh>(mesh);
+    copy->surface = Surface::Leaf;
+    for (glm::vec2& t : copy->texCoords) {
+        if (glm::clamp(t, -kBeyond, 1 + kBeyond) != t)
+            throw CError(translated(NC_("stromar", "%1 repeats its picture (texture coordinates beyond 0 to 1), which cannot share one with others"), mesh.name));
+        t = placeOf(cell, t);
+    }
+    return copy;
+}
+
+void CAtlas::replaceIn(ExportModel& model, const Material& look) const {
+    const auto replaceAll = [&](Meshes& meshes) {
+        Meshes all;
+        for (const auto& mesh : meshes) {
+            const auto own = std::ranges::find(m_pictures, model.materialOf(*mesh).surface, &SurfacePicture::surface);
+            all.push_back(own == m_pictures.end() ? mesh : moved(*mesh, static_cast<std::size_t>(own - m_pictures.begin())));
+        }
+        return all;
+    };
+    std::vector<Meshes> coarser;
+    for (Meshes& meshes : model.coarser) coarser.push_back(replaceAll(meshes));
+    model.meshes = replaceAll(model.meshes);
+    model.coarser = std::move(coarser);
+    std::erase_if(model.materials, [&](const Material& material) { return std::ranges::count(m_pictures, material.surface, &SurfacePicture::surface) > 0; });
+    model.materials.push_back(look);
+}
+
+} // namespace stromar
