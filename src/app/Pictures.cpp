@@ -3,6 +3,7 @@
 #include "TwigPicture.h"
 #include "stromar/params/ParamTable.h"
 #include "stromar/texture/Draw.h"
+#include "stromar/texture/Opacity.h"
 #include "stromar/util/Random.h"
 #include "stromar/util/Text.h"
 #include <algorithm>
@@ -12,6 +13,7 @@
 #include <ctime>
 #include <fcntl.h>
 #include <map>
+#include <mutex>
 #include <sys/stat.h>
 
 namespace stromar {
@@ -19,7 +21,7 @@ namespace stromar {
 namespace fs = std::filesystem;
 
 namespace {
-constexpr int kTileSize = 1024, kPreviewTileSize = 192, kCutOutSize = 512, kPreviewSize = 96;
+constexpr int kTileSize = 1024, kPreviewTileSize = 192, kCutOutSize = 512, kPreviewSize = 96, kMaskSize = 256;
 constexpr std::int64_t kSecond = 1'000'000'000, kInUse = 600 * kSecond;
 constexpr double kSeasonSteps = 0.2;      // of a month: the picture follows the slider in so many
 constexpr std::uint64_t kLookVersion = 3; // rises when the same recipe is drawn differently
@@ -85,6 +87,41 @@ std::vector<KeptPicture> keptPictures() {
     std::vector<KeptPicture> all;
     for (auto& [name, picture] : kept) all.push_back(std::move(picture));
     return all;
+}
+
+CLeafMask maskOf(TextureMaps picture) {
+    constexpr int kSide = CLeafMask::kSide;
+    double covered = 0;
+    for (const auto& pixel : picture.albedo) covered += pixel[3] / 255.0 / double(picture.albedo.size());
+    coverPart(picture.albedo, picture.width, picture.height, covered); // needles are thinner than a pixel
+    std::vector<bool> cells;
+    for (int y = 0; y < kSide; ++y)
+        for (int x = 0; x < kSide; ++x) {
+            const int px = (2 * x + 1) * picture.width / (2 * kSide), py = (2 * (kSide - y) - 1) * picture.height / (2 * kSide);
+            cells.push_back(picture.albedo[picture.at(px, py)][3] >= 255 * kAlphaCut);
+        }
+    return CLeafMask(std::move(cells));
+}
+
+/// By a recipe, or by a file and when it was written.
+CLeafMask maskOf(const std::string& chosen, const fs::path& file, const CProgress& progress) {
+    constexpr std::size_t kKept = 256;
+    static std::mutex mutex;
+    static std::map<std::string, CLeafMask> known;
+    std::error_code problem; // reading says it better
+    const std::string key = isRecipe(chosen) ? chosen : file.string() + ' ' + std::to_string(fs::last_write_time(file, problem).time_since_epoch().count());
+    {
+        const std::lock_guard lock(mutex);
+        if (const auto found = known.find(key); found != known.end()) return found->second;
+    }
+    CLeafMask mask;
+    try {
+        mask = maskOf(isRecipe(chosen) ? CRecipe(chosen).draw(kMaskSize, progress) : readPng(file));
+    } catch (const CError&) { // whoever shows the picture tells of it
+    }
+    const std::lock_guard lock(mutex);
+    if (known.size() > kKept) known.clear();
+    return known[key] = mask;
 }
 
 std::uintmax_t sizeOf(const std::vector<KeptPicture>& kept) {
@@ -170,6 +207,15 @@ void makePictures(const CParams& params, const CProgress& progress, PictureQuali
         if (enough || isKept(file)) continue;
         keepPicture(read.draw(sizeOf(surface, quality), progress), file);
     }
+}
+
+LeafMasks leafMasksOf(const CParams& params, const CProgress& progress) {
+    LeafMasks masks;
+    for (std::size_t kind = 0; kind < kLeafKinds; ++kind) {
+        const Surface shown = shownSurface(params, kLeafSurfaces[kind]);
+        masks[kind] = maskOf(pictureOf(params, shown), textureOf(params, shown, params.folder), progress);
+    }
+    return masks;
 }
 
 fs::path textureOf(const TreeModel& model, Surface surface, const fs::path& folder) {

@@ -1,6 +1,7 @@
 #include "stromar/app/TreeCreator.h"
 #include "stromar/app/LeafMesh.h"
 #include "stromar/app/Methods.h"
+#include "stromar/app/Pictures.h"
 #include "stromar/app/Prediction.h"
 #include "stromar/model/MeshValues.h"
 #include "stromar/params/ParamTable.h"
@@ -92,7 +93,8 @@ private:
         itsLeaves.stems->stems.back().resize(typical->stem + 1);
         itsLeaves.stems->stems.back().back() = true;
         const auto leaves = m_builder.growOrgans(m_params, m_tree, Organ::Leaf, itsLeaves, m_progress);
-        m_model->twig = twigAt(*typical, twigs, m_tree, *leaves, m_mesh);
+        const auto crown = m_builder.growOrgans(m_params, m_tree, Organ::Leaf, {.share = detailOf(Model::Full, 1).share, .max = kMeasuredLeaves, .stems = twigs}, m_progress);
+        m_model->twig = twigAt(*typical, twigs, m_tree, *leaves, crown, leafMasksOf(m_params, m_progress), m_mesh, m_progress);
         m_asCards = twigs;
     }
 
@@ -162,9 +164,16 @@ private:
         MadeOrgans& made = m_made.organs[static_cast<std::size_t>(organ)];
         if (made.meshes.empty() || meshIsStale(made.params, m_params, Invalidation::kLeaves)) {
             made.meshes = meshOfOrgans(*m_model->tree, organ, m_plans, m_mesh, m_detail, m_progress, asCards(organ));
+            if (organ == Organ::Leaf && m_detail.lod > 0 && m_asCards.empty()) fitLeaves(made.meshes);
             made.params = m_params;
         }
         return made.meshes;
+    }
+
+    void fitLeaves(OrganMeshes& meshes) const {
+        if (double(m_model->tree->organs(Organ::Leaf)->total) > kMeasuredLeaves) return;
+        const auto all = m_builder.growOrgans(m_params, m_tree, Organ::Leaf, {}, m_progress);
+        meshes = fittingLeaves(meshes, all, m_tree, leafMasksOf(m_params, m_progress), m_mesh, m_progress);
     }
 
     const CTree& m_tree;

@@ -5,6 +5,7 @@
 #include "stromar/util/Text.h"
 #include <algorithm>
 #include <cmath>
+#include <glm/common.hpp>
 #include <glm/geometric.hpp>
 
 namespace stromar {
@@ -13,8 +14,8 @@ namespace fs = std::filesystem;
 
 namespace {
 constexpr int kSize = 512;
-constexpr int kSamples = 2;               // of a pixel, each way
-constexpr std::uint64_t kLookVersion = 4; // rises when the same twig is drawn differently
+constexpr int kSamples = 3;               // of a pixel, each way
+constexpr std::uint64_t kLookVersion = 7; // rises when the same twig is drawn differently
 constexpr float kWoodRoughness = 0.85f, kLeafRoughness = 0.6f, kLeafThrough = 0.6f;
 
 /// What one surface shows at a place.
@@ -28,6 +29,13 @@ template <std::size_t N>
 glm::vec4 colour(const std::array<std::uint8_t, N>& c) {
     return glm::vec4(c[0], c[1], c[2], N > 3 ? c[N - 1] : 255) / 255.0f;
 }
+
+/// sRGB to light and back.
+glm::vec4 linear(const glm::vec4& c) {
+    const auto one = [](float v) { return v <= 0.04045f ? v / 12.92f : std::pow((v + 0.055f) / 1.055f, 2.4f); };
+    return {one(c.x), one(c.y), one(c.z), c.w};
+}
+float encoded(float v) { return v <= 0.0031308f ? 12.92f * v : 1.055f * std::pow(v, 1 / 2.4f) - 0.055f; }
 
 /// Of the leaf's picture at a place of it, v up.
 class CLeafLook {
@@ -48,6 +56,22 @@ public:
     }
 
     int height() const { return m_maps.height; }
+
+    /// The mean of what is not cut out.
+    Look mean() const {
+        Look sum{.front = glm::vec4(0), .back = glm::vec4(0)};
+        float count = 0;
+        const TextureMaps& m = m_maps;
+        for (std::size_t i = 0; i < m.albedo.size(); ++i) {
+            if (colour(m.albedo[i]).w < float(kAlphaCut)) continue;
+            sum.front += linear(colour(m.albedo[i]));
+            sum.back += linear(colour(m.back.empty() ? m.albedo[i] : m.back[i]));
+            sum.through += m.translucency.empty() ? kLeafThrough : float(m.translucency[i]) / 255;
+            ++count;
+        }
+        const float share = 1 / std::max(1.0f, count);
+        return {.front = sum.front * share, .back = sum.back * share, .through = sum.through * share};
+    }
 
 private:
     void add(const glm::vec2& pixel, Look& sum) const {
@@ -146,6 +170,7 @@ TextureMaps CTwigCamera::picture() const {
     TextureMaps maps;
     maps.width = maps.height = kSize;
     float farthest = 1e-6f;
+    double covered = 0;
     for (const Sample& sample : m_samples)
         if (std::isfinite(sample.z)) farthest = std::max(farthest, std::abs(sample.z));
     for (int y = 0; y < kSize; ++y)
@@ -166,6 +191,7 @@ TextureMaps CTwigCamera::picture() const {
                 z += sample.z;
             }
             const float each = 1 / std::max(1.0f, seen);
+            covered += seen / (kSamples * kSamples);
             const glm::vec3 n = seen > 0 ? glm::normalize(normal + glm::vec3(0, 0, 1e-3f)) : glm::vec3(0, 0, 1);
             maps.albedo.push_back({byteOf(albedo.x * each), byteOf(albedo.y * each), byteOf(albedo.z * each),
                                    byteOf(seen / (kSamples * kSamples))});
@@ -177,8 +203,44 @@ TextureMaps CTwigCamera::picture() const {
         }
     spreadColours(maps.albedo, kSize, kSize);
     spreadColours(maps.back, kSize, kSize);
+    coverPart(maps.albedo, kSize, kSize, covered / double(maps.albedo.size()));
+    for (std::size_t i = 0; i < maps.albedo.size(); ++i) maps.back[i][3] = maps.albedo[i][3];
     return maps;
 }
+
+/// The light that a crown throws back on a clear day, as the viewport has it.
+glm::dvec3 lightOf(const CrownLook& crown, const Look& leaf) {
+    constexpr glm::dvec3 kSun(2.9, 2.75, 2.5), kSky(0.47, 0.62, 0.88), kGround(0.27, 0.30, 0.18), kPassed(1.3, 1.25, 0.6);
+    constexpr double kOpen = 0.6, kPassedSky = 0.35; // of the sky, inside a crown; what of it comes through a leaf
+    const glm::dvec3 colour = glm::mix(glm::dvec3(leaf.front), glm::dvec3(leaf.back), crown.backs);
+    const glm::dvec3 around = kOpen * glm::mix(kGround, kSky, crown.sky), behind = kOpen * glm::mix(kSky, kGround, crown.sky);
+    return colour * (around + crown.sun * kSun + double(leaf.through) * kPassed * (crown.through * kSun + kPassedSky * behind));
+}
+
+/// Makes up for what cards lack: leaves that shade each other, look upwards, and turn their upper sides to whoever looks.
+class CCardLight {
+public:
+    explicit CCardLight(const Twig& twig) : m_twig(twig) {}
+
+    void add(const Look& leaf, double weight) {
+        m_leaves += weight * lightOf(m_twig.crown, leaf);
+        m_cards += weight * lightOf(m_twig.cards, leaf);
+    }
+    void applyTo(TextureMaps& maps) const {
+        const glm::dvec3 share = glm::clamp(kFineShade * m_leaves / glm::max(m_cards, glm::dvec3(1e-9)), kLeast, kMost);
+        for (auto* pixels : {&maps.albedo, &maps.back})
+            for (auto& pixel : *pixels) {
+                const glm::vec4 light = linear(colour(pixel));
+                for (int c = 0; c < 3; ++c) pixel[static_cast<std::size_t>(c)] = static_cast<std::uint8_t>(std::clamp(encoded(light[c] * float(share[c])) * 255 + 0.5f, 0.0f, 255.0f));
+            }
+    }
+
+private:
+    static constexpr double kLeast = 0.3, kMost = 1.6;
+    static constexpr double kFineShade = 0.94; // where leaves touch, finer than the cells of crownLook(): the mean of the presets
+    const Twig& m_twig;
+    glm::dvec3 m_leaves{0}, m_cards{0};
+};
 
 bool isPng(const fs::path& file) { return lowerCase(file.extension().string()) == ".png"; }
 
@@ -211,6 +273,7 @@ std::uint64_t twigHash(const Twig& twig, const TwigSource& source) {
     std::uint64_t hash = hashCombine(kLookVersion, kSize);
     for (const auto& mesh : {twig.wood, twig.leaves}) hash = hashOf(hashOf(hash, mesh->positions), mesh->texCoords);
     hash = hashOf(hash, twig.kinds);
+    for (const CrownLook& look : {twig.crown, twig.cards}) hash = hashOf(hash, std::array{look.sun, look.through, look.sky, look.backs});
     for (std::size_t kind = 0; kind < kLeafKinds; ++kind)
         if (twig.kinds[kind] < twig.kinds[kind + 1]) hash = hashOfFile(hash, source.leaves[kind]);
     return hashOfFile(hash, source.bark);
@@ -220,15 +283,19 @@ TextureMaps drawTwig(const Twig& twig, const TwigSource& source, const CProgress
     CTwigCamera camera(twig);
     const double samples = std::sqrt(twig.leafArea) * camera.perMetre(); // that a leaf is long
     camera.draw(*twig.wood, 0, twig.wood->indices.size(), [look = barkLook(source)](const glm::vec2&) { return look; });
+    CCardLight light(twig);
     for (std::size_t kind = 0; kind < kLeafKinds; ++kind) {
         progress.poll();
         if (twig.kinds[kind] == twig.kinds[kind + 1]) continue;
         const CLeafLook leaf(source.leaves[kind]);
         const int pixels = std::clamp(static_cast<int>(leaf.height() / std::max(1.0, samples)), 1, 8);
         camera.draw(*twig.leaves, twig.kinds[kind], twig.kinds[kind + 1], [&](const glm::vec2& place) { return leaf.at(place, pixels); });
+        light.add(leaf.mean(), double(twig.kinds[kind + 1] - twig.kinds[kind]));
     }
     progress.poll();
-    return camera.picture();
+    TextureMaps picture = camera.picture();
+    light.applyTo(picture);
+    return picture;
 }
 
 } // namespace stromar

@@ -148,6 +148,17 @@ CHeadlessPainter::~CHeadlessPainter() {
     m_renderer.detach();
 }
 
+namespace {
+/// What is drawn over nothing has black mixed in where it covers a part of a pixel; in a picture, opacity alone says that.
+void removeNothing(Pixels& pixels) {
+    for (auto& p : pixels) {
+        const int cover = p[3];
+        if (cover == 0 || cover == 255) continue;
+        for (std::size_t c = 0; c < 3; ++c) p[c] = static_cast<std::uint8_t>(std::min(255, (p[c] * 255 + cover / 2) / cover));
+    }
+}
+} // namespace
+
 Pixels CHeadlessPainter::paint(const CCamera& camera, int width, int height) {
     Pixels pixels(static_cast<std::size_t>(width) * static_cast<std::size_t>(height));
     const std::span<std::uint8_t> bytes(pixels.data()->data(), 4 * pixels.size());
@@ -159,6 +170,7 @@ Pixels CHeadlessPainter::paint(const CCamera& camera, int width, int height) {
         if (m_passes > 1) mean.add(bytes);
     }
     if (m_passes > 1) mean.write(bytes);
+    removeNothing(pixels);
     return pixels;
 }
 

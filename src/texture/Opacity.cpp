@@ -43,14 +43,47 @@ void fillFrom(Weighted& large, Weighted& small) {
 
 std::uint8_t rounded(double v) { return static_cast<std::uint8_t>(std::lround(std::clamp(v, 0.0, 255.0))); }
 
-double coverage(const Pixels& pixels, double cut, double scale, double soft) {
+/// The opacities of a picture.
+struct Opacities {
+    int width, height;
+    std::vector<double> values; ///< 0..1
+
+    Opacities(const Pixels& pixels, int w, int h) : width(w), height(h) {
+        for (const auto& p : pixels) values.push_back(p[3] / 255.0);
+    }
+    double at(int x, int y) const {
+        return values[static_cast<std::size_t>(std::clamp(y, 0, height - 1)) * static_cast<std::size_t>(width) + static_cast<std::size_t>(std::clamp(x, 0, width - 1))];
+    }
+};
+
+/// As graphics cards draw a picture: between pixels opacity is interpolated, so that of one alone among gaps hardly anything is left.
+double coverage(const Opacities& picture, double cut, double scale, double soft) {
+    constexpr int kBetween = 3; // samples of a pixel, each way
     double sum = 0;
-    for (const auto& p : pixels) sum += coverOf(std::min(1.0, p[3] * scale / 255), cut, soft);
-    return sum / double(pixels.size());
+    for (int y = 0; y < picture.height; ++y)
+        for (int x = 0; x < picture.width; ++x) {
+            double near[3][3];
+            bool none = true;
+            for (int j = 0; j < 3; ++j)
+                for (int i = 0; i < 3; ++i) {
+                    near[j][i] = std::min(1.0, scale * picture.at(x + i - 1, y + j - 1));
+                    none = none && near[j][i] == 0;
+                }
+            if (none) continue;
+            for (int j = 0; j < kBetween; ++j)
+                for (int i = 0; i < kBetween; ++i) {
+                    const double u = (i + 0.5) / kBetween - 0.5, v = (j + 0.5) / kBetween - 0.5; // from the pixel's middle
+                    const int side = u < 0 ? 0 : 2, row = v < 0 ? 0 : 2;
+                    const double across = std::abs(u), down = std::abs(v);
+                    const double opacity = (1 - down) * ((1 - across) * near[1][1] + across * near[1][side]) + down * ((1 - across) * near[row][1] + across * near[row][side]);
+                    sum += coverOf(opacity, cut, soft);
+                }
+        }
+    return sum / (double(kBetween * kBetween) * double(picture.values.size()));
 }
 
 /// By what opacities have to be multiplied for the wanted coverage. The blades' own edges make it monotonous.
-double scaleFor(const Pixels& pixels, double cut, double soft, double wanted) {
+double scaleFor(const Opacities& pixels, double cut, double soft, double wanted) {
     if (coverage(pixels, cut, 1, soft) == wanted) return 1;
     double low = 0.25, high = 8;
     for (int i = 0; i < 14; ++i) {
@@ -105,15 +138,20 @@ double coverOf(double opacity, double cut, double soft) {
     return std::clamp((opacity - cut) / soft + 0.5, 0.0, 1.0);
 }
 
+void coverPart(Pixels& pixels, int width, int height, double wanted, double cut) {
+    const double scale = scaleFor(Opacities(pixels, width, height), cut, 0, wanted);
+    for (auto& p : pixels) p[3] = rounded(p[3] * scale);
+}
+
 std::vector<Pixels> mipmapsKeepingCoverage(const Pixels& pixels, int width, int height, double cut) {
-    const double wanted = coverage(pixels, cut, 1, 0);
+    const double wanted = coverage(Opacities(pixels, width, height), cut, 1, 0);
     std::vector<Pixels> levels{pixels};
     Pixels plain = pixels; // unscaled: errors do not add up
     while (width > 1 || height > 1) {
         plain = halved(plain, width, height);
         width = std::max(1, width / 2);
         height = std::max(1, height / 2);
-        const double scale = scaleFor(plain, cut, softnessOf(1.0 / std::max(width, height)), wanted);
+        const double scale = scaleFor(Opacities(plain, width, height), cut, softnessOf(1.0 / std::max(width, height)), wanted);
         levels.push_back(plain);
         for (auto& p : levels.back()) p[3] = rounded(p[3] * scale);
     }

@@ -9,7 +9,7 @@ namespace stromar::test {
 inline std::shared_ptr<const Twig> twigOf(const CTree& tree, const CParams& params) {
     const MeshParams mesh = meshParamsOf(params);
     if (!suitsCards(methodOf(params).bound(params, CProgress()).twigs, mesh.seasonOf(Organ::Leaf))) return nullptr;
-    return typicalTwig(tree, mesh);
+    return typicalTwig(tree, mesh, CProgress(2));
 }
 
 } // namespace stromar::test

@@ -146,7 +146,7 @@ TEST(HandBuiltTree, LeavesOfTheTrunkAreDrawnBesideCards) {
     const CTree tree = CHand().tree();
     const Detail& detail = detailOf(Model::Full, 2);
     const auto all = meshAllStems(tree, meshParams(), detail, CProgress(2));
-    const auto twig = typicalTwig(tree, meshParams());
+    const auto twig = typicalTwig(tree, meshParams(), CProgress(2));
     ASSERT_TRUE(twig);
     EXPECT_GT(meshOfTwigs(twigsOf(tree, *tree.organs(Organ::Leaf)), tree, *tree.organs(Organ::Leaf), *twig, meshParams(), detail, CProgress(2))->vertexCount(), 0u);
     const OrganMeshes own = meshOfOrgans(tree, Organ::Leaf, plansOf(all), meshParams(), detail, CProgress(2),

@@ -50,6 +50,8 @@ TEST_P(PresetTwig, KeepsTheCrown) {
     if (!m_made.twig) return;
     const Twig& twig = *m_made.twig;
     const Bounds all = meshesOf(*m_made.tree, m_sample.params, detailOf(Model::Full)).back()->bounds();
+    EXPECT_GT(twig.crown.covered, 0.005);
+    EXPECT_NEAR(twig.cards.covered, twig.crown.covered, 0.03 * twig.crown.covered);
     for (const int lod : {2, 3}) {
         const Detail& detail = detailOf(Model::Full, lod);
         const auto mesh = cardMesh(*m_made.tree, twig, m_sample.params, detail);
@@ -57,7 +59,7 @@ TEST_P(PresetTwig, KeepsTheCrown) {
         EXPECT_LE(double(quads(*mesh)), std::ceil(detail.share * double(m_made.tree->leaves().size())));
         // Of a plane one half is seen on the average; crossed ones hide a little of each other.
         const double seen = 0.5 * mesh->area() * twig.shownArea / twig.cardArea(), ofTwigs = twig.seenPerLeaf * double(m_made.tree->leaves().size());
-        EXPECT_GT(seen, 0.75 * ofTwigs) << lod;
+        EXPECT_GT(seen, 0.4 * ofTwigs) << lod << ": what hangs beyond a dense crown is seen better";
         EXPECT_LT(seen, 1.45 * ofTwigs) << lod;
         const Bounds box = mesh->bounds();
         for (int i = 0; i < 3; ++i) {

@@ -73,5 +73,27 @@ TEST(HeadlessPainter, MoreSamplesThanTheCardHasAreDrawnInPasses) {
     EXPECT_LT(sixteen, 0.75 * four); // a single pass draws thin wood as lines
 }
 
+/// Over nothing a pixel that is covered in part has the colour of what covers it.
+TEST(HeadlessPainter, NothingIsNoColour) {
+    CTreeCreator creator;
+    const auto model = creator.create(preset("winter_oak"), detailOf(Model::Simple), CProgress());
+    CViewScene scene;
+    ViewLook look;
+    look.backdrop = Backdrop::Nothing;
+    look.shading = Shading::Material;
+    scene.setLook(look);
+    scene.show(viewPartsOf(*model, {}, CProgress()));
+    CCamera camera;
+    camera.lookFrom(0, 4);
+    camera.frame(osg::BoundingBoxd(-8, -8, 2, 8, 8, 18), 1);
+    double whole = 0, part = 0, wholes = 0, parts = 0;
+    for (const auto& p : CHeadlessPainter(scene, 8).paint(camera, 200, 200)) {
+        if (p[3] == 255) whole += p[0], ++wholes;
+        if (p[3] > 40 && p[3] < 150) part += p[0], ++parts;
+    }
+    ASSERT_GT(std::min(wholes, parts), 100);
+    EXPECT_NEAR(part / parts, whole / wholes, 0.05 * whole / wholes);
+}
+
 } // namespace
 } // namespace stromar::test

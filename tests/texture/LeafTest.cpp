@@ -117,6 +117,33 @@ TEST(Opacity, MipmapsKeepTheCoverage) {
     }
 }
 
+/// What a graphics card shows of it, which interpolates between pixels.
+double drawnCoverage(const Pixels& pixels, int side, double soft) {
+    constexpr int kSamples = 5;
+    const auto at = [&](int x, int y) { return pixels[std::size_t(std::clamp(y, 0, side - 1) * side + std::clamp(x, 0, side - 1))][3] / 255.0; };
+    double sum = 0;
+    for (int j = 0; j < kSamples * side; ++j)
+        for (int i = 0; i < kSamples * side; ++i) {
+            const double x = (i + 0.5) / kSamples - 0.5, y = (j + 0.5) / kSamples - 0.5;
+            const int left = int(std::floor(x)), top = int(std::floor(y));
+            const double u = x - left, v = y - top;
+            sum += coverOf((1 - v) * ((1 - u) * at(left, top) + u * at(left + 1, top)) + v * ((1 - u) * at(left, top + 1) + u * at(left + 1, top + 1)), kAlphaCut, soft);
+        }
+    return sum / (double(kSamples * kSamples) * side * side);
+}
+
+TEST(Opacity, ThinLeavesDoNotFade) {
+    constexpr int kSide = 256;
+    Pixels pixels(kSide * kSide, {40, 90, 20, 0});
+    for (int y = 20; y < 236; ++y)
+        for (const int foot : {30, 90, 150}) // three slanting leaves, five pixels wide: 6 % of the picture
+            for (int x = 0; x < 5; ++x) pixels[std::size_t(y * kSide + foot + y / 4 + x)][3] = 255;
+    const auto levels = mipmapsKeepingCoverage(pixels, kSide, kSide);
+    const double wanted = drawnCoverage(levels[0], kSide, 0);
+    for (std::size_t i = 1; i < 4; ++i)
+        EXPECT_NEAR(drawnCoverage(levels[i], kSide >> i, softnessOf(std::exp2(i) / kSide)), wanted, 0.1 * wanted) << "level " << i;
+}
+
 TEST(Opacity, OddSizesAreHalvedToo) {
     const Pixels pixels(5 * 3, {10, 20, 30, 255});
     const auto levels = mipmapsKeepingCoverage(pixels, 5, 3);

@@ -45,6 +45,10 @@ SurfaceTextures texturesOf(const CParams& params, const std::filesystem::path& f
 /// recipe, and CCancelled.
 void makePictures(const CParams& params, const CProgress& progress, PictureQuality quality = PictureQuality::Full);
 
+/// Where the pictures of leaves are not cut out, by kind; pictures that cannot be read cover all. Recipes are drawn as previews. What is known
+/// of a file is kept until it changes. Any thread. Throws CCancelled.
+LeafMasks leafMasksOf(const CParams& params, const CProgress& progress);
+
 /// The same with what a model shows, and the picture of its twigs, if it has some.
 std::filesystem::path textureOf(const TreeModel& model, Surface surface, const std::filesystem::path& folder);
 void makePictures(const TreeModel& model, const std::filesystem::path& folder, const CProgress& progress);

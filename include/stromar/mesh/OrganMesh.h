@@ -64,6 +64,8 @@ public:
     std::size_t kind() const { return m_kind; } ///< of a leaf, else 0
     std::string name() const;
     Surface surface() const;
+    /// The same in another size.
+    std::shared_ptr<const COrganMesh> resized(double factor) const;
     const LeafBlade& blade() const { return m_blade; }
     const Rounding& rounding() const { return m_rounding; }
     std::size_t count() const { return m_count; }

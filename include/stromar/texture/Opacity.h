@@ -21,6 +21,10 @@ constexpr double kSoftFrom = 0.12, kSoftTo = 0.37; ///< footprints
 /// How much of a pixel an opacity covers, 0..1.
 double coverOf(double opacity, double cut, double soft);
 
+/// Changes opacities so that what is drawn covers a part of the picture: where it was drawn smaller, hairs of less than a pixel have become
+/// wider, or are gone.
+void coverPart(Pixels& pixels, int width, int height, double wanted, double cut = kAlphaCut);
+
 /// The picture and its halves down to one pixel. Each covers as much as the first, as softly as it is drawn: leaves do not
 /// fade away in the distance.
 std::vector<Pixels> mipmapsKeepingCoverage(const Pixels& pixels, int width, int height, double cut = kAlphaCut);

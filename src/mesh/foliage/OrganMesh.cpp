@@ -92,6 +92,12 @@ COrganMesh::Hit COrganMesh::meet(const glm::dvec3& from, const glm::dvec3& direc
     return nearest;
 }
 
+std::shared_ptr<const COrganMesh> COrganMesh::resized(double factor) const {
+    auto other = std::make_shared<COrganMesh>(*this);
+    other->m_growth *= factor;
+    return other;
+}
+
 std::shared_ptr<const CMesh> COrganMesh::expanded(const CProgress& progress) const {
     const std::size_t points = m_blade.points.size(), corners = m_blade.indices.size();
     const auto mesh = allocateMesh(name(), surface(), vertexCount(), corners * count());

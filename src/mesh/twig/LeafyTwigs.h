@@ -1,4 +1,5 @@
 #pragma once
+#include "stromar/mesh/twig/Twig.h"
 #include "stromar/tree/Tree.h"
 #include <vector>
 
@@ -14,5 +15,9 @@ struct LeafyTwig {
 /// The twigs that bear some, in the order of generations and stems.
 std::vector<LeafyTwig> leafyTwigs(const StemSet& twigs, const CTree& tree, const COrgans& leaves, double share);
 double leavesOn(const std::vector<LeafyTwig>& twigs);
+
+/// Finds what is seen of the crown and of its cards (Twig::crown, cards).
+void measureCrown(Twig& twig, const StemSet& twigs, const CTree& tree, const std::shared_ptr<const COrgans>& leaves, const MeshParams& params,
+                  const CProgress& progress);
 
 } // namespace stromar

@@ -229,7 +229,8 @@ std::optional<TwigPlace> typicalOf(const StemSet& twigs, const CTree& tree, cons
 }
 
 std::shared_ptr<const Twig> twigAt(const TwigPlace& place, const StemSet& twigs, const CTree& tree, const COrgans& organs,
-                                   const MeshParams& params) {
+                                   const std::shared_ptr<const COrgans>& crown, const LeafMasks& masks, const MeshParams& params,
+                                   const CProgress& progress) {
     const SeasonShare season = params.seasonOf(Organ::Leaf);
     const CGeneration& all = tree.generation(place.generation);
     const CStem& own = all.stems[place.stem];
@@ -251,14 +252,16 @@ std::shared_ptr<const Twig> twigAt(const TwigPlace& place, const StemSet& twigs,
     twig->shownArea = coveredArea(*twig->leaves, twig->low, twig->high, [](const glm::dvec3& p) { return glm::dvec2(p); });
     KindStarts unused;
     twig->seenPerLeaf = seenArea(*meshOf(stem, own, leaves, params, season.size, Leaves::AsGrown, unused)) / double(leaves.size());
+    twig->masks = masks;
+    measureCrown(*twig, twigs, tree, crown, params, progress);
     return twig;
 }
 
-std::shared_ptr<const Twig> typicalTwig(const CTree& tree, const MeshParams& params) {
-    const COrgans& leaves = *tree.organs(Organ::Leaf);
-    const StemSet twigs = twigsOf(tree, leaves);
-    const auto place = typicalOf(twigs, tree, leaves, params);
-    return place ? twigAt(*place, twigs, tree, leaves, params) : nullptr;
+std::shared_ptr<const Twig> typicalTwig(const CTree& tree, const MeshParams& params, const CProgress& progress) {
+    const auto& leaves = tree.organs(Organ::Leaf);
+    const StemSet twigs = twigsOf(tree, *leaves);
+    const auto place = typicalOf(twigs, tree, *leaves, params);
+    return place ? twigAt(*place, twigs, tree, *leaves, leaves, {}, params, progress) : nullptr;
 }
 
 } // namespace stromar

@@ -1,4 +1,5 @@
 #include "foliage/Foliage.h"
+#include "twig/CrownView.h"
 #include "twig/LeafyTwigs.h"
 #include "twig/StraightStem.h"
 #include "stem/TubeWriter.h"
@@ -46,8 +47,8 @@ CardPlan planCards(const std::vector<LeafyTwig>& twigs, const Twig& typical, con
 /// Writes the cards of twigs, one after the other.
 class CCardWriter {
 public:
-    CCardWriter(const CTree& tree, const Twig& twig, const CardPlan& plan, const Rounding& rounding, CMesh& mesh)
-        : m_tree(tree), m_twig(twig), m_plan(plan), m_rounding(rounding),
+    CCardWriter(const CTree& tree, const Twig& twig, const CardPlan& plan, const Rounding& rounding, double fit, CMesh& mesh)
+        : m_tree(tree), m_twig(twig), m_plan(plan), m_rounding(rounding), m_fit(fit),
           m_mesh(mesh), m_rows(plan.rows + 1), m_points(2 * m_rows.size()) {
         for (std::uint32_t row = 0; row < plan.rows; ++row)
             for (const std::uint32_t corner : {0u, 1u, 3u, 0u, 3u, 2u}) m_corners.push_back(2 * row + corner);
@@ -94,7 +95,7 @@ private:
     void setSize(const CStraightStem& stem, double leaves) {
         const double beyond = m_twig.high.y - m_twig.length; // the tip: leaves do not grow with their twig
         const double longer = (stem.length() + beyond) / (m_twig.length + beyond);
-        const double growth = std::clamp(leaves * m_twig.seenPerLeaf / (seenPart() * m_twig.shownArea * longer), kMinGrowth, kMaxGrowth);
+        const double growth = m_fit * std::clamp(leaves * m_twig.seenPerLeaf / (seenPart() * m_twig.shownArea * longer), kMinGrowth, kMaxGrowth);
         m_along = longer * std::pow(growth, 0.25); // rather wider than longer: the crown keeps its size
         m_across = std::pow(growth, 0.75);
         double chords = 0;
@@ -165,6 +166,7 @@ private:
     const Twig& m_twig;
     const CardPlan& m_plan;
     const Rounding& m_rounding;
+    double m_fit; ///< of areas: what lies behind one another in the crown
     CMesh& m_mesh;
     double m_along = 1, m_across = 1;
     std::vector<std::uint32_t> m_corners; ///< of the triangles of one plane
@@ -189,21 +191,76 @@ std::size_t maxVerticesOfCard(const Detail& detail) {
     return 2 * static_cast<std::size_t>(detail.twigPlanes * (kMaxRows + 1));
 }
 
+namespace {
+/// What is measured of a crown's cards.
+class CCrown {
+public:
+    CCrown(const StemSet& twigs, const CTree& tree, const COrgans& leaves, const MeshParams& params, const Twig& typical, const CProgress& progress)
+        : m_twigs(leafyTwigs(twigs, tree, leaves, params.seasonOf(Organ::Leaf).share)), m_tree(tree), m_twig(typical),
+          m_rounding(roundingOf(tree, leaves, params.leaf)), m_mask(typical), m_progress(progress) {
+        const std::shared_ptr<const CMesh> ends = bases();
+        const Bounds box = ends->bounds();
+        const double reach = glm::length(typical.high - typical.low);
+        m_frame = {glm::dvec3(box.min + box.max) / 2.0, glm::length(glm::dvec3(box.max - box.min)) / 2 + reach};
+    }
+
+    CardPlan plan(const Detail& detail) const { return planCards(m_twigs, m_twig, detail); }
+    CrownLook lookOfLeaves(const std::shared_ptr<const COrgans>& leaves, const StemSet& twigs, const MeshParams& params) const {
+        return crownLook(leafParts(leaves, &twigs, leavesOn(m_twigs), m_tree, params, m_twig.masks, detailOf(Model::Full, 1), m_progress), m_frame, m_progress);
+    }
+    CrownLook lookOf(const std::shared_ptr<const CMesh>& cards) const { return crownLook({{cards, nullptr, &m_mask}}, m_frame, m_progress); }
+
+    std::shared_ptr<const CMesh> cards(const CardPlan& plan, double fit) const {
+        const std::size_t count = plan.twigs.size();
+        const auto mesh = allocateMesh("twigs", Surface::Twig, plan.verticesOfCard() * count, plan.indicesOfCard() * count);
+        parallelFor(
+            count, kGrain,
+            [&](std::size_t begin, std::size_t end) {
+                CCardWriter writer(m_tree, m_twig, plan, m_rounding, fit, *mesh);
+                for (std::size_t card = begin; card < end; ++card) writer.write(card);
+            },
+            m_progress);
+        return mesh;
+    }
+
+    /// Cards that cover as much as the leaves do, from cards that are right for a single twig.
+    std::shared_ptr<const CMesh> fittingCards(const CardPlan& plan) const {
+        return cards(plan, fitTo(m_twig.crown.covered, [&](double fit) { return crownCover({{cards(plan, fit), nullptr, &m_mask}}, m_frame, m_progress); }));
+    }
+
+private:
+    /// Of the twigs.
+    std::shared_ptr<const CMesh> bases() const {
+        auto mesh = allocateMesh("ends", Surface::Bark, 0, 0);
+        for (const LeafyTwig& twig : m_twigs) {
+            const CStraightStem stem(m_tree.generation(twig.generation), twig.of(m_tree), m_twig.turn);
+            for (const double y : {0.0, stem.length()}) mesh->positions.push_back(glm::vec3(stem.pointAt(y)));
+        }
+        return mesh;
+    }
+
+    std::vector<LeafyTwig> m_twigs;
+    const CTree& m_tree;
+    const Twig& m_twig;
+    Rounding m_rounding;
+    CTwigMask m_mask;
+    CrownFrame m_frame;
+    const CProgress& m_progress;
+};
+} // namespace
+
+void measureCrown(Twig& twig, const StemSet& twigs, const CTree& tree, const std::shared_ptr<const COrgans>& leaves, const MeshParams& params,
+                  const CProgress& progress) {
+    const CCrown crown(twigs, tree, *leaves, params, twig, progress);
+    twig.crown = crown.lookOfLeaves(leaves, twigs, params);
+    twig.cards = crown.lookOf(crown.fittingCards(crown.plan(detailOf(Model::Full, 2))));
+}
+
 std::shared_ptr<const CMesh> meshOfTwigs(const StemSet& twigs, const CTree& tree, const COrgans& leaves, const Twig& typical,
                                          const MeshParams& params, const Detail& detail,
                                          const CProgress& progress) {
-    const CardPlan plan = planCards(twigs, tree, leaves, typical, params, detail);
-    const Rounding rounding = roundingOf(tree, leaves, params.leaf);
-    const std::size_t count = plan.twigs.size();
-    const auto mesh = allocateMesh("twigs", Surface::Twig, plan.verticesOfCard() * count, plan.indicesOfCard() * count);
-    parallelFor(
-        count, kGrain,
-        [&](std::size_t begin, std::size_t end) {
-            CCardWriter writer(tree, typical, plan, rounding, *mesh);
-            for (std::size_t card = begin; card < end; ++card) writer.write(card);
-        },
-        progress);
-    return mesh;
+    const CCrown crown(twigs, tree, leaves, params, typical, progress);
+    return crown.fittingCards(crown.plan(detail));
 }
 
 } // namespace stromar

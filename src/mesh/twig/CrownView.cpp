@@ -1,0 +1,288 @@
+#include "twig/CrownView.h"
+#include "foliage/Foliage.h"
+#include "foliage/LeafBlade.h"
+#include "stromar/util/Parallel.h"
+#include "stromar/util/Rasterise.h"
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <glm/geometric.hpp>
+#include <limits>
+#include <numbers>
+#include <optional>
+
+namespace stromar {
+
+namespace {
+constexpr int kViews = 4, kViewCells = 512, kSunCells = 1024;
+constexpr double kHeight = 5 * std::numbers::pi / 180, kSunHeight = 51 * std::numbers::pi / 180;
+constexpr double kPixels = 270; // for what cells of a view show when a coarser level takes over: see kScreenCoverage
+constexpr double kBias = 2;     // cells of the sun's view between a leaf and its own shadow
+
+glm::dvec3 directionTo(double turn, double height) {
+    return {std::cos(height) * std::cos(turn), std::cos(height) * std::sin(turn), std::sin(height)};
+}
+
+/// Across, up, to the viewer.
+glm::dmat3 frameTo(const glm::dvec3& viewer) {
+    const glm::dvec3 across = glm::normalize(glm::cross(glm::dvec3(0, 0, 1), viewer));
+    return {across, glm::cross(viewer, across), viewer};
+}
+
+/// What is seen in a cell.
+struct Cell {
+    float depth = -std::numeric_limits<float>::infinity(); ///< towards the viewer
+    glm::vec3 normal{0};                                   ///< of the side that is seen
+    bool back = false;                                     ///< it is a leaf's under side
+};
+
+/// The derivatives of places by a triangle's texture coordinates, unit.
+struct Axes {
+    glm::vec3 right, along;
+};
+Axes axesOf(const CMesh& mesh, const std::uint32_t* corners) {
+    const auto place = [&](int i) { return mesh.positions[corners[i]]; };
+    const glm::vec2 d1 = mesh.texCoords[corners[1]] - mesh.texCoords[corners[0]], d2 = mesh.texCoords[corners[2]] - mesh.texCoords[corners[0]];
+    const glm::vec3 e1 = place(1) - place(0), e2 = place(2) - place(0);
+    const float side = d1.x * d2.y - d1.y * d2.x < 0 ? -1.0f : 1.0f;
+    const auto unit = [](const glm::vec3& v) { return v / std::max(1e-20f, glm::length(v)); };
+    return {unit(side * (d2.y * e1 - d1.y * e2)), unit(side * (d1.x * e2 - d2.x * e1))};
+}
+
+/// A crown from one side, without perspective.
+class CCrownView {
+public:
+    CCrownView(const CrownFrame& crown, const glm::dvec3& viewer, int cells)
+        : m_middle(crown.middle), m_toView(glm::transpose(frameTo(viewer))), m_viewer(viewer), m_perMetre(cells / (2 * crown.radius)), m_side(cells),
+          m_cells(static_cast<std::size_t>(cells) * static_cast<std::size_t>(cells)) {}
+
+    void draw(const std::vector<CrownPart>& parts, const CProgress& progress) {
+        constexpr std::size_t kBetweenPolls = 30'000;
+        for (const CrownPart& part : parts)
+            for (std::size_t t = 0; t + 2 < part.mesh->indices.size(); t += 3) {
+                if (t % kBetweenPolls == 0) progress.poll();
+                drawTriangle(part, &part.mesh->indices[t]);
+            }
+    }
+
+    const std::vector<Cell>& cells() const { return m_cells; }
+    glm::dvec3 placeOf(std::size_t cell) const {
+        const auto side = static_cast<std::size_t>(m_side);
+        const glm::dvec3 seen((double(cell % side) + 0.5) / m_perMetre - m_side / (2 * m_perMetre), (double(cell / side) + 0.5) / m_perMetre - m_side / (2 * m_perMetre), m_cells[cell].depth);
+        return m_middle + glm::transpose(m_toView) * seen;
+    }
+    /// Whether nothing stands between a place and the viewer.
+    bool sees(const glm::dvec3& place) const {
+        const glm::dvec3 p = m_toView * (place - m_middle);
+        const auto at = [&](double v) { return std::clamp(static_cast<int>(v * m_perMetre + m_side / 2.0), 0, m_side - 1); };
+        return p.z + kBias / m_perMetre >= double(m_cells[static_cast<std::size_t>(at(p.y) * m_side + at(p.x))].depth);
+    }
+
+private:
+    void drawTriangle(const CrownPart& part, const std::uint32_t* corners) {
+        const CMesh& mesh = *part.mesh;
+        glm::dvec3 p[3];
+        for (int i = 0; i < 3; ++i) p[i] = m_toView * (glm::dvec3(mesh.positions[corners[i]]) - m_middle);
+        const auto onGrid = [&](const glm::dvec3& v) { return glm::dvec2(v) * m_perMetre + m_side / 2.0; };
+        std::optional<Axes> axes;
+        const int level = part.twig ? levelOf(mesh, corners, onGrid(p[0]), onGrid(p[1]), onGrid(p[2])) : 0;
+        rasterise(onGrid(p[0]), onGrid(p[1]), onGrid(p[2]), m_side, m_side, [&](int x, int y, double u, double v) {
+            Cell& cell = m_cells[static_cast<std::size_t>(y * m_side + x)];
+            const auto depth = static_cast<float>((1 - u - v) * p[0].z + u * p[1].z + v * p[2].z);
+            if (depth <= cell.depth) return;
+            const auto mixed = [&](const auto& values) { return float(1 - u - v) * values[corners[0]] + float(u) * values[corners[1]] + float(v) * values[corners[2]]; };
+            if (part.leaf && !part.leaf->covers(mixed(mesh.texCoords))) return;
+            const glm::vec3 front = mixed(mesh.normals);
+            const bool behind = glm::dot(glm::dvec3(front), m_viewer) < 0;
+            glm::vec3 normal = behind ? -front : front;
+            bool back = behind;
+            if (part.twig) {
+                const CTwigMask::Texel texel = part.twig->at(mixed(mesh.texCoords), level);
+                if (texel.normal == glm::vec3(0)) return;
+                if (!axes) axes = axesOf(mesh, corners);
+                normal = texel.normal.x * axes->right + texel.normal.y * axes->along + texel.normal.z * normal;
+                back = behind != texel.back;
+            }
+            cell = {depth, normal / std::max(1e-6f, glm::length(normal)), back};
+        });
+    }
+
+    /// Of the mask, that a card of so many pixels shows.
+    static int levelOf(const CMesh& mesh, const std::uint32_t* corners, const glm::dvec2& a, const glm::dvec2& b, const glm::dvec2& c) {
+        const auto twice = [](const glm::dvec2& p, const glm::dvec2& q) { return std::abs(p.x * q.y - p.y * q.x); };
+        const glm::dvec2 s = mesh.texCoords[corners[0]], t = mesh.texCoords[corners[1]], u = mesh.texCoords[corners[2]];
+        const double cells = std::max(1e-9, twice(b - a, c - a)), texels = twice(t - s, u - s) * CTwigMask::kSide * CTwigMask::kSide;
+        return static_cast<int>(std::lround(std::max(0.0, 0.5 * std::log2(texels / cells) + std::log2(kViewCells / kPixels))));
+    }
+
+    glm::dvec3 m_middle;
+    glm::dmat3 m_toView;
+    glm::dvec3 m_viewer;
+    double m_perMetre;
+    int m_side;
+    std::vector<Cell> m_cells;
+};
+
+/// `seen(view)` for each of the sides.
+template <typename Seen>
+void fromAllSides(const std::vector<CrownPart>& parts, const CrownFrame& frame, const CProgress& progress, Seen&& seen) {
+    parallelFor(
+        kViews, 1,
+        [&](std::size_t begin, std::size_t end) {
+            for (std::size_t i = begin; i < end; ++i) {
+                CCrownView view(frame, directionTo(2 * std::numbers::pi * (double(i) + 0.5) / kViews, kHeight), kViewCells);
+                view.draw(parts, progress);
+                seen(i, view);
+            }
+        },
+        progress);
+}
+
+double coveredCells(const CCrownView& view) {
+    return double(std::ranges::count_if(view.cells(), [](const Cell& cell) { return std::isfinite(cell.depth); }));
+}
+} // namespace
+
+CTwigMask::CTwigMask(const Twig& twig) : m_texels(kSide * kSide) {
+    std::vector<float> depths(m_texels.size(), -std::numeric_limits<float>::infinity());
+    const CMesh& leaves = *twig.leaves;
+    const auto cell = [&](std::uint32_t corner) { return (glm::dvec2(leaves.positions[corner]) - twig.low) / (twig.high - twig.low) * double(kSide); };
+    for (std::size_t t = 0; t + 2 < leaves.indices.size(); t += 3) {
+        const std::uint32_t* c = &leaves.indices[t];
+        const auto kind = static_cast<std::size_t>(std::ranges::upper_bound(twig.kinds, t) - twig.kinds.begin()) - 1;
+        rasterise(cell(c[0]), cell(c[1]), cell(c[2]), kSide, kSide, [&](int x, int y, double u, double v) {
+            const auto mixed = [&](const auto& values) { return float(1 - u - v) * values[c[0]] + float(u) * values[c[1]] + float(v) * values[c[2]]; };
+            const auto i = static_cast<std::size_t>(y * kSide + x);
+            const float depth = mixed(leaves.positions).z;
+            if (depth <= depths[i] || !twig.masks[kind].covers(mixed(leaves.texCoords))) return;
+            depths[i] = depth;
+            const glm::vec3 normal = glm::normalize(mixed(leaves.normals));
+            m_texels[i] = {normal.z < 0 ? -normal : normal, normal.z < 0};
+        });
+    }
+    for (const Texel& texel : m_texels) m_means[0].push_back(texel.normal);
+    for (std::size_t level = 1; level < m_means.size(); ++level) {
+        const std::size_t side = kSide >> level;
+        const std::vector<glm::vec3>& finer = m_means[level - 1];
+        for (std::size_t y = 0; y < side; ++y)
+            for (std::size_t x = 0; x < side; ++x) {
+                const std::size_t i = 4 * y * side + 2 * x;
+                m_means[level].push_back(finer[i] + finer[i + 1] + finer[i + 2 * side] + finer[i + 2 * side + 1]);
+            }
+    }
+}
+
+CTwigMask::Texel CTwigMask::at(const glm::vec2& texCoord, int level) const {
+    const auto cell = [](float v, int side) { return static_cast<std::size_t>(std::clamp(static_cast<int>(v * float(side)), 0, side - 1)); };
+    const Texel& own = m_texels[cell(texCoord.y, kSide) * kSide + cell(texCoord.x, kSide)];
+    if (own.normal == glm::vec3(0)) return own;
+    level = std::min(level, kLevels - 1);
+    const int side = kSide >> level;
+    const glm::vec3& mean = m_means[static_cast<std::size_t>(level)][cell(texCoord.y, side) * static_cast<std::size_t>(side) + cell(texCoord.x, side)];
+    return {mean / std::max(1e-6f, glm::length(mean)), own.back};
+}
+
+double crownCover(const std::vector<CrownPart>& parts, const CrownFrame& frame, const CProgress& progress) {
+    std::array<double, kViews> covered{};
+    fromAllSides(parts, frame, progress, [&](std::size_t i, const CCrownView& view) { covered[i] = coveredCells(view); });
+    double sum = 0;
+    for (const double one : covered) sum += one;
+    return sum / (double(kViews) * kViewCells * kViewCells);
+}
+
+CrownLook crownLook(const std::vector<CrownPart>& parts, const CrownFrame& frame, const CProgress& progress) {
+    const glm::dvec3 sun = directionTo(0, kSunHeight);
+    CCrownView lit(frame, sun, kSunCells);
+    lit.draw(parts, progress);
+    std::array<CrownLook, kViews> looks{};
+    fromAllSides(parts, frame, progress, [&](std::size_t i, const CCrownView& view) {
+        CrownLook& look = looks[i];
+        for (std::size_t c = 0; c < view.cells().size(); ++c) {
+            const Cell& cell = view.cells()[c];
+            if (!std::isfinite(cell.depth)) continue;
+            const double facing = lit.sees(view.placeOf(c)) ? glm::dot(glm::dvec3(cell.normal), sun) : 0;
+            look.covered += 1;
+            look.sun += std::max(0.0, facing);
+            look.through += std::max(0.0, -facing);
+            look.sky += 0.5 + 0.5 * double(cell.normal.z);
+            look.backs += cell.back ? 1 : 0;
+        }
+    });
+    CrownLook sum;
+    for (const CrownLook& one : looks)
+        for (double CrownLook::*value : {&CrownLook::covered, &CrownLook::sun, &CrownLook::through, &CrownLook::sky, &CrownLook::backs}) sum.*value += one.*value;
+    for (double CrownLook::*value : {&CrownLook::sun, &CrownLook::through, &CrownLook::sky, &CrownLook::backs}) sum.*value /= std::max(1.0, sum.covered);
+    sum.covered /= double(kViews) * kViewCells * kViewCells;
+    return sum;
+}
+
+namespace {
+constexpr std::size_t kMaxVertices = 4'000'000; // of leaves: those of a file may have 20,000 each
+
+/// Keeps at most so many, evenly chosen; which part of them.
+double thin(std::vector<std::uint32_t>& all, std::size_t max) {
+    const std::size_t total = all.size(), count = std::clamp<std::size_t>(max, 1, total);
+    for (std::size_t i = 0; i < count; ++i) all[i] = all[evenly(i, count, total)];
+    all.resize(count);
+    return double(count) / double(total);
+}
+
+std::size_t verticesOf(const OrganMeshes& meshes) {
+    std::size_t sum = 0;
+    for (const auto& mesh : meshes) sum += mesh->vertexCount();
+    return sum;
+}
+} // namespace
+
+std::vector<CrownPart> leafParts(const std::shared_ptr<const COrgans>& leaves, const StemSet* stems, double present, const CTree& tree,
+                                 const MeshParams& params, const LeafMasks& masks, const Detail& detail, const CProgress& progress) {
+    const SeasonShare season = params.seasonOf(Organ::Leaf);
+    std::array<std::vector<std::uint32_t>, kLeafKinds> shown;
+    std::size_t count = 0;
+    for (std::uint32_t i = 0; i < leaves->grown.size(); ++i) {
+        const CLeaf& leaf = leaves->grown[i];
+        const CStem& stem = tree.generation(leaf.generation).stems[leaf.stem];
+        if ((stems && !stems->has(leaf.generation, leaf.stem)) || hasFallen(stem, leaf.number, season.share)) continue;
+        shown[params.kindOf(stem, leaf.number)].push_back(i);
+        ++count;
+    }
+    const Rounding rounding = roundingOf(tree, *leaves, params.leaf);
+    const CrownShade shade = shadeOf(tree, *leaves, params.sunAndShade);
+    const auto kinds = static_cast<std::size_t>(std::ranges::count_if(shown, [](const auto& own) { return !own.empty(); }));
+    std::vector<CrownPart> parts;
+    for (std::size_t kind = 0; kind < kLeafKinds; ++kind) {
+        if (shown[kind].empty()) continue;
+        LeafBlade blade = makeBlade(params.formOf(kind), detail);
+        const double part = thin(shown[kind], kMaxVertices / kinds / blade.points.size());
+        const double growth = season.size * std::sqrt(present / std::max(1.0, double(count)) / part);
+        const COrganMesh own(Organ::Leaf, kind, std::move(blade), leaves, std::move(shown[kind]), growth, rounding, shade);
+        parts.push_back({own.expanded(progress), &masks[kind]});
+    }
+    return parts;
+}
+
+OrganMeshes fittingLeaves(const OrganMeshes& thinned, const std::shared_ptr<const COrgans>& all, const CTree& tree, const LeafMasks& masks,
+                          const MeshParams& params, const CProgress& progress) {
+    const double present = double(all->total) * params.seasonOf(Organ::Leaf).share;
+    if (present < 1 || double(all->total) > kMeasuredLeaves || verticesOf(thinned) > kMaxVertices) return thinned;
+    const std::vector<CrownPart> whole = leafParts(all, nullptr, present, tree, params, masks, detailOf(Model::Full), progress);
+    if (whole.empty()) return thinned;
+    CrownFrame frame;
+    Bounds box = whole.front().mesh->bounds();
+    for (const CrownPart& part : whole) box = {glm::min(box.min, part.mesh->bounds().min), glm::max(box.max, part.mesh->bounds().max)};
+    frame = {glm::dvec3(box.min + box.max) / 2.0, 0.55 * glm::length(glm::dvec3(box.max - box.min))}; // with room for larger leaves
+    const auto resized = [&](double fit) {
+        OrganMeshes sized;
+        for (const auto& mesh : thinned) sized.push_back(mesh->resized(std::sqrt(fit)));
+        return sized;
+    };
+    const double fit = fitTo(crownCover(whole, frame, progress), [&](double areas) {
+        std::vector<CrownPart> parts;
+        for (const auto& mesh : resized(areas))
+            if (mesh->count() > 0) parts.push_back({mesh->expanded(progress), &masks[mesh->kind()]});
+        return crownCover(parts, frame, progress);
+    });
+    return resized(fit);
+}
+
+} // namespace stromar
