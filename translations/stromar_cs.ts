@@ -3828,24 +3828,12 @@
         <translation>listy, které se hýbou ve větru, nemohou být instancemi</translation>
     </message>
     <message>
-        <source>Leaves (EXT_mesh_gpu_instancing)</source>
-        <translation>Listy (EXT_mesh_gpu_instancing)</translation>
-    </message>
-    <message>
         <source>Instances</source>
         <translation>Instance</translation>
     </message>
     <message>
-        <source>%1 cannot hold instances; choose glTF</source>
-        <translation>%1 nemůže obsahovat instance; zvolte glTF</translation>
-    </message>
-    <message>
         <source>instances belong to one level of detail; choose a file for each</source>
         <translation>instance patří k jedné úrovni detailů; zvolte soubor pro každou</translation>
-    </message>
-    <message>
-        <source>Of glTF files: one mesh for all leaves of a kind and a list of places instead of a copy for each, for programs that know it. The others refuse the file. Normals are not rounded, and each leaf has one tint.</source>
-        <translation>Soubory glTF: jedna síť pro všechny listy jednoho druhu a seznam míst namísto kopie pro každý, pro programy, které to znají. Ostatní soubor odmítnou. Normály nejsou zaoblené a každý list má jeden odstín.</translation>
     </message>
     <message>
         <source>PNG</source>
@@ -3966,6 +3954,22 @@
     <message>
         <source>cards of a growing tree show another twig in every frame; choose no atlas, or level of detail 0 or 1</source>
         <translation>karty rostoucího stromu ukazují v každém snímku jinou větvičku; zvolte export bez atlasu nebo úroveň detailu 0 či 1</translation>
+    </message>
+    <message>
+        <source>Of glTF and USD files: one mesh for all leaves of a kind and a list of places instead of a copy for each, for programs that know it (EXT_mesh_gpu_instancing, PointInstancer). Normals are not rounded, and each leaf has one tint.</source>
+        <translation>Pro soubory glTF a USD: jedna síť pro všechny listy jednoho druhu a seznam míst místo kopie pro každý, pro programy, které to znají (EXT_mesh_gpu_instancing, PointInstancer). Normály nejsou zaoblené a každý list má jeden odstín.</translation>
+    </message>
+    <message>
+        <source>Levels of detail are variants of the set LOD, which three.js does not read: choose a file for each</source>
+        <translation>Úrovně detailu jsou varianty sady LOD, které three.js nečte: zvolte soubor pro každou</translation>
+    </message>
+    <message>
+        <source>%1 cannot hold instances; choose glTF or USD</source>
+        <translation>%1 nemůže obsahovat instance; zvolte glTF nebo USD</translation>
+    </message>
+    <message>
+        <source>instances (PointInstancer) and levels of detail in one file (variants) are unverified: no program of the tests reads them</source>
+        <translation>instance (PointInstancer) a úrovně detailu v jednom souboru (varianty) jsou neověřené: žádný program z testů je nečte</translation>
     </message>
 </context>
 <context>

@@ -3828,24 +3828,12 @@
         <translation>листья, которые движутся на ветру, не могут быть экземплярами</translation>
     </message>
     <message>
-        <source>Leaves (EXT_mesh_gpu_instancing)</source>
-        <translation>Листья (EXT_mesh_gpu_instancing)</translation>
-    </message>
-    <message>
         <source>Instances</source>
         <translation>Экземпляры</translation>
     </message>
     <message>
-        <source>%1 cannot hold instances; choose glTF</source>
-        <translation>%1 не может содержать экземпляры; выберите glTF</translation>
-    </message>
-    <message>
         <source>instances belong to one level of detail; choose a file for each</source>
         <translation>экземпляры относятся к одному уровню детализации; выберите файл для каждого</translation>
-    </message>
-    <message>
-        <source>Of glTF files: one mesh for all leaves of a kind and a list of places instead of a copy for each, for programs that know it. The others refuse the file. Normals are not rounded, and each leaf has one tint.</source>
-        <translation>Файлы glTF: одна сетка для всех листьев одного вида и список мест вместо копии для каждого, для программ, которые это знают. Другие отвергают файл. Нормали не скруглены, и у каждого листа один оттенок.</translation>
     </message>
     <message>
         <source>PNG</source>
@@ -3966,6 +3954,22 @@
     <message>
         <source>cards of a growing tree show another twig in every frame; choose no atlas, or level of detail 0 or 1</source>
         <translation>карточки растущего дерева в каждом кадре показывают другую веточку; выберите экспорт без атласа либо уровень детализации 0 или 1</translation>
+    </message>
+    <message>
+        <source>Of glTF and USD files: one mesh for all leaves of a kind and a list of places instead of a copy for each, for programs that know it (EXT_mesh_gpu_instancing, PointInstancer). Normals are not rounded, and each leaf has one tint.</source>
+        <translation>Для файлов glTF и USD: одна сетка на все листья вида и список мест вместо копии на каждый — для программ, которые это умеют (EXT_mesh_gpu_instancing, PointInstancer). Нормали не скругляются, у каждого листа один оттенок.</translation>
+    </message>
+    <message>
+        <source>Levels of detail are variants of the set LOD, which three.js does not read: choose a file for each</source>
+        <translation>Уровни детализации — варианты набора LOD, которые three.js не читает: выберите по файлу на каждый</translation>
+    </message>
+    <message>
+        <source>%1 cannot hold instances; choose glTF or USD</source>
+        <translation>%1 не может содержать экземпляры; выберите glTF или USD</translation>
+    </message>
+    <message>
+        <source>instances (PointInstancer) and levels of detail in one file (variants) are unverified: no program of the tests reads them</source>
+        <translation>экземпляры (PointInstancer) и уровни детализации в одном файле (варианты) не проверены: ни одна программа из тестов их не читает</translation>
     </message>
 </context>
 <context>

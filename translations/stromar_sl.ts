@@ -3828,24 +3828,12 @@
         <translation>listi, ki se gibljejo v vetru, ne morejo biti instance</translation>
     </message>
     <message>
-        <source>Leaves (EXT_mesh_gpu_instancing)</source>
-        <translation>Listi (EXT_mesh_gpu_instancing)</translation>
-    </message>
-    <message>
         <source>Instances</source>
         <translation>Instance</translation>
     </message>
     <message>
-        <source>%1 cannot hold instances; choose glTF</source>
-        <translation>%1 ne more vsebovati instanc; izberite glTF</translation>
-    </message>
-    <message>
         <source>instances belong to one level of detail; choose a file for each</source>
         <translation>instance pripadajo eni ravni podrobnosti; izberite datoteko za vsako</translation>
-    </message>
-    <message>
-        <source>Of glTF files: one mesh for all leaves of a kind and a list of places instead of a copy for each, for programs that know it. The others refuse the file. Normals are not rounded, and each leaf has one tint.</source>
-        <translation>Datoteke glTF: ena mreža za vse liste ene vrste in seznam mest namesto kopije za vsakega, za programe, ki to poznajo. Drugi datoteko zavrnejo. Normale niso zaobljene in vsak list ima en odtenek.</translation>
     </message>
     <message>
         <source>PNG</source>
@@ -3966,6 +3954,22 @@
     <message>
         <source>cards of a growing tree show another twig in every frame; choose no atlas, or level of detail 0 or 1</source>
         <translation>kartice rastočega drevesa kažejo v vsaki sličici drugo vejico; izberite brez atlasa ali raven podrobnosti 0 ali 1</translation>
+    </message>
+    <message>
+        <source>Of glTF and USD files: one mesh for all leaves of a kind and a list of places instead of a copy for each, for programs that know it (EXT_mesh_gpu_instancing, PointInstancer). Normals are not rounded, and each leaf has one tint.</source>
+        <translation>Za datoteke glTF in USD: ena mreža za vse liste iste vrste in seznam mest namesto kopije za vsakega, za programe, ki to poznajo (EXT_mesh_gpu_instancing, PointInstancer). Normale niso zaobljene in vsak list ima en odtenek.</translation>
+    </message>
+    <message>
+        <source>Levels of detail are variants of the set LOD, which three.js does not read: choose a file for each</source>
+        <translation>Ravni podrobnosti so različice nabora LOD, ki jih three.js ne bere: izberite datoteko za vsako</translation>
+    </message>
+    <message>
+        <source>%1 cannot hold instances; choose glTF or USD</source>
+        <translation>%1 ne more vsebovati instanc; izberite glTF ali USD</translation>
+    </message>
+    <message>
+        <source>instances (PointInstancer) and levels of detail in one file (variants) are unverified: no program of the tests reads them</source>
+        <translation>instance (PointInstancer) in ravni podrobnosti v eni datoteki (različice) so nepreverjene: noben program v preizkusih jih ne bere</translation>
     </message>
 </context>
 <context>

@@ -47,7 +47,7 @@ constexpr string_view kCompressionNames[] = {N_("No"), N_("Quantised (KHR_mesh_q
 constexpr string_view kTextureFormats[] = {"png", "jpg"};
 constexpr string_view kTextureFormatNames[] = {N_("PNG"), N_("JPEG where it can be")};
 constexpr string_view kInstances[] = {"none", "leaves"};
-constexpr string_view kInstancesNames[] = {N_("No"), N_("Leaves (EXT_mesh_gpu_instancing)")};
+constexpr string_view kInstancesNames[] = {N_("No"), N_("Leaves")};
 constexpr string_view kObjects[] = {"levels", "materials"};
 constexpr string_view kObjectsNames[] = {N_("One for each level of stems, and leaves"), N_("One for each material")};
 constexpr string_view kAtlases[] = {"none", "leaves"};
@@ -153,8 +153,8 @@ constexpr ExportChoice kChoices[] = {
      .field = &ExportOptions::compression},
     {.key = "instances",
      .label = N_("Instances"),
-     .help = N_("Of glTF files: one mesh for all leaves of a kind and a list of places instead of a copy for each, for programs that know it. "
-                "The others refuse the file. Normals are not rounded, and each leaf has one tint."),
+     .help = N_("Of glTF and USD files: one mesh for all leaves of a kind and a list of places instead of a copy for each, for programs that know it "
+                "(EXT_mesh_gpu_instancing, PointInstancer). Normals are not rounded, and each leaf has one tint."),
      .words = kInstances,
      .names = kInstancesNames,
      .field = &ExportOptions::instances},
@@ -280,6 +280,8 @@ string_view adviceOn(const ExportOptions& options, const Format& format) {
     if (lods == ExportedLods::InOneFile && (format.ending == ".glb" || format.ending == ".gltf"))
         return N_("Babylon.js shows one level of detail at a time, Blender and Godot all four on top of each other, others the finest alone: choose a "
                   "file for each");
+    if (lods == ExportedLods::InOneFile && (format.ending == ".usda" || format.ending == ".usdz"))
+        return N_("Levels of detail are variants of the set LOD, which three.js does not read: choose a file for each");
     return {};
 }
 
@@ -319,7 +321,7 @@ string_view conflictOf(const ExportOptions& options, const Format& format) {
         if (moves) return N_("what moves in the wind cannot be compressed");
     }
     if (options.instances != static_cast<int>(ExportedInstances::None)) {
-        if (!format.instances) return N_("%1 cannot hold instances; choose glTF");
+        if (!format.instances) return N_("%1 cannot hold instances; choose glTF or USD");
         if (moves) return N_("leaves that move in the wind cannot be instances");
         if (lods == ExportedLods::InOneFile) return N_("instances belong to one level of detail; choose a file for each");
     }

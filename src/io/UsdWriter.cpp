@@ -12,6 +12,12 @@ namespace {
 CTextOut& operator<<(CTextOut& out, const glm::vec3& v) { return out << "(" << v.x << ", " << v.y << ", " << v.z << ")"; }
 CTextOut& operator<<(CTextOut& out, const glm::vec2& v) { return out << "(" << v.x << ", " << v.y << ")"; }
 
+struct Quaternion {
+    float real;
+    glm::vec3 rest;
+};
+CTextOut& operator<<(CTextOut& out, const Quaternion& q) { return out << "(" << q.real << ", " << q.rest.x << ", " << q.rest.y << ", " << q.rest.z << ")"; }
+
 /// A picture that the file refers to.
 struct Picture {
     std::string name; ///< of its shader
@@ -28,8 +34,13 @@ public:
     void write(std::ostream& stream) const {
         CTextOut out(stream);
         out << "#usda 1.0\n(\n    defaultPrim = \"" << m_root << "\"\n    doc = \"Stromar\"\n    metersPerUnit = 1\n    upAxis = \"Y\"\n)\n\n"
-            << "def Xform \"" << m_root << "\" (\n    kind = \"component\"\n)\n{\n";
-        for (const auto& mesh : m_model.meshes) writeMesh(*mesh, out);
+            << "def Xform \"" << m_root << "\" (\n    kind = \"component\"\n";
+        if (hasLods()) out << "    variants = {\n        string LOD = \"LOD0\"\n    }\n    prepend variantSets = \"LOD\"\n";
+        out << ")\n{\n";
+        if (hasLods())
+            writeLods(out);
+        else
+            for (std::size_t i = 0; i < m_model.meshes.size(); ++i) writeShape(i, out);
         out << "    def Scope \"Looks\"\n    {\n";
         for (const Material& look : m_model.materials) writeMaterial(look, out);
         out << "    }\n}\n";
@@ -44,6 +55,36 @@ public:
     }
 
 private:
+    bool hasLods() const { return !m_model.coarser.empty(); }
+
+    void writeLods(CTextOut& out) const {
+        out << "    variantSet \"LOD\" = {\n";
+        for (std::size_t lod = 0; lod <= m_model.coarser.size(); ++lod) {
+            out << "    \"LOD" << lod << "\" {\n";
+            for (const auto& mesh : lod == 0 ? m_model.meshes : m_model.coarser[lod - 1]) writeMesh(*mesh, identifier(mesh->name), out);
+            out << "    }\n";
+        }
+        out << "    }\n\n";
+    }
+
+    void writeShape(std::size_t i, CTextOut& out) const {
+        const CMesh& mesh = *m_model.meshes[i];
+        if (!m_model.isInstanced(i)) return writeMesh(mesh, identifier(mesh.name), out);
+        const Instances& all = m_model.instances[i];
+        const std::string name = identifier(mesh.name);
+        out << "    def PointInstancer \"" << name << "\"\n    {\n        int[] protoIndices = [";
+        for (std::size_t k = 0; k < all.places.size(); ++k) {
+            out << (k == 0 ? "0" : ", 0");
+            out.endRecord();
+        }
+        out << "]\n        rel prototypes = </" << m_root << "/" << name << "/" << kPrototype << ">\n";
+        writeArray("point3f[] positions", all.places, yUp, "", out);
+        writeArray("quath[] orientations", all.turns, [](const glm::vec4& turn) { return Quaternion{turn.w, yUp(glm::vec3(turn))}; }, "", out);
+        writeArray("float3[] scales", all.sizes, [](const glm::vec3& size) { return glm::vec3(size.x, size.z, size.y); }, "", out);
+        writeMesh(mesh, kPrototype, out);
+        out << "    }\n\n";
+    }
+
     std::string place(const Material& look) const { return "/" + m_root + "/Looks/" + identifier(look.name); }
 
     template <typename Values, typename Show>
@@ -58,12 +99,12 @@ private:
         out << "]" << behind << "\n";
     }
 
-    void writeMesh(const CMesh& mesh, CTextOut& out) const {
+    void writeMesh(const CMesh& mesh, const std::string& name, CTextOut& out) const {
         constexpr const char* kByVertex = " (\n            interpolation = \"vertex\"\n        )";
         const Material& look = m_model.materialOf(mesh);
         const Bounds bounds = mesh.bounds();
         const glm::vec3 a = yUp(bounds.min), b = yUp(bounds.max);
-        out << "    def Mesh \"" << identifier(mesh.name) << "\" (\n        prepend apiSchemas = [\"MaterialBindingAPI\"]\n    )\n    {\n"
+        out << "    def Mesh \"" << name << "\" (\n        prepend apiSchemas = [\"MaterialBindingAPI\"]\n    )\n    {\n"
             << "        uniform bool doubleSided = " << (look.cutOut ? "1" : "0") << "\n        float3[] extent = [" << glm::min(a, b) << ", "
             << glm::max(a, b) << "]\n        int[] faceVertexCounts = [";
         for (std::size_t t = 0; t < mesh.triangleCount(); ++t) {
@@ -143,6 +184,8 @@ private:
             out << "                " << output << "\n";
         out << "            }\n\n";
     }
+
+    static constexpr const char* kPrototype = "prototype"; ///< of what stands at many places
 
     const ExportModel& m_model;
     bool m_packed;

@@ -4,9 +4,14 @@
 #include "io/Tools.h"
 #include "stromar/app/Export.h"
 #include "stromar/util/FileSet.h"
+#include <algorithm>
 #include <filesystem>
+#include <glm/common.hpp>
+#include <glm/geometric.hpp>
 #include <gtest/gtest.h>
+#include <iterator>
 #include <nlohmann/json.hpp>
+#include <sstream>
 
 namespace stromar::test {
 
@@ -122,6 +127,81 @@ TEST(UsdPackages, AreStoredAtMultiplesOf64Bytes) {
     ASSERT_EQ(names.size(), 6u) << "the tree and five pictures";
     EXPECT_TRUE(names.front().ends_with(".usda")) << "the first file is the scene";
     EXPECT_EQ(runProcess({"unzip", "-tq", file.path()}).status, 0);
+}
+
+namespace {
+/// The numbers of an array behind its name, the first after a place in the text.
+std::vector<float> numbersOf(const std::string& text, const std::string& name, std::size_t after) {
+    const std::size_t begin = text.find(name + " = [", after) + name.size() + 4, end = text.find(']', begin);
+    std::string all = text.substr(begin, end - begin);
+    std::ranges::replace_if(all, [](char c) { return c == '(' || c == ')' || c == ','; }, ' ');
+    std::istringstream stream(all);
+    return {std::istream_iterator<float>(stream), {}};
+}
+
+struct Box {
+    glm::vec3 min{1e30f}, max{-1e30f};
+    void add(const glm::vec3& p) {
+        min = glm::min(min, p);
+        max = glm::max(max, p);
+    }
+};
+} // namespace
+
+/// No program here reads variants of a text.
+TEST(UsdFiles, HoldLevelsOfDetailAsVariants) {
+    const CTemporaryFolder folder;
+    ExportOptions options;
+    options.lods = static_cast<int>(ExportedLods::InOneFile);
+    CTreeCreator creator;
+    const auto lods = exportTree(creator, sampleModel("small").params, options, {}, folder / "oak.usda", CProgress(2));
+    const std::string text = readFile(folder / "oak.usda");
+    EXPECT_NE(text.find("variants = {\n        string LOD = \"LOD0\"\n    }\n    prepend variantSets = \"LOD\""), std::string::npos);
+    std::size_t at = text.find("variantSet \"LOD\" = {");
+    ASSERT_NE(at, std::string::npos);
+    for (int lod = 0; lod < 4; ++lod) {
+        at = text.find("\"LOD" + std::to_string(lod) + "\" {", at);
+        ASSERT_NE(at, std::string::npos);
+        const std::size_t end = lod < 3 ? text.find("\"LOD" + std::to_string(lod + 1) + "\" {", at) : text.find("def Scope \"Looks\"", at);
+        std::size_t triangles = 0;
+        for (std::size_t mesh = text.find("def Mesh", at); mesh < end; mesh = text.find("def Mesh", mesh + 1))
+            triangles += numbersOf(text, "faceVertexCounts", mesh).size();
+        EXPECT_EQ(triangles, lods[static_cast<std::size_t>(lod)]->triangleCount()) << lod;
+    }
+    EXPECT_EQ(std::ranges::count(text, '{'), std::ranges::count(text, '}'));
+}
+
+/// No program here reads a PointInstancer: by its definition, scaled, then turned, then moved.
+TEST(UsdFiles, HoldLeavesAsInstances) {
+    const CTemporaryFolder folder;
+    CTreeCreator creator;
+    ExportOptions options;
+    exportTree(creator, sampleModel("small").params, options, {}, folder / "plain.usda", CProgress(2));
+    options.instances = static_cast<int>(ExportedInstances::Leaves);
+    exportTree(creator, sampleModel("small").params, options, {}, folder / "instances.usda", CProgress(2));
+    const std::string plain = readFile(folder / "plain.usda"), text = readFile(folder / "instances.usda");
+    EXPECT_LT(text.size(), plain.size());
+    Box wanted, found;
+    const auto leaves = numbersOf(plain, "point3f[] points", plain.find("def Mesh \"leaves\""));
+    for (std::size_t i = 0; i + 2 < leaves.size(); i += 3) wanted.add({leaves[i], leaves[i + 1], leaves[i + 2]});
+    const std::size_t at = text.find("def PointInstancer \"leaves\"");
+    ASSERT_NE(at, std::string::npos);
+    EXPECT_NE(text.find("rel prototypes = </instances/leaves/prototype>", at), std::string::npos);
+    const auto places = numbersOf(text, "positions", at), turns = numbersOf(text, "orientations", at), scales = numbersOf(text, "scales", at),
+               points = numbersOf(text, "point3f[] points", at);
+    ASSERT_EQ(places.size() / 3, numbersOf(text, "protoIndices", at).size());
+    ASSERT_EQ(turns.size() / 4, places.size() / 3);
+    ASSERT_EQ(places.size() / 3 * points.size(), leaves.size());
+    for (std::size_t i = 0; i < places.size() / 3; ++i)
+        for (std::size_t v = 0; v + 2 < points.size(); v += 3) {
+            const glm::vec3 scaled(points[v] * scales[3 * i], points[v + 1] * scales[3 * i + 1], points[v + 2] * scales[3 * i + 2]);
+            const glm::vec3 axis(turns[4 * i + 1], turns[4 * i + 2], turns[4 * i + 3]);
+            found.add(glm::vec3(places[3 * i], places[3 * i + 1], places[3 * i + 2]) + scaled + 2.0f * glm::cross(axis, glm::cross(axis, scaled) + turns[4 * i] * scaled));
+        }
+    for (int i = 0; i < 3; ++i) {
+        EXPECT_NEAR(found.min[i], wanted.min[i], 1e-3);
+        EXPECT_NEAR(found.max[i], wanted.max[i], 1e-3);
+    }
 }
 
 TEST(UsdFiles, SayWhatAStageIs) {
