@@ -6,6 +6,7 @@
 #include <algorithm>
 #include <cmath>
 #include <glm/common.hpp>
+#include <glm/exponential.hpp>
 #include <glm/geometric.hpp>
 
 namespace stromar {
@@ -13,9 +14,10 @@ namespace stromar {
 namespace fs = std::filesystem;
 
 namespace {
-constexpr int kSize = 512;
+constexpr int kSize = 512; // of the longer side
+
 constexpr int kSamples = 3;               // of a pixel, each way
-constexpr std::uint64_t kLookVersion = 7; // rises when the same twig is drawn differently
+constexpr std::uint64_t kLookVersion = 9; // rises when the same twig is drawn differently
 constexpr float kWoodRoughness = 0.85f, kLeafRoughness = 0.6f, kLeafThrough = 0.6f;
 
 /// What one surface shows at a place.
@@ -99,7 +101,8 @@ struct Sample {
 class CTwigCamera {
 public:
     explicit CTwigCamera(const Twig& twig)
-        : m_low(twig.low), m_scale(glm::dvec2(kSide) / (twig.high - twig.low)), m_samples(kSide * kSide) {}
+        : m_size(sizeOf(twig)), m_low(twig.low), m_scale(glm::dvec2(m_size * kSamples) / (twig.high - twig.low)),
+          m_samples(static_cast<std::size_t>(m_size.x * m_size.y) * kSamples * kSamples) {}
 
     /// Those of some indices. lookAt(texCoord) → Look
     template <typename LookAt>
@@ -113,19 +116,25 @@ public:
     double perMetre() const { return m_scale.y; }
 
 private:
-    static constexpr std::size_t kSide = kSize * kSamples;
+    /// In the proportion of the card, as near as powers of two come: smaller pictures then lose as much along the twig as across it.
+    static glm::ivec2 sizeOf(const Twig& twig) {
+        const glm::dvec2 card = twig.high - twig.low;
+        const double across = std::clamp(std::round(std::log2(card.x / card.y)), -2.0, 2.0);
+        return glm::ivec2(glm::dvec2(kSize) * glm::exp2(glm::min(glm::dvec2(0), glm::dvec2(across, -across))));
+    }
+    std::size_t sampleAt(int x, int y) const { return static_cast<std::size_t>(y) * static_cast<std::size_t>(m_size.x * kSamples) + static_cast<std::size_t>(x); }
 
     template <typename LookAt>
     void drawTriangle(const CMesh& mesh, const std::uint32_t* corners, LookAt&& lookAt) {
         glm::dvec2 p[3];
         for (int i = 0; i < 3; ++i) p[i] = (glm::dvec2(mesh.positions[corners[i]]) - m_low) * m_scale;
         const Facing facing = facingOf(mesh, corners);
-        rasterise(p[0], p[1], p[2], kSide, kSide, [&](int x, int y, double u, double v) {
+        rasterise(p[0], p[1], p[2], m_size.x * kSamples, m_size.y * kSamples, [&](int x, int y, double u, double v) {
             const auto mixed = [&](const auto& values) {
                 return float(1 - u - v) * values[corners[0]] + float(u) * values[corners[1]] +
                        float(v) * values[corners[2]];
             };
-            Sample& sample = m_samples[static_cast<std::size_t>(y) * kSide + static_cast<std::size_t>(x)];
+            Sample& sample = m_samples[sampleAt(x, y)];
             const float z = mixed(mesh.positions).z;
             if (z <= sample.z) return;
             const Look look = lookAt(mixed(mesh.texCoords));
@@ -160,6 +169,7 @@ private:
         sample.through = look.through;
     }
 
+    glm::ivec2 m_size; ///< of the picture
     glm::dvec2 m_low, m_scale;
     std::vector<Sample> m_samples; ///< rows from below
 };
@@ -168,19 +178,20 @@ std::uint8_t byteOf(float value) { return static_cast<std::uint8_t>(std::clamp(v
 
 TextureMaps CTwigCamera::picture() const {
     TextureMaps maps;
-    maps.width = maps.height = kSize;
+    maps.width = m_size.x;
+    maps.height = m_size.y;
     float farthest = 1e-6f;
     double covered = 0;
     for (const Sample& sample : m_samples)
         if (std::isfinite(sample.z)) farthest = std::max(farthest, std::abs(sample.z));
-    for (int y = 0; y < kSize; ++y)
-        for (int x = 0; x < kSize; ++x) {
+    for (int y = 0; y < maps.height; ++y)
+        for (int x = 0; x < maps.width; ++x) {
             glm::vec3 albedo(0), under(0), normal(0);
             float roughness = 0, through = 0, z = 0, seen = 0;
             for (int i = 0; i < kSamples * kSamples; ++i) {
-                const int row = (kSize - 1 - y) * kSamples + i / kSamples, column = x * kSamples + i % kSamples;
+                const int row = (maps.height - 1 - y) * kSamples + i / kSamples, column = x * kSamples + i % kSamples;
                 const Sample& sample =
-                    m_samples[static_cast<std::size_t>(row) * kSide + static_cast<std::size_t>(column)];
+                    m_samples[sampleAt(column, row)];
                 if (!std::isfinite(sample.z)) continue;
                 seen += 1;
                 albedo += sample.albedo;
@@ -201,9 +212,9 @@ TextureMaps CTwigCamera::picture() const {
             maps.translucency.push_back(byteOf(seen > 0 ? through * each : kLeafThrough));
             maps.height01.push_back(byteOf(0.5f + 0.5f * z * each / farthest));
         }
-    spreadColours(maps.albedo, kSize, kSize);
-    spreadColours(maps.back, kSize, kSize);
-    coverPart(maps.albedo, kSize, kSize, covered / double(maps.albedo.size()));
+    spreadColours(maps.albedo, maps.width, maps.height);
+    spreadColours(maps.back, maps.width, maps.height);
+    coverPart(maps.albedo, maps.width, maps.height, covered / double(maps.albedo.size()));
     for (std::size_t i = 0; i < maps.albedo.size(); ++i) maps.back[i][3] = maps.albedo[i][3];
     return maps;
 }

@@ -138,9 +138,23 @@ double coverOf(double opacity, double cut, double soft) {
     return std::clamp((opacity - cut) / soft + 0.5, 0.0, 1.0);
 }
 
+namespace {
+/// Makes an opacity that at which pictures are cut; what is opaque, or is not there, stays so.
+Opacities movedTo(double cut, Opacities picture, double edge) {
+    for (double& opacity : picture.values) opacity = opacity < edge ? opacity / edge * cut : cut + (opacity - edge) / (1 - edge) * (1 - cut);
+    return picture;
+}
+} // namespace
+
 void coverPart(Pixels& pixels, int width, int height, double wanted, double cut) {
-    const double scale = scaleFor(Opacities(pixels, width, height), cut, 0, wanted);
-    for (auto& p : pixels) p[3] = rounded(p[3] * scale);
+    const Opacities opacities(pixels, width, height);
+    double low = 0.02, high = 0.98;
+    for (int i = 0; i < 10; ++i) {
+        const double edge = (low + high) / 2;
+        (coverage(movedTo(cut, opacities, edge), cut, 1, 0) > wanted ? low : high) = edge;
+    }
+    const Opacities moved = movedTo(cut, opacities, (low + high) / 2);
+    for (std::size_t i = 0; i < pixels.size(); ++i) pixels[i][3] = rounded(255 * moved.values[i]);
 }
 
 std::vector<Pixels> mipmapsKeepingCoverage(const Pixels& pixels, int width, int height, double cut) {

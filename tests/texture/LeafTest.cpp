@@ -144,6 +144,22 @@ TEST(Opacity, ThinLeavesDoNotFade) {
         EXPECT_NEAR(drawnCoverage(levels[i], kSide >> i, softnessOf(std::exp2(i) / kSide)), wanted, 0.1 * wanted) << "level " << i;
 }
 
+TEST(Opacity, HairsAreAsWideAsTheyWere) {
+    constexpr int kSide = 64;
+    Pixels pixels(kSide * kSide, {40, 90, 20, 0});
+    for (int y = 4; y < 60; ++y) {
+        for (int x = 8; x < 20; ++x) pixels[std::size_t(y * kSide + x)][3] = 255; // a leaf
+        for (const int x : {30, 40, 50}) pixels[std::size_t(y * kSide + x)][3] = 200; // hairs of less than a pixel
+    }
+    double mean = 0;
+    for (const auto& p : pixels) mean += p[3] / 255.0 / double(pixels.size());
+    EXPECT_GT(drawnCoverage(pixels, kSide, 0), 1.03 * mean);
+    coverPart(pixels, kSide, kSide, mean);
+    EXPECT_NEAR(drawnCoverage(pixels, kSide, 0), mean, 0.03 * mean);
+    EXPECT_EQ(pixels[std::size_t(30 * kSide + 12)][3], 255) << "what is opaque stays so";
+    EXPECT_EQ(pixels[0][3], 0);
+}
+
 TEST(Opacity, OddSizesAreHalvedToo) {
     const Pixels pixels(5 * 3, {10, 20, 30, 255});
     const auto levels = mipmapsKeepingCoverage(pixels, 5, 3);
