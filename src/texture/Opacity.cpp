@@ -165,7 +165,7 @@ std::vector<Pixels> mipmapsKeepingCoverage(const Pixels& pixels, int width, int 
         plain = halved(plain, width, height);
         width = std::max(1, width / 2);
         height = std::max(1, height / 2);
-        const double scale = scaleFor(Opacities(plain, width, height), cut, softnessOf(1.0 / std::max(width, height)), wanted);
+        const double scale = scaleFor(Opacities(plain, width, height), cut, softnessOf(1.0 / std::min(width, height)), wanted);
         levels.push_back(plain);
         for (auto& p : levels.back()) p[3] = rounded(p[3] * scale);
     }
