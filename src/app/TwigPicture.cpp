@@ -6,7 +6,6 @@
 #include <algorithm>
 #include <cmath>
 #include <glm/common.hpp>
-#include <glm/exponential.hpp>
 #include <glm/geometric.hpp>
 
 namespace stromar {
@@ -14,10 +13,9 @@ namespace stromar {
 namespace fs = std::filesystem;
 
 namespace {
-constexpr int kSize = 512; // of the longer side
-
+constexpr int kSize = 512;
 constexpr int kSamples = 3;               // of a pixel, each way
-constexpr std::uint64_t kLookVersion = 9; // rises when the same twig is drawn differently
+constexpr std::uint64_t kLookVersion = 10; // rises when the same twig is drawn differently
 constexpr float kWoodRoughness = 0.85f, kLeafRoughness = 0.6f, kLeafThrough = 0.6f;
 
 /// What one surface shows at a place.
@@ -101,8 +99,7 @@ struct Sample {
 class CTwigCamera {
 public:
     explicit CTwigCamera(const Twig& twig)
-        : m_size(sizeOf(twig)), m_low(twig.low), m_scale(glm::dvec2(m_size * kSamples) / (twig.high - twig.low)),
-          m_samples(static_cast<std::size_t>(m_size.x * m_size.y) * kSamples * kSamples) {}
+        : m_low(twig.low), m_scale(glm::dvec2(kSide) / (twig.high - twig.low)), m_samples(kSide * kSide) {}
 
     /// Those of some indices. lookAt(texCoord) → Look
     template <typename LookAt>
@@ -116,20 +113,16 @@ public:
     double perMetre() const { return m_scale.y; }
 
 private:
-    /// In the proportion of the card, as near as powers of two come: smaller pictures then lose as much along the twig as across it.
-    static glm::ivec2 sizeOf(const Twig& twig) {
-        const glm::dvec2 card = twig.high - twig.low;
-        const double across = std::clamp(std::round(std::log2(card.x / card.y)), -2.0, 2.0);
-        return glm::ivec2(glm::dvec2(kSize) * glm::exp2(glm::min(glm::dvec2(0), glm::dvec2(across, -across))));
-    }
-    std::size_t sampleAt(int x, int y) const { return static_cast<std::size_t>(y) * static_cast<std::size_t>(m_size.x * kSamples) + static_cast<std::size_t>(x); }
+    static constexpr std::size_t kSide = kSize * kSamples;
+
+    static std::size_t sampleAt(int x, int y) { return static_cast<std::size_t>(y) * kSide + static_cast<std::size_t>(x); }
 
     template <typename LookAt>
     void drawTriangle(const CMesh& mesh, const std::uint32_t* corners, LookAt&& lookAt) {
         glm::dvec2 p[3];
         for (int i = 0; i < 3; ++i) p[i] = (glm::dvec2(mesh.positions[corners[i]]) - m_low) * m_scale;
         const Facing facing = facingOf(mesh, corners);
-        rasterise(p[0], p[1], p[2], m_size.x * kSamples, m_size.y * kSamples, [&](int x, int y, double u, double v) {
+        rasterise(p[0], p[1], p[2], kSide, kSide, [&](int x, int y, double u, double v) {
             const auto mixed = [&](const auto& values) {
                 return float(1 - u - v) * values[corners[0]] + float(u) * values[corners[1]] +
                        float(v) * values[corners[2]];
@@ -169,7 +162,6 @@ private:
         sample.through = look.through;
     }
 
-    glm::ivec2 m_size; ///< of the picture
     glm::dvec2 m_low, m_scale;
     std::vector<Sample> m_samples; ///< rows from below
 };
@@ -178,8 +170,7 @@ std::uint8_t byteOf(float value) { return static_cast<std::uint8_t>(std::clamp(v
 
 TextureMaps CTwigCamera::picture() const {
     TextureMaps maps;
-    maps.width = m_size.x;
-    maps.height = m_size.y;
+    maps.width = maps.height = kSize;
     float farthest = 1e-6f;
     double covered = 0;
     for (const Sample& sample : m_samples)
