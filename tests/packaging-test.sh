@@ -17,7 +17,7 @@ for file in bin/stromar bin/stromar-cli share/man/man1/stromar.1 share/man/man1/
 done
 
 # It takes its data from where it is installed.
-env -u STROMAR_DATA "$root/bin/stromar-cli" export "$share/stromar/presets/quaking_aspen.tree" -o "$root/a.obj" --quiet --lod 3 --set LeafTexture=
+env -u STROMAR_DATA "$root/bin/stromar-cli" export "$share/stromar/presets/quaking_aspen.tree" -o "$root/a.obj" --quiet --model simple --set LeafTexture=
 cmp "$share/stromar/textures/leaf.png" "$root/a_leaf.png" || fail "not its own leaf"
 
 # File managers get pictures, without a display.

@@ -95,7 +95,7 @@ TEST(GltfInstancesOptions, RefuseWhatCannotBe) {
     };
     EXPECT_EQ(conflict({}, "a.glb"), "");
     EXPECT_EQ(conflict({{"lods", "file-each"}}, "a.gltf"), "");
-    EXPECT_EQ(conflict({}, "a.obj"), ".obj cannot hold instances; choose glTF");
+    EXPECT_EQ(conflict({}, "a.obj"), ".obj cannot hold instances; choose glTF or USD");
     EXPECT_EQ(conflict({{"wind", "attributes"}}, "a.glb"), "leaves that move in the wind cannot be instances");
     EXPECT_EQ(conflict({{"lods", "one-file"}}, "a.glb"), "instances belong to one level of detail; choose a file for each");
 }
