@@ -250,10 +250,19 @@ Material plainMaterial(Surface surface) {
     return {surface, info.name, {}, {}, info.colour, info.cutOut};
 }
 
+namespace {
+/// Whether the tree shows it at some time of its life.
+bool willShow(const TreeModel& model, Surface surface) {
+    if (!hasSurface(model.params, surface)) return false;
+    const auto level = static_cast<std::size_t>(std::ranges::find(kBarks, surface) - kBarks.begin());
+    return !isBark(surface) || !model.grown || (level < model.grown->generationCount() && !model.grown->generation(level).stems.empty());
+}
+} // namespace
+
 std::vector<Surface> shownSurfaces(const TreeModel& model, const std::vector<Meshes>& lods, bool isFrame) {
     std::vector<Surface> shown;
     for (const Surface surface : kSurfaces)
-        if (needsMaterial(model, lods, surface) || (isFrame && hasSurface(model.params, surface))) shown.push_back(surface);
+        if (needsMaterial(model, lods, surface) || (isFrame && willShow(model, surface))) shown.push_back(surface);
     return shown;
 }
 
