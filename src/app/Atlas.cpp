@@ -42,7 +42,7 @@ const MapFile* mapFileOf(std::string_view suffix) {
 /// The mean of what a pixel of a cell covers. Beyond its edge a picture runs on.
 class CCellSampler {
 public:
-    CCellSampler(const TextureMaps& maps, int cell) : m_maps(maps), m_cell(cell), m_margin(cell / kMarginsOfCell) {
+    CCellSampler(const TextureMaps& maps, int cell) : m_maps(maps), m_margin(cell / kMarginsOfCell) {
         const int inner = cell - 2 * m_margin;
         m_step = {double(maps.width) / inner, double(maps.height) / inner};
         m_samples = {std::max(1, int(std::ceil(m_step.x))), std::max(1, int(std::ceil(m_step.y)))};
@@ -68,7 +68,7 @@ private:
     }
 
     const TextureMaps& m_maps;
-    int m_cell, m_margin;
+    int m_margin;
     glm::dvec2 m_step;
     glm::ivec2 m_samples;
 };
