@@ -3852,52 +3852,16 @@
         <translation>V čem se zapisují barvy kůry: JPEG má asi pětinu bajtů. Obrázky s alfou, normály a drsnost zůstávají PNG.</translation>
     </message>
     <message>
-        <source>only PNG pictures can share one: %1</source>
-        <translation>jen obrázky PNG mohou sdílet jeden: %1</translation>
-    </message>
-    <message>
-        <source>%1 repeats its picture (texture coordinates beyond 0 to 1), which cannot share one with others</source>
-        <translation>%1 opakuje svůj obrázek (souřadnice textury mimo 0 až 1), ten nelze sdílet s ostatními</translation>
-    </message>
-    <message>
-        <source>One for each level of stems, and leaves</source>
-        <translation>Jeden pro každou úroveň větví a listy</translation>
-    </message>
-    <message>
-        <source>One for each material</source>
-        <translation>Jeden pro každý materiál</translation>
-    </message>
-    <message>
-        <source>Leaves, blossoms and twigs share one picture</source>
-        <translation>Listy, květy a větvičky sdílejí jeden obrázek</translation>
-    </message>
-    <message>
         <source>Objects</source>
         <translation>Objekty</translation>
-    </message>
-    <message>
-        <source>Trunk, branches and leaves as objects of their own; or one object for each material, which a program draws at once.</source>
-        <translation>Kmen, větve a listy jako vlastní objekty; nebo jeden objekt pro každý materiál, který program nakreslí najednou.</translation>
     </message>
     <message>
         <source>Texture atlas</source>
         <translation>Atlas textur</translation>
     </message>
     <message>
-        <source>One material for leaves, blossoms and twigs, with one picture in which each has a cell. PNG pictures only.</source>
-        <translation>Jeden materiál pro listy, květy a větvičky s jedním obrázkem, kde má každý své políčko. Jen obrázky PNG.</translation>
-    </message>
-    <message>
-        <source>%1 cannot hold pictures, nor an atlas of them</source>
-        <translation>%1 nemůže obsahovat obrázky ani jejich atlas</translation>
-    </message>
-    <message>
         <source>materials</source>
         <translation>materiály</translation>
-    </message>
-    <message>
-        <source>pictures</source>
-        <translation>obrázky</translation>
     </message>
     <message>
         <source>texture coordinates</source>
@@ -3908,32 +3872,8 @@
         <translation>normály (programy si počítají vlastní)</translation>
     </message>
     <message>
-        <source>transparency of the leaf picture</source>
-        <translation>průhlednost obrázku listu</translation>
-    </message>
-    <message>
-        <source>maps of normals</source>
-        <translation>mapy normál</translation>
-    </message>
-    <message>
-        <source>maps of roughness</source>
-        <translation>mapy drsnosti</translation>
-    </message>
-    <message>
-        <source>tints of leaves</source>
-        <translation>odstíny listů</translation>
-    </message>
-    <message>
-        <source>occlusion as an attribute</source>
-        <translation>zastínění jako atribut</translation>
-    </message>
-    <message>
         <source>tangents</source>
         <translation>tečny</translation>
-    </message>
-    <message>
-        <source>the pictures of roughness lie beside the file</source>
-        <translation>obrázky drsnosti leží vedle souboru</translation>
     </message>
     <message>
         <source>Blender and Godot do not read where leaves are transparent</source>
@@ -3970,6 +3910,66 @@
     <message>
         <source>instances (PointInstancer) and levels of detail in one file (variants) are unverified: no program of the tests reads them</source>
         <translation>instance (PointInstancer) a úrovně detailu v jednom souboru (varianty) jsou neověřené: žádný program z testů je nečte</translation>
+    </message>
+    <message>
+        <source>only PNG textures can go into an atlas, not %1</source>
+        <translation>do atlasu mohou jen textury PNG, ne %1</translation>
+    </message>
+    <message>
+        <source>%1 repeats its texture (texture coordinates beyond 0 to 1), which an atlas cannot do</source>
+        <translation>%1 opakuje svou texturu (souřadnice textury mimo 0 až 1), to atlas neumí</translation>
+    </message>
+    <message>
+        <source>By branch level</source>
+        <translation>Podle úrovně větví</translation>
+    </message>
+    <message>
+        <source>By material</source>
+        <translation>Podle materiálu</translation>
+    </message>
+    <message>
+        <source>Leaves, blossoms and twigs</source>
+        <translation>Listy, květy a větvičky</translation>
+    </message>
+    <message>
+        <source>Separate objects for trunk, branches and leaves, or one object per material: fewer draw calls.</source>
+        <translation>Samostatné objekty pro kmen, větve a listy, nebo jeden objekt na materiál: méně vykreslovacích volání.</translation>
+    </message>
+    <message>
+        <source>One material and one texture for leaves, blossoms and twigs: fewer draw calls. PNG textures only.</source>
+        <translation>Jeden materiál a jedna textura pro listy, květy a větvičky: méně vykreslovacích volání. Jen textury PNG.</translation>
+    </message>
+    <message>
+        <source>%1 holds no textures, so no atlas</source>
+        <translation>%1 neobsahuje textury, tedy ani atlas</translation>
+    </message>
+    <message>
+        <source>textures</source>
+        <translation>textury</translation>
+    </message>
+    <message>
+        <source>opacity of leaves</source>
+        <translation>krytí listů</translation>
+    </message>
+    <message>
+        <source>normal maps</source>
+        <translation>normálové mapy</translation>
+    </message>
+    <message>
+        <source>roughness maps</source>
+        <translation>mapy drsnosti</translation>
+    </message>
+    <message>
+        <source>leaf tints</source>
+        <translation>odstíny listů</translation>
+    </message>
+    <message>
+        <source>ambient occlusion (attribute)</source>
+        <translation>okolní zastínění (atribut)</translation>
+    </message>
+    <message>
+        <source>the roughness maps lie beside the file</source>
+        <translation>mapy drsnosti leží vedle souboru</translation>
     </message>
 </context>
 <context>

@@ -3852,52 +3852,16 @@
         <translation>В чём записываются цвета коры: у JPEG около пятой части байтов. Изображения с альфой, нормали и шероховатость остаются PNG.</translation>
     </message>
     <message>
-        <source>only PNG pictures can share one: %1</source>
-        <translation>общей может быть только картинка из файлов PNG: %1</translation>
-    </message>
-    <message>
-        <source>%1 repeats its picture (texture coordinates beyond 0 to 1), which cannot share one with others</source>
-        <translation>%1 повторяет свою картинку (координаты текстуры вне 0…1), её нельзя объединить с другими</translation>
-    </message>
-    <message>
-        <source>One for each level of stems, and leaves</source>
-        <translation>По одному на уровень ветвей и листья</translation>
-    </message>
-    <message>
-        <source>One for each material</source>
-        <translation>По одному на материал</translation>
-    </message>
-    <message>
-        <source>Leaves, blossoms and twigs share one picture</source>
-        <translation>Листья, цветы и веточки на одной картинке</translation>
-    </message>
-    <message>
         <source>Objects</source>
         <translation>Объекты</translation>
-    </message>
-    <message>
-        <source>Trunk, branches and leaves as objects of their own; or one object for each material, which a program draws at once.</source>
-        <translation>Ствол, ветви и листья отдельными объектами; или один объект на материал, который программа рисует за раз.</translation>
     </message>
     <message>
         <source>Texture atlas</source>
         <translation>Атлас текстур</translation>
     </message>
     <message>
-        <source>One material for leaves, blossoms and twigs, with one picture in which each has a cell. PNG pictures only.</source>
-        <translation>Один материал для листьев, цветов и веточек с одной картинкой, где у каждого своя ячейка. Только картинки PNG.</translation>
-    </message>
-    <message>
-        <source>%1 cannot hold pictures, nor an atlas of them</source>
-        <translation>%1 не может содержать ни картинок, ни их атласа</translation>
-    </message>
-    <message>
         <source>materials</source>
         <translation>материалы</translation>
-    </message>
-    <message>
-        <source>pictures</source>
-        <translation>картинки</translation>
     </message>
     <message>
         <source>texture coordinates</source>
@@ -3908,32 +3872,8 @@
         <translation>нормали (программы вычисляют свои)</translation>
     </message>
     <message>
-        <source>transparency of the leaf picture</source>
-        <translation>прозрачность картинки листа</translation>
-    </message>
-    <message>
-        <source>maps of normals</source>
-        <translation>карты нормалей</translation>
-    </message>
-    <message>
-        <source>maps of roughness</source>
-        <translation>карты шероховатости</translation>
-    </message>
-    <message>
-        <source>tints of leaves</source>
-        <translation>оттенки листьев</translation>
-    </message>
-    <message>
-        <source>occlusion as an attribute</source>
-        <translation>затенение как атрибут</translation>
-    </message>
-    <message>
         <source>tangents</source>
         <translation>касательные</translation>
-    </message>
-    <message>
-        <source>the pictures of roughness lie beside the file</source>
-        <translation>картинки шероховатости лежат рядом с файлом</translation>
     </message>
     <message>
         <source>Blender and Godot do not read where leaves are transparent</source>
@@ -3970,6 +3910,66 @@
     <message>
         <source>instances (PointInstancer) and levels of detail in one file (variants) are unverified: no program of the tests reads them</source>
         <translation>экземпляры (PointInstancer) и уровни детализации в одном файле (варианты) не проверены: ни одна программа из тестов их не читает</translation>
+    </message>
+    <message>
+        <source>only PNG textures can go into an atlas, not %1</source>
+        <translation>в атлас входят только текстуры PNG, не %1</translation>
+    </message>
+    <message>
+        <source>%1 repeats its texture (texture coordinates beyond 0 to 1), which an atlas cannot do</source>
+        <translation>%1 повторяет свою текстуру (координаты текстуры вне 0…1), в атласе это невозможно</translation>
+    </message>
+    <message>
+        <source>By branch level</source>
+        <translation>По уровням ветвей</translation>
+    </message>
+    <message>
+        <source>By material</source>
+        <translation>По материалам</translation>
+    </message>
+    <message>
+        <source>Leaves, blossoms and twigs</source>
+        <translation>Листья, цветы и веточки</translation>
+    </message>
+    <message>
+        <source>Separate objects for trunk, branches and leaves, or one object per material: fewer draw calls.</source>
+        <translation>Отдельные объекты для ствола, ветвей и листьев или один объект на материал: меньше вызовов отрисовки.</translation>
+    </message>
+    <message>
+        <source>One material and one texture for leaves, blossoms and twigs: fewer draw calls. PNG textures only.</source>
+        <translation>Один материал и одна текстура для листьев, цветов и веточек: меньше вызовов отрисовки. Только текстуры PNG.</translation>
+    </message>
+    <message>
+        <source>%1 holds no textures, so no atlas</source>
+        <translation>%1 не содержит текстур, поэтому и атласа</translation>
+    </message>
+    <message>
+        <source>textures</source>
+        <translation>текстуры</translation>
+    </message>
+    <message>
+        <source>opacity of leaves</source>
+        <translation>непрозрачность листьев</translation>
+    </message>
+    <message>
+        <source>normal maps</source>
+        <translation>карты нормалей</translation>
+    </message>
+    <message>
+        <source>roughness maps</source>
+        <translation>карты шероховатости</translation>
+    </message>
+    <message>
+        <source>leaf tints</source>
+        <translation>оттенки листьев</translation>
+    </message>
+    <message>
+        <source>ambient occlusion (attribute)</source>
+        <translation>фоновое затенение (атрибут)</translation>
+    </message>
+    <message>
+        <source>the roughness maps lie beside the file</source>
+        <translation>карты шероховатости лежат рядом с файлом</translation>
     </message>
 </context>
 <context>

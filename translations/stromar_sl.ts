@@ -3852,52 +3852,16 @@
         <translation>V čem se zapišejo barve skorje: JPEG ima približno petino bajtov. Slike z alfo, normale in hrapavost ostanejo PNG.</translation>
     </message>
     <message>
-        <source>only PNG pictures can share one: %1</source>
-        <translation>le slike PNG si lahko delijo eno: %1</translation>
-    </message>
-    <message>
-        <source>%1 repeats its picture (texture coordinates beyond 0 to 1), which cannot share one with others</source>
-        <translation>%1 ponavlja svojo sliko (koordinate teksture zunaj 0 do 1), zato je ni mogoče deliti z drugimi</translation>
-    </message>
-    <message>
-        <source>One for each level of stems, and leaves</source>
-        <translation>Eden za vsako raven vej in za liste</translation>
-    </message>
-    <message>
-        <source>One for each material</source>
-        <translation>Eden za vsak material</translation>
-    </message>
-    <message>
-        <source>Leaves, blossoms and twigs share one picture</source>
-        <translation>Listi, cvetovi in vejice si delijo eno sliko</translation>
-    </message>
-    <message>
         <source>Objects</source>
         <translation>Predmeti</translation>
-    </message>
-    <message>
-        <source>Trunk, branches and leaves as objects of their own; or one object for each material, which a program draws at once.</source>
-        <translation>Deblo, veje in listi kot samostojni predmeti; ali en predmet za vsak material, ki ga program nariše naenkrat.</translation>
     </message>
     <message>
         <source>Texture atlas</source>
         <translation>Atlas tekstur</translation>
     </message>
     <message>
-        <source>One material for leaves, blossoms and twigs, with one picture in which each has a cell. PNG pictures only.</source>
-        <translation>En material za liste, cvetove in vejice, z eno sliko, v kateri ima vsak svoje polje. Le slike PNG.</translation>
-    </message>
-    <message>
-        <source>%1 cannot hold pictures, nor an atlas of them</source>
-        <translation>%1 ne more vsebovati slik niti njihovega atlasa</translation>
-    </message>
-    <message>
         <source>materials</source>
         <translation>materiali</translation>
-    </message>
-    <message>
-        <source>pictures</source>
-        <translation>slike</translation>
     </message>
     <message>
         <source>texture coordinates</source>
@@ -3908,32 +3872,8 @@
         <translation>normale (programi naredijo svoje)</translation>
     </message>
     <message>
-        <source>transparency of the leaf picture</source>
-        <translation>prosojnost slike lista</translation>
-    </message>
-    <message>
-        <source>maps of normals</source>
-        <translation>zemljevidi normal</translation>
-    </message>
-    <message>
-        <source>maps of roughness</source>
-        <translation>zemljevidi hrapavosti</translation>
-    </message>
-    <message>
-        <source>tints of leaves</source>
-        <translation>odtenki listov</translation>
-    </message>
-    <message>
-        <source>occlusion as an attribute</source>
-        <translation>zasenčenost kot atribut</translation>
-    </message>
-    <message>
         <source>tangents</source>
         <translation>tangente</translation>
-    </message>
-    <message>
-        <source>the pictures of roughness lie beside the file</source>
-        <translation>slike hrapavosti ležijo ob datoteki</translation>
     </message>
     <message>
         <source>Blender and Godot do not read where leaves are transparent</source>
@@ -3970,6 +3910,66 @@
     <message>
         <source>instances (PointInstancer) and levels of detail in one file (variants) are unverified: no program of the tests reads them</source>
         <translation>instance (PointInstancer) in ravni podrobnosti v eni datoteki (različice) so nepreverjene: noben program v preizkusih jih ne bere</translation>
+    </message>
+    <message>
+        <source>only PNG textures can go into an atlas, not %1</source>
+        <translation>v atlas gredo le teksture PNG, ne %1</translation>
+    </message>
+    <message>
+        <source>%1 repeats its texture (texture coordinates beyond 0 to 1), which an atlas cannot do</source>
+        <translation>%1 ponavlja svojo teksturo (koordinate teksture zunaj 0 do 1), atlas tega ne zmore</translation>
+    </message>
+    <message>
+        <source>By branch level</source>
+        <translation>Po ravneh vej</translation>
+    </message>
+    <message>
+        <source>By material</source>
+        <translation>Po materialih</translation>
+    </message>
+    <message>
+        <source>Leaves, blossoms and twigs</source>
+        <translation>Listi, cvetovi in vejice</translation>
+    </message>
+    <message>
+        <source>Separate objects for trunk, branches and leaves, or one object per material: fewer draw calls.</source>
+        <translation>Ločeni predmeti za deblo, veje in liste ali en predmet na material: manj klicev risanja.</translation>
+    </message>
+    <message>
+        <source>One material and one texture for leaves, blossoms and twigs: fewer draw calls. PNG textures only.</source>
+        <translation>En material in ena tekstura za liste, cvetove in vejice: manj klicev risanja. Le teksture PNG.</translation>
+    </message>
+    <message>
+        <source>%1 holds no textures, so no atlas</source>
+        <translation>%1 ne vsebuje tekstur, torej tudi atlasa ne</translation>
+    </message>
+    <message>
+        <source>textures</source>
+        <translation>teksture</translation>
+    </message>
+    <message>
+        <source>opacity of leaves</source>
+        <translation>prosojnost listov</translation>
+    </message>
+    <message>
+        <source>normal maps</source>
+        <translation>normalne mape</translation>
+    </message>
+    <message>
+        <source>roughness maps</source>
+        <translation>mape hrapavosti</translation>
+    </message>
+    <message>
+        <source>leaf tints</source>
+        <translation>odtenki listov</translation>
+    </message>
+    <message>
+        <source>ambient occlusion (attribute)</source>
+        <translation>ambientna zasenčenost (atribut)</translation>
+    </message>
+    <message>
+        <source>the roughness maps lie beside the file</source>
+        <translation>mape hrapavosti ležijo ob datoteki</translation>
     </message>
 </context>
 <context>

@@ -1,6 +1,7 @@
 #include "Atlas.h"
 #include "ContentHash.h"
 #include "stromar/app/Pictures.h"
+#include "stromar/texture/PictureSize.h"
 #include "stromar/texture/TextureMaps.h"
 #include "stromar/util/Error.h"
 #include "stromar/util/FileSet.h"
@@ -73,61 +74,56 @@ private:
     glm::ivec2 m_samples;
 };
 
-/// Draws cells of pictures.
+/// Draws cells of pictures, one picture after the other: each may be as large as pictures may be.
 class CAtlasPainter {
 public:
-    CAtlasPainter(const std::vector<SurfacePicture>& pictures, const glm::ivec2& cells, const CProgress& progress) : m_cells(cells), m_progress(progress) {
-        for (const SurfacePicture& one : pictures) {
-            m_sources.push_back(readPngs(one.file));
-            m_cell = std::max({m_cell, m_sources.back().width, m_sources.back().height});
-            progress.poll();
+    CAtlasPainter(const glm::ivec2& cells, int cell, const std::vector<SurfacePicture>& pictures, const CProgress& progress)
+        : m_cells(cells), m_cell(cell), m_progress(progress) {
+        m_atlas.width = m_cells.x * m_cell;
+        m_atlas.height = m_cells.y * m_cell;
+        m_atlas.albedo.resize(static_cast<std::size_t>(m_atlas.width) * static_cast<std::size_t>(m_atlas.height));
+        for (const Neutral& neutral : kNeutral) {
+            if (std::ranges::none_of(pictures, [&](const SurfacePicture& one) { return fs::exists(mapBeside(one.file, neutral.suffix)); })) continue;
+            const MapFile& map = *mapFileOf(neutral.suffix);
+            m_maps.push_back(&map);
+            std::uint8_t* values = map.room(m_atlas);
+            for (std::size_t i = 0; i < m_atlas.albedo.size(); ++i)
+                for (std::size_t c = 0; c < static_cast<std::size_t>(map.channels); ++c) *values++ = neutral.value[c];
         }
-        m_cell = std::min(m_cell, CAtlas::kMaxCell);
     }
 
-    TextureMaps draw() const {
-        TextureMaps atlas;
-        atlas.width = m_cells.x * m_cell;
-        atlas.height = m_cells.y * m_cell;
-        atlas.albedo.resize(static_cast<std::size_t>(atlas.width) * static_cast<std::size_t>(atlas.height));
-        const auto albedo = [](const TextureMaps& maps) { return reinterpret_cast<const std::uint8_t*>(maps.albedo.data()); };
-        drawLayer(4, albedo, {}, atlas, reinterpret_cast<std::uint8_t*>(atlas.albedo.data()));
-        for (const Neutral& neutral : kNeutral) {
-            const MapFile& map = *mapFileOf(neutral.suffix);
-            if (std::ranges::any_of(m_sources, map.pixels))
-                drawLayer(static_cast<std::size_t>(map.channels), map.pixels, neutral.value, atlas, map.room(atlas));
-        }
-        return atlas;
+    void draw(std::size_t i, const TextureMaps& source) {
+        const CCellSampler sampler(source, m_cell);
+        drawLayer(i, sampler, 4, reinterpret_cast<const std::uint8_t*>(source.albedo.data()), reinterpret_cast<std::uint8_t*>(m_atlas.albedo.data()));
+        for (const MapFile* map : m_maps)
+            if (const std::uint8_t* pixels = map->pixels(source)) drawLayer(i, sampler, static_cast<std::size_t>(map->channels), pixels, map->room(m_atlas));
     }
+
+    const TextureMaps& atlas() const { return m_atlas; }
 
 private:
-    template <typename Pixels>
-    void drawLayer(std::size_t channels, Pixels&& pixelsOf, const std::array<std::uint8_t, 3>& neutral, const TextureMaps& atlas, std::uint8_t* out) const {
-        for (std::size_t i = 0; i < m_sources.size(); ++i) {
-            const std::uint8_t* pixels = pixelsOf(m_sources[i]);
-            const CCellSampler sampler(m_sources[i], m_cell);
-            const int left = static_cast<int>(i) % m_cells.x * m_cell, top = static_cast<int>(i) / m_cells.x * m_cell;
-            for (int y = 0; y < m_cell; ++y) {
-                m_progress.poll();
-                for (int x = 0; x < m_cell; ++x)
-                    for (std::size_t c = 0; c < channels; ++c)
-                        out[atlas.at(left + x, top + y) * channels + c] =
-                            pixels ? static_cast<std::uint8_t>(std::lround(sampler.at(pixels, channels, c, x, y))) : neutral[c];
-            }
+    void drawLayer(std::size_t i, const CCellSampler& sampler, std::size_t channels, const std::uint8_t* pixels, std::uint8_t* out) const {
+        const int left = static_cast<int>(i) % m_cells.x * m_cell, top = static_cast<int>(i) / m_cells.x * m_cell;
+        for (int y = 0; y < m_cell; ++y) {
+            m_progress.poll();
+            for (int x = 0; x < m_cell; ++x)
+                for (std::size_t c = 0; c < channels; ++c)
+                    out[m_atlas.at(left + x, top + y) * channels + c] = static_cast<std::uint8_t>(std::lround(sampler.at(pixels, channels, c, x, y)));
         }
     }
 
-    std::vector<TextureMaps> m_sources;
     glm::ivec2 m_cells;
+    int m_cell;
     const CProgress& m_progress;
-    int m_cell = 1;
+    TextureMaps m_atlas;
+    std::vector<const MapFile*> m_maps; ///< that some of the pictures have
 };
 } // namespace
 
 CAtlas::CAtlas(std::vector<SurfacePicture> pictures, const CProgress& progress) : m_pictures(std::move(pictures)) {
     std::string state = std::to_string(kVersion);
     for (const SurfacePicture& one : m_pictures) {
-        if (!isPng(one.file)) throw CError(translated(NC_("stromar", "only PNG pictures can share one: %1"), one.file.string()));
+        if (!isPng(one.file)) throw CError(translated(NC_("stromar", "only PNG textures can go into an atlas, not %1"), one.file.string()));
         state += '\n' + stateOf(one.file);
     }
     m_file = pictureCache() / "atlases" / (nameOfHash(hashOfText(state)) + ".png");
@@ -135,10 +131,14 @@ CAtlas::CAtlas(std::vector<SurfacePicture> pictures, const CProgress& progress) 
 }
 
 void CAtlas::draw(const CProgress& progress) const {
+    int cell = 1;
+    for (const SurfacePicture& one : m_pictures) cell = std::max(cell, longerSideOf(one.file));
+    CAtlasPainter painter(cells(), std::min(cell, kMaxCell), m_pictures, progress);
+    for (std::size_t i = 0; i < m_pictures.size(); ++i) painter.draw(i, readPngs(m_pictures[i].file));
     std::error_code problem; // writing says it better
     fs::create_directories(m_file.parent_path(), problem);
     CFileSet files(progress);
-    writePngs(CAtlasPainter(m_pictures, cells(), progress).draw(), m_file, files);
+    writePngs(painter.atlas(), m_file, files);
     files.commit();
 }
 
@@ -161,7 +161,7 @@ std::shared_ptr<const CMesh> CAtlas::moved(const CMesh& mesh, std::size_t cell) 
     copy->surface = Surface::Leaf;
     for (glm::vec2& t : copy->texCoords) {
         if (glm::clamp(t, -kBeyond, 1 + kBeyond) != t)
-            throw CError(translated(NC_("stromar", "%1 repeats its picture (texture coordinates beyond 0 to 1), which cannot share one with others"), mesh.name));
+            throw CError(translated(NC_("stromar", "%1 repeats its texture (texture coordinates beyond 0 to 1), which an atlas cannot do"), mesh.name));
         t = placeOf(cell, t);
     }
     return copy;

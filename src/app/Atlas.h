@@ -18,9 +18,9 @@ struct SurfacePicture {
 class CAtlas {
 public:
     static constexpr const char* kName = "foliage"; ///< of its material
-    static constexpr int kMaxCell = 1024;           ///< pixels: eight of them take 0.5 GB while they are drawn
+    static constexpr int kMaxCell = 1024;           ///< pixels on a side
 
-    /// Draws it where the user's cache has none of these pictures. At most 16. Throws CError where one is no PNG.
+    /// Draws it where the user's cache has none of these pictures. Throws CError where one is no PNG.
     CAtlas(std::vector<SurfacePicture> pictures, const CProgress& progress);
 
     const std::filesystem::path& file() const { return m_file; }

@@ -49,9 +49,9 @@ constexpr string_view kTextureFormatNames[] = {N_("PNG"), N_("JPEG where it can 
 constexpr string_view kInstances[] = {"none", "leaves"};
 constexpr string_view kInstancesNames[] = {N_("No"), N_("Leaves")};
 constexpr string_view kObjects[] = {"levels", "materials"};
-constexpr string_view kObjectsNames[] = {N_("One for each level of stems, and leaves"), N_("One for each material")};
+constexpr string_view kObjectsNames[] = {N_("By branch level"), N_("By material")};
 constexpr string_view kAtlases[] = {"none", "leaves"};
-constexpr string_view kAtlasNames[] = {N_("No"), N_("Leaves, blossoms and twigs share one picture")};
+constexpr string_view kAtlasNames[] = {N_("No"), N_("Leaves, blossoms and twigs")};
 constexpr int kMaxBones = 256, kMaxTexture = 8192;
 
 constexpr ExportChoice kChoices[] = {
@@ -79,7 +79,7 @@ constexpr ExportChoice kChoices[] = {
      .range = {1e-6, 1e6}},
     {.key = "objects",
      .label = N_("Objects"),
-     .help = N_("Trunk, branches and leaves as objects of their own; or one object for each material, which a program draws at once."),
+     .help = N_("Separate objects for trunk, branches and leaves, or one object per material: fewer draw calls."),
      .words = kObjects,
      .names = kObjectsNames,
      .field = &ExportOptions::objects},
@@ -110,7 +110,7 @@ constexpr ExportChoice kChoices[] = {
      .field = &ExportOptions::textureFormat},
     {.key = "atlas",
      .label = N_("Texture atlas"),
-     .help = N_("One material for leaves, blossoms and twigs, with one picture in which each has a cell. PNG pictures only."),
+     .help = N_("One material and one texture for leaves, blossoms and twigs: fewer draw calls. PNG textures only."),
      .words = kAtlases,
      .names = kAtlasNames,
      .field = &ExportOptions::atlas},
@@ -325,7 +325,7 @@ string_view conflictOf(const ExportOptions& options, const Format& format) {
         if (moves) return N_("leaves that move in the wind cannot be instances");
         if (lods == ExportedLods::InOneFile) return N_("instances belong to one level of detail; choose a file for each");
     }
-    if (options.atlas != static_cast<int>(ExportedAtlas::None) && format.pictures == Pictures::None) return N_("%1 cannot hold pictures, nor an atlas of them");
+    if (options.atlas != static_cast<int>(ExportedAtlas::None) && format.pictures == Pictures::None) return N_("%1 holds no textures, so no atlas");
     if (options.collision != static_cast<int>(ExportedCollision::None)) {
         if (!format.objects) return N_("%1 has no objects whose names an engine looks for; choose glTF or FBX");
         if (lods == ExportedLods::InOneFile) return N_("collision belongs to one level of detail; choose a file for each");

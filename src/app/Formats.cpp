@@ -14,14 +14,14 @@ using enum Content;
 
 constexpr ContentInfo kContents[] = {
     {Materials, N_("materials")},
-    {Pictures, N_("pictures")},
+    {Pictures, N_("textures")},
     {TexCoords, N_("texture coordinates")},
     {Normals, N_("normals (programs make their own)")},
-    {Opacity, N_("transparency of the leaf picture"), unsigned(Pictures)},
-    {NormalMaps, N_("maps of normals"), unsigned(Pictures)},
-    {RoughnessMaps, N_("maps of roughness"), unsigned(Pictures)},
-    {Tints, N_("tints of leaves")},
-    {Occlusion, N_("occlusion as an attribute")},
+    {Opacity, N_("opacity of leaves"), unsigned(Pictures)},
+    {NormalMaps, N_("normal maps"), unsigned(Pictures)},
+    {RoughnessMaps, N_("roughness maps"), unsigned(Pictures)},
+    {Tints, N_("leaf tints")},
+    {Occlusion, N_("ambient occlusion (attribute)")},
     {Tangents, N_("tangents"), Normals | TexCoords},
 };
 
@@ -39,7 +39,7 @@ constexpr Format kFormats[] = {
      .bytesPerVertex = 68, .objects = true, .lods = true, .sides = Sides::Material, .channels = Channels::All, .instances = true},
     {.ending = ".fbx", .name = N_("FBX, binary, centimetres"), .upAxis = "y",
      .holds = kShape | kColours | NormalMaps | Tangents | Tints, .write = writeFbx, .bytesPerVertex = 50,
-     .objects = true, .lods = true, .remark = N_("the pictures of roughness lie beside the file"), .looseRoughness = true, .opacity = true, .embeds = true,
+     .objects = true, .lods = true, .remark = N_("the roughness maps lie beside the file"), .looseRoughness = true, .opacity = true, .embeds = true,
      .channels = Channels::ColoursAndUvs},
     {.ending = ".usda", .name = N_("USD, text"), .upAxis = "y", .holds = kShape | kColours | kMaps, .write = writeUsda,
      .bytesPerVertex = 130, .objects = true, .lods = true, .remark = kUsdRemark, .sides = Sides::Material, .instances = true},

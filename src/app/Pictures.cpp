@@ -93,7 +93,7 @@ CLeafMask maskOf(TextureMaps picture) {
     constexpr int kSide = CLeafMask::kSide;
     double covered = 0;
     for (const auto& pixel : picture.albedo) covered += pixel[3] / 255.0 / double(picture.albedo.size());
-    coverPart(picture.albedo, picture.width, picture.height, covered); // needles are thinner than a pixel
+    setCoverage(picture.albedo, picture.width, picture.height, covered); // needles are thinner than a pixel
     std::vector<bool> cells;
     for (int y = 0; y < kSide; ++y)
         for (int x = 0; x < kSide; ++x) {

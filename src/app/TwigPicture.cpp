@@ -15,7 +15,7 @@ namespace fs = std::filesystem;
 namespace {
 constexpr int kSize = 512;
 constexpr int kSamples = 3;               // of a pixel, each way
-constexpr std::uint64_t kLookVersion = 10; // rises when the same twig is drawn differently
+constexpr std::uint64_t kLookVersion = 11; // rises when the same twig is drawn differently
 constexpr float kWoodRoughness = 0.85f, kLeafRoughness = 0.6f, kLeafThrough = 0.6f;
 
 /// What one surface shows at a place.
@@ -205,7 +205,7 @@ TextureMaps CTwigCamera::picture() const {
         }
     spreadColours(maps.albedo, maps.width, maps.height);
     spreadColours(maps.back, maps.width, maps.height);
-    coverPart(maps.albedo, maps.width, maps.height, covered / double(maps.albedo.size()));
+    setCoverage(maps.albedo, maps.width, maps.height, covered / double(maps.albedo.size()));
     for (std::size_t i = 0; i < maps.albedo.size(); ++i) maps.back[i][3] = maps.albedo[i][3];
     return maps;
 }
@@ -239,7 +239,7 @@ public:
 
 private:
     static constexpr double kLeast = 0.3, kMost = 1.6;
-    static constexpr double kFineShade = 0.94; // where leaves touch, finer than the cells of crownLook(): the mean of the presets
+    static constexpr double kFineShade = 0.96; // where leaves touch, finer than the cells of crownLook(): the mean of the presets
     const Twig& m_twig;
     glm::dvec3 m_leaves{0}, m_cards{0};
 };

@@ -149,8 +149,8 @@ CHeadlessPainter::~CHeadlessPainter() {
 }
 
 namespace {
-/// What is drawn over nothing has black mixed in where it covers a part of a pixel; in a picture, opacity alone says that.
-void removeNothing(Pixels& pixels) {
+/// Blending over nothing multiplies colours by their opacity; pictures have straight alpha.
+void unpremultiply(Pixels& pixels) {
     for (auto& p : pixels) {
         const int cover = p[3];
         if (cover == 0 || cover == 255) continue;
@@ -170,7 +170,7 @@ Pixels CHeadlessPainter::paint(const CCamera& camera, int width, int height) {
         if (m_passes > 1) mean.add(bytes);
     }
     if (m_passes > 1) mean.write(bytes);
-    removeNothing(pixels);
+    unpremultiply(pixels);
     return pixels;
 }
 

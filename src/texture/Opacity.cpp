@@ -43,32 +43,35 @@ void fillFrom(Weighted& large, Weighted& small) {
 
 std::uint8_t rounded(double v) { return static_cast<std::uint8_t>(std::lround(std::clamp(v, 0.0, 255.0))); }
 
-/// The opacities of a picture.
-struct Opacities {
-    int width, height;
-    std::vector<double> values; ///< 0..1
+/// What stands for each opacity of a picture, 0..1.
+using OpacityMap = std::array<double, 256>;
 
-    Opacities(const Pixels& pixels, int w, int h) : width(w), height(h) {
-        for (const auto& p : pixels) values.push_back(p[3] / 255.0);
-    }
-    double at(int x, int y) const {
-        return values[static_cast<std::size_t>(std::clamp(y, 0, height - 1)) * static_cast<std::size_t>(width) + static_cast<std::size_t>(std::clamp(x, 0, width - 1))];
-    }
-};
+OpacityMap scaled(double scale) {
+    OpacityMap map;
+    for (std::size_t i = 0; i < map.size(); ++i) map[i] = std::min(1.0, scale * double(i) / 255);
+    return map;
+}
 
-/// As graphics cards draw a picture: between pixels opacity is interpolated, so that of one alone among gaps hardly anything is left.
-double coverage(const Opacities& picture, double cut, double scale, double soft) {
-    constexpr int kBetween = 3; // samples of a pixel, each way
-    double sum = 0;
-    for (int y = 0; y < picture.height; ++y)
-        for (int x = 0; x < picture.width; ++x) {
+/// As graphics cards draw a picture: between pixels opacity is interpolated, so that of one alone among gaps hardly anything is left. Of a
+/// large picture a part of the pixels is looked at, evenly spread.
+double coverage(const Pixels& pixels, int width, int height, const OpacityMap& map, double cut, double soft) {
+    constexpr int kBetween = 3;     // samples of a pixel, each way
+    constexpr int kMostLines = 1024; // looked at
+    const auto at = [&](int x, int y) {
+        return map[pixels[static_cast<std::size_t>(std::clamp(y, 0, height - 1)) * static_cast<std::size_t>(width) + static_cast<std::size_t>(std::clamp(x, 0, width - 1))][3]];
+    };
+    const int stepX = (width + kMostLines - 1) / kMostLines, stepY = (height + kMostLines - 1) / kMostLines;
+    double sum = 0, seen = 0;
+    for (int y = stepY / 2; y < height; y += stepY)
+        for (int x = stepX / 2; x < width; x += stepX) {
             double near[3][3];
             bool none = true;
             for (int j = 0; j < 3; ++j)
                 for (int i = 0; i < 3; ++i) {
-                    near[j][i] = std::min(1.0, scale * picture.at(x + i - 1, y + j - 1));
+                    near[j][i] = at(x + i - 1, y + j - 1);
                     none = none && near[j][i] == 0;
                 }
+            seen += kBetween * kBetween;
             if (none) continue;
             for (int j = 0; j < kBetween; ++j)
                 for (int i = 0; i < kBetween; ++i) {
@@ -79,19 +82,20 @@ double coverage(const Opacities& picture, double cut, double scale, double soft)
                     sum += coverOf(opacity, cut, soft);
                 }
         }
-    return sum / (double(kBetween * kBetween) * double(picture.values.size()));
+    return sum / seen;
 }
 
 /// By what opacities have to be multiplied for the wanted coverage. The blades' own edges make it monotonous.
-double scaleFor(const Opacities& pixels, double cut, double soft, double wanted) {
-    if (coverage(pixels, cut, 1, soft) == wanted) return 1;
+double scaleFor(const Pixels& pixels, int width, int height, double cut, double soft, double wanted) {
+    const auto coverageAt = [&](double scale) { return coverage(pixels, width, height, scaled(scale), cut, soft); };
+    if (coverageAt(1) == wanted) return 1;
     double low = 0.25, high = 8;
     for (int i = 0; i < 14; ++i) {
         const double middle = std::sqrt(low * high);
-        (coverage(pixels, cut, middle, soft) < wanted ? low : high) = middle;
+        (coverageAt(middle) < wanted ? low : high) = middle;
     }
     // The nearer of both sides: a few pixels can only be covered in steps.
-    const auto error = [&](double scale) { return std::abs(coverage(pixels, cut, scale, soft) - wanted); };
+    const auto error = [&](double scale) { return std::abs(coverageAt(scale) - wanted); };
     return error(low) < error(high) ? low : high;
 }
 
@@ -138,34 +142,30 @@ double coverOf(double opacity, double cut, double soft) {
     return std::clamp((opacity - cut) / soft + 0.5, 0.0, 1.0);
 }
 
-namespace {
-/// Makes an opacity that at which pictures are cut; what is opaque, or is not there, stays so.
-Opacities movedTo(double cut, Opacities picture, double edge) {
-    for (double& opacity : picture.values) opacity = opacity < edge ? opacity / edge * cut : cut + (opacity - edge) / (1 - edge) * (1 - cut);
-    return picture;
-}
-} // namespace
-
-void coverPart(Pixels& pixels, int width, int height, double wanted, double cut) {
-    const Opacities opacities(pixels, width, height);
+void setCoverage(Pixels& pixels, int width, int height, double wanted, double cut) {
+    const auto mapFor = [&](double edge) { // which becomes the opacity of the cut; what is opaque, or is not there, stays so
+        OpacityMap map = scaled(1);
+        for (double& opacity : map) opacity = opacity < edge ? opacity / edge * cut : cut + (opacity - edge) / (1 - edge) * (1 - cut);
+        return map;
+    };
     double low = 0.02, high = 0.98;
     for (int i = 0; i < 10; ++i) {
         const double edge = (low + high) / 2;
-        (coverage(movedTo(cut, opacities, edge), cut, 1, 0) > wanted ? low : high) = edge;
+        (coverage(pixels, width, height, mapFor(edge), cut, 0) > wanted ? low : high) = edge;
     }
-    const Opacities moved = movedTo(cut, opacities, (low + high) / 2);
-    for (std::size_t i = 0; i < pixels.size(); ++i) pixels[i][3] = rounded(255 * moved.values[i]);
+    const OpacityMap map = mapFor((low + high) / 2);
+    for (auto& p : pixels) p[3] = rounded(255 * map[p[3]]);
 }
 
 std::vector<Pixels> mipmapsKeepingCoverage(const Pixels& pixels, int width, int height, double cut) {
-    const double wanted = coverage(Opacities(pixels, width, height), cut, 1, 0);
+    const double wanted = coverage(pixels, width, height, scaled(1), cut, 0);
     std::vector<Pixels> levels{pixels};
     Pixels plain = pixels; // unscaled: errors do not add up
     while (width > 1 || height > 1) {
         plain = halved(plain, width, height);
         width = std::max(1, width / 2);
         height = std::max(1, height / 2);
-        const double scale = scaleFor(Opacities(plain, width, height), cut, softnessOf(1.0 / std::min(width, height)), wanted);
+        const double scale = scaleFor(plain, width, height, cut, softnessOf(1.0 / std::min(width, height)), wanted);
         levels.push_back(plain);
         for (auto& p : levels.back()) p[3] = rounded(p[3] * scale);
     }

@@ -1,5 +1,6 @@
 #include "stromar/texture/PictureSize.h"
 #include "stromar/util/Error.h"
+#include <algorithm>
 #include <array>
 #include <cmath>
 #include <cstdint>
@@ -77,6 +78,12 @@ std::optional<PictureHead> readHead(std::istream& in) {
     return {};
 }
 } // namespace
+
+int longerSideOf(const std::filesystem::path& file) {
+    std::ifstream in(file, std::ios::binary);
+    const auto head = readHead(in);
+    return head ? static_cast<int>(std::min(1e9, std::max(head->width, head->height))) : 0;
+}
 
 void refuseHugePicture(const std::filesystem::path& file) {
     std::ifstream in(file, std::ios::binary);

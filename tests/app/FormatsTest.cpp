@@ -21,7 +21,7 @@ TEST(Formats, RowsAreComplete) {
 
 TEST(Formats, SayWhatTheyLose) {
     EXPECT_EQ(lossesOf(*formatOf("a.glb")), "nothing");
-    EXPECT_EQ(lossesOf(*formatOf("a.obj")), "tints of leaves, occlusion as an attribute, tangents");
+    EXPECT_EQ(lossesOf(*formatOf("a.obj")), "leaf tints, ambient occlusion (attribute), tangents");
     const std::string lwo = lossesOf(*formatOf("a.lwo"));
     EXPECT_NE(lwo.find("normals (programs make their own)"), std::string::npos) << lwo;
     EXPECT_EQ(lwo.find("tangents"), std::string::npos) << "without normals it goes without saying";

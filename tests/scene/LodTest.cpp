@@ -126,7 +126,6 @@ constexpr Bound kExceptions[] = {
     {"lombardy_poplar", 0.10, kMaxColour},
     {"norway_maple", kMaxCoverage, 3.7},
     {"norway_spruce", 0.13, 4.3},
-    {"quaking_aspen", kMaxCoverage, 3.5},
     {"rowan", 0.10, 4.6},
     {"sapling", kMaxCoverage, 4.4},
     {"scots_pine", 0.09, 4.1},

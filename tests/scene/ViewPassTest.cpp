@@ -74,7 +74,7 @@ TEST(HeadlessPainter, MoreSamplesThanTheCardHasAreDrawnInPasses) {
 }
 
 /// Over nothing a pixel that is covered in part has the colour of what covers it.
-TEST(HeadlessPainter, NothingIsNoColour) {
+TEST(HeadlessPainter, PicturesOverNothingHaveStraightAlpha) {
     CTreeCreator creator;
     const auto model = creator.create(preset("winter_oak"), detailOf(Model::Simple), CProgress());
     CViewScene scene;

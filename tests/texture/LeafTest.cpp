@@ -154,7 +154,7 @@ TEST(Opacity, HairsAreAsWideAsTheyWere) {
     double mean = 0;
     for (const auto& p : pixels) mean += p[3] / 255.0 / double(pixels.size());
     EXPECT_GT(drawnCoverage(pixels, kSide, 0), 1.03 * mean);
-    coverPart(pixels, kSide, kSide, mean);
+    setCoverage(pixels, kSide, kSide, mean);
     EXPECT_NEAR(drawnCoverage(pixels, kSide, 0), mean, 0.03 * mean);
     EXPECT_EQ(pixels[std::size_t(30 * kSide + 12)][3], 255) << "what is opaque stays so";
     EXPECT_EQ(pixels[0][3], 0);

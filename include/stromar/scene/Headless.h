@@ -14,7 +14,7 @@ public:
     CHeadlessPainter(CViewScene& scene, int samples);
     ~CHeadlessPainter();
 
-    /// Rows from the top; colours are not multiplied by their opacity. Throws CError when the graphics card has no room.
+    /// Rows from the top; straight alpha. Throws CError when the graphics card has no room.
     Pixels paint(const CCamera& camera, int width, int height);
 
 private:

@@ -21,9 +21,9 @@ constexpr double kSoftFrom = 0.12, kSoftTo = 0.37; ///< footprints
 /// How much of a pixel an opacity covers, 0..1.
 double coverOf(double opacity, double cut, double soft);
 
-/// Changes opacities so that what is drawn covers a part of the picture: where it was drawn smaller, hairs of less than a pixel have become
-/// wider, or are gone.
-void coverPart(Pixels& pixels, int width, int height, double wanted, double cut = kAlphaCut);
+/// Changes opacities between nothing and opaque so that, cut, they cover a part of the picture: hairs thinner than a pixel are drawn too wide
+/// or not at all. Linear in the pixels.
+void setCoverage(Pixels& pixels, int width, int height, double wanted, double cut = kAlphaCut);
 
 /// The picture and its halves down to one pixel. Each covers as much as the first, as softly as it is drawn: leaves do not
 /// fade away in the distance.

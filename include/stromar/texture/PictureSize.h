@@ -10,4 +10,7 @@ constexpr double kMaxPictureBytes = 512e6;
 /// head only; what is no such file, or broken, is left to who reads it.
 void refuseHugePicture(const std::filesystem::path& file);
 
+/// Pixels of the longer side of such a file, by its head; 0 where it has none.
+int longerSideOf(const std::filesystem::path& file);
+
 } // namespace stromar

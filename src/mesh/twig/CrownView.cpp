@@ -217,7 +217,7 @@ CrownLook crownLook(const std::vector<CrownPart>& parts, const CrownFrame& frame
 }
 
 namespace {
-constexpr std::size_t kMaxVertices = 4'000'000; // of leaves: those of a file may have 20,000 each
+constexpr std::size_t kMaxVertices = 2'000'000; // of leaves: those of a file may have 20,000 each
 
 /// Keeps at most so many, evenly chosen; which part of them.
 double thin(std::vector<std::uint32_t>& all, std::size_t max) {
@@ -267,16 +267,15 @@ OrganMeshes fittingLeaves(const OrganMeshes& thinned, const std::shared_ptr<cons
     if (present < 1 || double(all->total) > kMeasuredLeaves || verticesOf(thinned) > kMaxVertices) return thinned;
     const std::vector<CrownPart> whole = leafParts(all, nullptr, present, tree, params, masks, detailOf(Model::Full), progress);
     if (whole.empty()) return thinned;
-    CrownFrame frame;
     Bounds box = whole.front().mesh->bounds();
     for (const CrownPart& part : whole) box = {glm::min(box.min, part.mesh->bounds().min), glm::max(box.max, part.mesh->bounds().max)};
-    frame = {glm::dvec3(box.min + box.max) / 2.0, 0.55 * glm::length(glm::dvec3(box.max - box.min))}; // with room for larger leaves
+    const CrownFrame frame{glm::dvec3(box.min + box.max) / 2.0, 0.55 * glm::length(glm::dvec3(box.max - box.min))}; // with room for larger leaves
     const auto resized = [&](double fit) {
         OrganMeshes sized;
         for (const auto& mesh : thinned) sized.push_back(mesh->resized(std::sqrt(fit)));
         return sized;
     };
-    const double fit = fitTo(crownCover(whole, frame, progress), [&](double areas) {
+    const double fit = fitTo(crownCover(whole, frame, progress), 1, [&](double areas) {
         std::vector<CrownPart> parts;
         for (const auto& mesh : resized(areas))
             if (mesh->count() > 0) parts.push_back({mesh->expanded(progress), &masks[mesh->kind()]});

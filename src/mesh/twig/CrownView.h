@@ -29,10 +29,10 @@ private:
     std::array<std::vector<glm::vec3>, kLevels> m_means; ///< of normals, by level
 };
 
-/// A crown that is measured: from where, how large, and where its leaves' normals are turned to.
+/// Where the crown is that is measured.
 struct CrownFrame {
     glm::dvec3 middle{0};
-    double radius = 0; ///< of a ball around it; 0: there is none
+    double radius = 0; ///< of a ball around it
 };
 
 /// Triangles that are measured: leaves of a kind, or cards of twigs.
@@ -52,11 +52,11 @@ double crownCover(const std::vector<CrownPart>& parts, const CrownFrame& frame, 
 std::vector<CrownPart> leafParts(const std::shared_ptr<const COrgans>& leaves, const StemSet* stems, double present, const CTree& tree,
                                  const MeshParams& params, const LeafMasks& masks, const Detail& detail, const CProgress& progress);
 
-/// By how much areas have to grow for something to cover as much as is wanted: by secants from `coverAt`(1).
-template <typename CoverAt> double fitTo(double wanted, CoverAt&& coverAt) {
+/// By how much areas have to grow for something to cover as much as is wanted: by secants from `start`.
+template <typename CoverAt> double fitTo(double wanted, double start, CoverAt&& coverAt) {
     constexpr int kSteps = 3;
     constexpr double kGood = 0.01, kMin = 0.4, kMax = 2.5, kMinSlope = 0.2;
-    double fit = 1, slope = 0.6, covered = coverAt(fit); // slope: by which power of its area a crown covers more
+    double fit = start, slope = 0.6, covered = coverAt(fit); // slope: by which power of its area a crown covers more
     for (int i = 0; i < kSteps && covered > 0 && std::abs(covered / wanted - 1) > kGood; ++i) {
         const double next = std::clamp(fit * std::pow(wanted / covered, 1 / slope), kMin, kMax);
         if (next == fit) break;

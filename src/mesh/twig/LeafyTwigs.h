@@ -16,7 +16,7 @@ struct LeafyTwig {
 std::vector<LeafyTwig> leafyTwigs(const StemSet& twigs, const CTree& tree, const COrgans& leaves, double share);
 double leavesOn(const std::vector<LeafyTwig>& twigs);
 
-/// Finds what is seen of the crown and of its cards (Twig::crown, cards).
+/// Finds what is seen of the crown and of its cards (Twig::crown, cards, cardFit).
 void measureCrown(Twig& twig, const StemSet& twigs, const CTree& tree, const std::shared_ptr<const COrgans>& leaves, const MeshParams& params,
                   const CProgress& progress);
 

@@ -223,9 +223,10 @@ public:
         return mesh;
     }
 
-    /// Cards that cover as much as the leaves do, from cards that are right for a single twig.
-    std::shared_ptr<const CMesh> fittingCards(const CardPlan& plan) const {
-        return cards(plan, fitTo(m_twig.crown.covered, [&](double fit) { return crownCover({{cards(plan, fit), nullptr, &m_mask}}, m_frame, m_progress); }));
+    /// Of the areas of cards that are right for a single twig: so that they cover as much as the leaves do.
+    double fitOf(const CardPlan& plan) const {
+        const auto coverAt = [&](double fit) { return crownCover({{cards(plan, fit), nullptr, &m_mask}}, m_frame, m_progress); };
+        return fitTo(m_twig.crown.covered, m_twig.cardFit, coverAt);
     }
 
 private:
@@ -253,14 +254,17 @@ void measureCrown(Twig& twig, const StemSet& twigs, const CTree& tree, const std
                   const CProgress& progress) {
     const CCrown crown(twigs, tree, *leaves, params, twig, progress);
     twig.crown = crown.lookOfLeaves(leaves, twigs, params);
-    twig.cards = crown.lookOf(crown.fittingCards(crown.plan(detailOf(Model::Full, 2))));
+    const CardPlan plan = crown.plan(detailOf(Model::Full, 2));
+    twig.cardFit = crown.fitOf(plan);
+    twig.cards = crown.lookOf(crown.cards(plan, twig.cardFit));
 }
 
 std::shared_ptr<const CMesh> meshOfTwigs(const StemSet& twigs, const CTree& tree, const COrgans& leaves, const Twig& typical,
                                          const MeshParams& params, const Detail& detail,
                                          const CProgress& progress) {
     const CCrown crown(twigs, tree, leaves, params, typical, progress);
-    return crown.fittingCards(crown.plan(detail));
+    const CardPlan plan = crown.plan(detail);
+    return crown.cards(plan, crown.fitOf(plan));
 }
 
 } // namespace stromar

@@ -2,48 +2,16 @@
 #include "stromar/mesh/Detail.h"
 #include "stromar/mesh/Mesh.h"
 #include "stromar/mesh/MeshParams.h"
-#include "stromar/mesh/OrganMesh.h"
+#include "stromar/mesh/twig/CrownLook.h"
 #include "stromar/tree/SizeBound.h"
 #include "stromar/tree/Tree.h"
 #include "stromar/util/Progress.h"
-#include <algorithm>
 #include <array>
-#include <cmath>
 #include <glm/vec2.hpp>
 #include <memory>
 #include <optional>
-#include <utility>
-#include <vector>
 
 namespace stromar {
-
-/// What is seen of a crown without its wood: the mean over four sides, with the sun at 45°.
-struct CrownLook {
-    double covered = 0; ///< share of the pictures
-    double sun = 0;     ///< cosine between the normal of what is seen and the sun where it shines, else 0
-    double through = 0; ///< likewise where it shines on the other side
-    double sky = 0;     ///< how much it faces the sky: 0 downwards, 1 upwards
-    double backs = 0;   ///< share that are the under sides of leaves
-};
-
-/// Where a leaf's picture is not cut out. Without one all of it is there.
-class CLeafMask {
-public:
-    static constexpr int kSide = 128;
-
-    CLeafMask() = default;
-    /// Rows from below.
-    explicit CLeafMask(std::vector<bool> cells) : m_cells(std::move(cells)) {}
-    bool covers(const glm::vec2& texCoord) const {
-        if (m_cells.empty()) return true;
-        const auto cell = [](float v) { return static_cast<std::size_t>(std::clamp(static_cast<int>((v - std::floor(v)) * kSide), 0, kSide - 1)); };
-        return m_cells[cell(texCoord.y) * kSide + cell(texCoord.x)];
-    }
-
-private:
-    std::vector<bool> m_cells;
-};
-using LeafMasks = std::array<CLeafMask, kLeafKinds>;
 
 /// What a card shows instead of a twig (see twigsOf) with its leaves: a typical one of the tree, made straight. x to the
 /// right, y along the stem from its base, z to the viewer; metres.
@@ -61,6 +29,7 @@ struct Twig {
     double allLeafArea;   ///< m² of all the tree's leaves that the season left
     LeafMasks masks;        ///< of its leaves
     CrownLook crown, cards; ///< the leaves of all twigs; the cards that stand for them at level of detail 2
+    double cardFit = 1;     ///< by how much the area of those differs from what is right for a single twig
 
     double cardArea() const { return (high.x - low.x) * (high.y - low.y); }
 };
@@ -77,13 +46,6 @@ struct TwigPlace {
 /// The one of the twigs that is nearest to their mean; nothing where none bears leaves. Of the leaves only the counts
 /// are looked at.
 std::optional<TwigPlace> typicalOf(const StemSet& twigs, const CTree& tree, const COrgans& leaves, const MeshParams& params);
-/// Thinned leaves, by kind, in the size in which they cover as much as all leaves of the same stems do (`all`): larger ones hang over the edges of
-/// what smaller ones fill. Some tenths of a second; of more than kMeasuredLeaves it is not worth it: they come back as they are.
-OrganMeshes fittingLeaves(const OrganMeshes& thinned, const std::shared_ptr<const COrgans>& all, const CTree& tree, const LeafMasks& masks,
-                          const MeshParams& params, const CProgress& progress);
-
-constexpr double kMeasuredLeaves = 250'000; ///< are enough to see how a crown looks
-
 /// What that one with its leaves, which are grown, looks like. `crown`: leaves of all twigs, or some, evenly chosen (OrganDemand::max).
 /// About a tenth of a second.
 std::shared_ptr<const Twig> twigAt(const TwigPlace& place, const StemSet& twigs, const CTree& tree, const COrgans& leaves,

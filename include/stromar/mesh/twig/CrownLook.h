@@ -1,0 +1,52 @@
+#pragma once
+#include "stromar/mesh/Mesh.h"
+#include "stromar/mesh/MeshParams.h"
+#include "stromar/mesh/OrganMesh.h"
+#include "stromar/tree/Tree.h"
+#include "stromar/util/Progress.h"
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <glm/vec2.hpp>
+#include <memory>
+#include <utility>
+#include <vector>
+
+namespace stromar {
+
+/// What is seen of a crown without its wood: the mean over four sides, with the sun at 51°, as the viewport has it at ten o'clock.
+struct CrownLook {
+    double covered = 0; ///< share of the pictures
+    double sun = 0;     ///< cosine between the normal of what is seen and the sun where it shines, else 0
+    double through = 0; ///< likewise where it shines on the other side
+    double sky = 0;     ///< how much it faces the sky: 0 downwards, 1 upwards
+    double backs = 0;   ///< share that are the under sides of leaves
+};
+
+/// Where a leaf's picture is not cut out. Without one all of it is there.
+class CLeafMask {
+public:
+    static constexpr int kSide = 128;
+
+    CLeafMask() = default;
+    /// Rows from below.
+    explicit CLeafMask(std::vector<bool> cells) : m_cells(std::move(cells)) {}
+    bool covers(const glm::vec2& texCoord) const {
+        if (m_cells.empty()) return true;
+        const auto cell = [](float v) { return static_cast<std::size_t>(std::clamp(static_cast<int>((v - std::floor(v)) * kSide), 0, kSide - 1)); };
+        return m_cells[cell(texCoord.y) * kSide + cell(texCoord.x)];
+    }
+
+private:
+    std::vector<bool> m_cells;
+};
+using LeafMasks = std::array<CLeafMask, kLeafKinds>;
+
+constexpr double kMeasuredLeaves = 250'000; ///< are enough to see how a crown looks
+
+/// Thinned leaves, by kind, in the size in which they cover as much as all leaves of the same stems do (`all`): larger ones hang over the edges of
+/// what smaller ones fill. Some tenths of a second; of more than kMeasuredLeaves it is not worth it: they come back as they are.
+OrganMeshes fittingLeaves(const OrganMeshes& thinned, const std::shared_ptr<const COrgans>& all, const CTree& tree, const LeafMasks& masks,
+                          const MeshParams& params, const CProgress& progress);
+
+} // namespace stromar
