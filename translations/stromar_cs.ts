@@ -3971,6 +3971,50 @@
         <source>the roughness maps lie beside the file</source>
         <translation>mapy drsnosti leží vedle souboru</translation>
     </message>
+    <message>
+        <source>frames of a motion have no impostor; choose one tree or none</source>
+        <translation>snímky pohybu nemají impostor; zvolte jeden strom nebo žádný</translation>
+    </message>
+    <message>
+        <source>Cross of billboards</source>
+        <translation>Křížené billboardy</translation>
+    </message>
+    <message>
+        <source>Views from above the horizon (hemi-octahedral)</source>
+        <translation>Pohledy nad obzorem (hemioktaedr)</translation>
+    </message>
+    <message>
+        <source>Views from all sides (octahedral)</source>
+        <translation>Pohledy ze všech stran (oktaedr)</translation>
+    </message>
+    <message>
+        <source>Impostor</source>
+        <translation>Impostor</translation>
+    </message>
+    <message>
+        <source>What stands for the tree when it is far: two crossed billboards as the last level of detail, or 8 × 8 views in an atlas beside the model (albedo, normal, depth), for a shader that shows the nearest.</source>
+        <translation>Co zastupuje strom v dálce: dva křížené billboardy jako poslední úroveň detailů, nebo 8 × 8 pohledů v atlasu vedle modelu (barva, normály, hloubka) pro shader, který ukáže ty nejbližší.</translation>
+    </message>
+    <message>
+        <source>one solid has no impostor</source>
+        <translation>jediné těleso nemá impostor</translation>
+    </message>
+    <message>
+        <source>crossed billboards are the last level of detail; choose all levels of detail</source>
+        <translation>křížené billboardy jsou poslední úrovní detailů; zvolte všechny úrovně detailů</translation>
+    </message>
+    <message>
+        <source>%1 holds no textures, so no billboards</source>
+        <translation>%1 nenese textury, tedy ani billboardy</translation>
+    </message>
+    <message>
+        <source>a row of trees has no impostor; choose one tree or none</source>
+        <translation>řada stromů nemá impostor; zvolte jeden strom nebo žádný</translation>
+    </message>
+    <message>
+        <source>an impostor can be made of PNG textures only, not of %1</source>
+        <translation>impostor lze vytvořit jen z textur PNG, ne z %1</translation>
+    </message>
 </context>
 <context>
     <name>stromar::CComparison</name>

@@ -3971,6 +3971,50 @@
         <source>the roughness maps lie beside the file</source>
         <translation>карты шероховатости лежат рядом с файлом</translation>
     </message>
+    <message>
+        <source>frames of a motion have no impostor; choose one tree or none</source>
+        <translation>у кадров движения нет импостера; выберите одно дерево или без импостера</translation>
+    </message>
+    <message>
+        <source>Cross of billboards</source>
+        <translation>Крест из билбордов</translation>
+    </message>
+    <message>
+        <source>Views from above the horizon (hemi-octahedral)</source>
+        <translation>Виды сверху до горизонта (полуоктаэдр)</translation>
+    </message>
+    <message>
+        <source>Views from all sides (octahedral)</source>
+        <translation>Виды со всех сторон (октаэдр)</translation>
+    </message>
+    <message>
+        <source>Impostor</source>
+        <translation>Импостер</translation>
+    </message>
+    <message>
+        <source>What stands for the tree when it is far: two crossed billboards as the last level of detail, or 8 × 8 views in an atlas beside the model (albedo, normal, depth), for a shader that shows the nearest.</source>
+        <translation>Что заменяет дерево вдали: два скрещённых билборда как последний уровень детализации или 8 × 8 видов в атласе рядом с моделью (цвет, нормали, глубина) для шейдера, который показывает ближайшие.</translation>
+    </message>
+    <message>
+        <source>one solid has no impostor</source>
+        <translation>у единого тела нет импостера</translation>
+    </message>
+    <message>
+        <source>crossed billboards are the last level of detail; choose all levels of detail</source>
+        <translation>скрещённые билборды — последний уровень детализации; выберите все уровни детализации</translation>
+    </message>
+    <message>
+        <source>%1 holds no textures, so no billboards</source>
+        <translation>%1 не содержит текстур, а значит и билбордов</translation>
+    </message>
+    <message>
+        <source>a row of trees has no impostor; choose one tree or none</source>
+        <translation>у ряда деревьев нет импостера; выберите одно дерево или без импостера</translation>
+    </message>
+    <message>
+        <source>an impostor can be made of PNG textures only, not of %1</source>
+        <translation>импостер можно сделать только из текстур PNG, не из %1</translation>
+    </message>
 </context>
 <context>
     <name>stromar::CComparison</name>

@@ -3971,6 +3971,50 @@
         <source>the roughness maps lie beside the file</source>
         <translation>mape hrapavosti ležijo ob datoteki</translation>
     </message>
+    <message>
+        <source>frames of a motion have no impostor; choose one tree or none</source>
+        <translation>sličice gibanja nimajo impostorja; izberite eno drevo ali nobenega</translation>
+    </message>
+    <message>
+        <source>Cross of billboards</source>
+        <translation>Križ panojev</translation>
+    </message>
+    <message>
+        <source>Views from above the horizon (hemi-octahedral)</source>
+        <translation>Pogledi nad obzorjem (hemioktaeder)</translation>
+    </message>
+    <message>
+        <source>Views from all sides (octahedral)</source>
+        <translation>Pogledi z vseh strani (oktaeder)</translation>
+    </message>
+    <message>
+        <source>Impostor</source>
+        <translation>Impostor</translation>
+    </message>
+    <message>
+        <source>What stands for the tree when it is far: two crossed billboards as the last level of detail, or 8 × 8 views in an atlas beside the model (albedo, normal, depth), for a shader that shows the nearest.</source>
+        <translation>Kar nadomesti drevo v daljavi: dva prekrižana panoja kot zadnja raven podrobnosti ali 8 × 8 pogledov v atlasu ob modelu (barva, normale, globina) za senčilnik, ki pokaže najbližje.</translation>
+    </message>
+    <message>
+        <source>one solid has no impostor</source>
+        <translation>eno samo telo nima impostorja</translation>
+    </message>
+    <message>
+        <source>crossed billboards are the last level of detail; choose all levels of detail</source>
+        <translation>prekrižana panoja sta zadnja raven podrobnosti; izberite vse ravni podrobnosti</translation>
+    </message>
+    <message>
+        <source>%1 holds no textures, so no billboards</source>
+        <translation>%1 ne nosi tekstur, torej tudi panojev ne</translation>
+    </message>
+    <message>
+        <source>a row of trees has no impostor; choose one tree or none</source>
+        <translation>vrsta dreves nima impostorja; izberite eno drevo ali nobenega</translation>
+    </message>
+    <message>
+        <source>an impostor can be made of PNG textures only, not of %1</source>
+        <translation>impostor je mogoče narediti le iz tekstur PNG, ne iz %1</translation>
+    </message>
 </context>
 <context>
     <name>stromar::CComparison</name>

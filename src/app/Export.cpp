@@ -3,6 +3,7 @@
 #include "ExportParts.h"
 #include "Merge.h"
 #include "VertexColours.h"
+#include "impostor/ImpostorExport.h"
 #include "wind/WindExport.h"
 #include "stromar/app/Formats.h"
 #include "stromar/params/ParamTable.h"
@@ -35,49 +36,104 @@ struct Pose {
     }
 };
 
+/// Writes a pose: all files together, or none.
+class CPoseWriter {
+public:
+    CPoseWriter(const Pose& pose, const ExportOptions& options, const fs::path& treeFolder, const Output& to, const CProgress& progress, const Motion& motion)
+        : m_pose(pose), m_options(options), m_treeFolder(treeFolder), m_to(to), m_progress(progress), m_motion(motion), m_format(*formatOf(to.path)),
+          m_arrangement(arrangementFor(options, m_format)), m_files(progress, static_cast<std::uint64_t>(bytesPerVertex(options, m_format) * double(pose.vertexCount()))) {}
+
+    void write() {
+        if (coarsest().age > 0 && std::ranges::any_of(m_pose.meshes, &Meshes::empty))
+            throw CError(translated(NC_("stromar", "the tree is empty, there is nothing to export")));
+        makePictures(coarsest(), m_treeFolder, m_progress);
+        findMaterials();
+        m_impostor = impostorOf(*m_pose.lods.front(), m_pose.meshes.front(), m_options, m_format, m_treeFolder, m_to, m_files, m_progress);
+        if (m_options.lods == static_cast<int>(ExportedLods::FileEach))
+            writeFileEach();
+        else
+            writeInOne();
+        if (!m_pose.sways.empty())
+            addWindPictures(*m_pose.sways.front(), m_options, m_arrangement, m_to.path.parent_path() / plainName(m_to.path), m_files);
+        m_files.commit();
+    }
+
+private:
+    /// Only coarse ones have pictures of twigs, all the same.
+    const TreeModel& coarsest() const { return *m_pose.lods.back(); }
+
+    void findMaterials() {
+        const std::vector<Surface> shown = shownSurfaces(coarsest(), m_pose.meshes, m_to.isFrame);
+        m_atlas = atlasFor(coarsest(), shown, m_options, m_treeFolder, m_progress);
+        for (const Surface surface : shown)
+            m_materials.push_back(m_atlas && surfaceOf(surface).cutOut
+                                      ? plainMaterial(surface)
+                                      : materialOf({surface, textureOf(coarsest(), surface, m_treeFolder)}, surfaceOf(surface).name, m_options, m_format, m_to, m_files));
+        if (m_atlas) m_foliage = materialOf({Surface::Leaf, m_atlas->file()}, CAtlas::kName, m_options, m_format, m_to, m_files);
+    }
+
+    void writeFileEach() {
+        for (std::size_t i = 0; i < m_pose.lods.size(); ++i) write(modelOf(nameOfLevel(i), i, 1), i);
+        if (m_impostor) write({nameOfLevel(m_pose.lods.size()), {m_impostor->mesh}, {}, {m_impostor->look}}, m_pose.lods.size());
+    }
+    static std::string suffixOf(std::size_t lod) { return "_LOD" + std::to_string(lod); }
+    std::string nameOfLevel(std::size_t lod) const { return plainName(m_to.path) + suffixOf(lod); }
+    void write(ExportModel model, std::size_t lod) {
+        if (lod == 0) addCollisionTo(model);
+        m_format.write(model, withSuffix(m_to.path, suffixOf(lod)), m_files);
+    }
+
+    void writeInOne() {
+        ExportModel model = modelOf(plainName(m_to.path), 0, m_pose.lods.size());
+        if (m_impostor) {
+            model.coarser.push_back({m_impostor->mesh});
+            model.coarserChannels.resize(model.coarser.size());
+            model.coarserChannels.back().resize(1);
+            model.materials.push_back(m_impostor->look);
+        }
+        addCollisionTo(model);
+        m_format.write(model, m_to.path, m_files);
+    }
+
+    void addCollisionTo(ExportModel& model) { addCollision(model, *m_pose.lods.front()->tree, m_options, m_format, m_arrangement, m_to.path, m_files); }
+
+    /// So many levels of detail.
+    ExportModel modelOf(const std::string& name, std::size_t first, std::size_t count) const {
+        ExportModel model{name, arranged(m_pose.meshes[first], m_arrangement), {}, {}};
+        const std::vector<Meshes> own(m_pose.meshes.begin() + std::ptrdiff_t(first), m_pose.meshes.begin() + std::ptrdiff_t(first + count));
+        std::ranges::copy_if(m_materials, std::back_inserter(model.materials),
+                             [&](const Material& material) { return needsMaterial(coarsest(), own, material.surface); });
+        for (std::size_t i = first + 1; i < first + count; ++i) model.coarser.push_back(arranged(m_pose.meshes[i], m_arrangement));
+        const std::span lods(m_pose.lods);
+        if (!m_pose.sways.empty()) addWind(model, std::span(m_pose.sways).subspan(first, count), m_options, m_motion, m_arrangement);
+        if (m_format.channels != Channels::None) addColours(model, isSolid(m_options) ? lods.first(0) : lods.subspan(first, count), m_options);
+        if (isTwoSided(m_options, m_format)) addBacks(model, m_arrangement.scale);
+        if (m_options.instances != static_cast<int>(ExportedInstances::None) && !isSolid(m_options)) addInstances(model, *m_pose.lods[first], m_arrangement);
+        if (m_atlas) m_atlas->replaceIn(model, *m_foliage);
+        if (m_options.objects == static_cast<int>(ExportedObjects::Materials)) mergeByMaterial(model);
+        model.compression = static_cast<ExportedCompression>(m_options.compression);
+        model.leafLight = m_options.leafLight == static_cast<int>(ExportedLeafLight::Transmission);
+        return model;
+    }
+
+    const Pose& m_pose;
+    const ExportOptions& m_options;
+    const fs::path& m_treeFolder;
+    const Output& m_to;
+    const CProgress& m_progress;
+    const Motion& m_motion;
+    const Format& m_format;
+    Arrangement m_arrangement;
+    CFileSet m_files;
+    std::vector<Material> m_materials;
+    std::optional<CAtlas> m_atlas;
+    std::optional<Material> m_foliage;
+    std::optional<ImpostorLevel> m_impostor;
+};
+
 void writePose(const Pose& pose, const ExportOptions& options, const fs::path& treeFolder, const Output& to,
                const CProgress& progress, const Motion& motion = {}) {
-    const Format& format = *formatOf(to.path);
-    const TreeModel& coarsest = *pose.lods.back(); // only coarse ones have pictures of twigs, all the same
-    if (coarsest.age > 0 && std::ranges::any_of(pose.meshes, &Meshes::empty))
-        throw CError(translated(NC_("stromar", "the tree is empty, there is nothing to export")));
-    makePictures(coarsest, treeFolder, progress);
-    CFileSet files(progress, static_cast<std::uint64_t>(bytesPerVertex(options, format) * double(pose.vertexCount())));
-    const std::vector<Surface> shown = shownSurfaces(coarsest, pose.meshes, to.isFrame);
-    const std::optional<CAtlas> atlas = atlasFor(coarsest, shown, options, treeFolder, progress);
-    std::vector<Material> materials;
-    for (const Surface surface : shown)
-        materials.push_back(atlas && surfaceOf(surface).cutOut
-                                ? plainMaterial(surface)
-                                : materialOf({surface, textureOf(coarsest, surface, treeFolder)}, surfaceOf(surface).name, options, format, to, files));
-    std::optional<Material> foliage;
-    if (atlas) foliage = materialOf({Surface::Leaf, atlas->file()}, CAtlas::kName, options, format, to, files);
-    const Arrangement arrangement = arrangementFor(options, format);
-    const bool instances = options.instances != static_cast<int>(ExportedInstances::None) && !isSolid(options);
-    const auto write = [&](const std::string& suffix, std::size_t first, std::size_t count) {
-        ExportModel model{plainName(to.path) + suffix, arranged(pose.meshes[first], arrangement), {}, {}};
-        const std::vector<Meshes> own(pose.meshes.begin() + std::ptrdiff_t(first), pose.meshes.begin() + std::ptrdiff_t(first + count));
-        std::ranges::copy_if(materials, std::back_inserter(model.materials),
-                             [&](const Material& material) { return needsMaterial(coarsest, own, material.surface); });
-        for (std::size_t i = first + 1; i < first + count; ++i) model.coarser.push_back(arranged(pose.meshes[i], arrangement));
-        if (!pose.sways.empty()) addWind(model, std::span(pose.sways).subspan(first, count), options, motion, arrangement);
-        if (format.channels != Channels::None) addColours(model, isSolid(options) ? std::span<const std::shared_ptr<const TreeModel>>() : std::span(pose.lods).subspan(first, count), options);
-        if (isTwoSided(options, format)) addBacks(model, arrangement.scale);
-        if (instances) addInstances(model, *pose.lods[first], arrangement);
-        if (atlas) atlas->replaceIn(model, *foliage);
-        if (options.objects == static_cast<int>(ExportedObjects::Materials)) mergeByMaterial(model);
-        model.compression = static_cast<ExportedCompression>(options.compression);
-        model.leafLight = options.leafLight == static_cast<int>(ExportedLeafLight::Transmission);
-        if (first == 0) addCollision(model, *pose.lods.front()->tree, options, format, arrangement, to.path, files);
-        format.write(model, withSuffix(to.path, suffix), files);
-    };
-    if (options.lods == static_cast<int>(ExportedLods::FileEach))
-        for (std::size_t i = 0; i < pose.lods.size(); ++i) write("_LOD" + std::to_string(i), i, 1);
-    else
-        write("", 0, pose.lods.size());
-    if (!pose.sways.empty())
-        addWindPictures(*pose.sways.front(), options, arrangement, to.path.parent_path() / plainName(to.path), files);
-    files.commit();
+    CPoseWriter(pose, options, treeFolder, to, progress, motion).write();
 }
 
 std::vector<std::shared_ptr<const TreeModel>> makeLods(CTreeCreator& creator, const CParams& params, const ExportOptions& options,
@@ -195,6 +251,8 @@ void exportFrames(const CParams& params, const ExportOptions& options, const Mot
     const auto hasCards = [](const Detail* detail) { return detail->twigPlanes > 0; };
     if (motion.frames > 0 && !motion.sways() && options.atlas != static_cast<int>(ExportedAtlas::None) && std::ranges::any_of(detailsOf(options), hasCards))
         throw CError(translated(NC_("stromar", "cards of a growing tree show another twig in every frame; choose no atlas, or level of detail 0 or 1")));
+    if (motion.frames > 0 && options.impostor != static_cast<int>(ExportedImpostor::None))
+        throw CError(translated(NC_("stromar", "frames of a motion have no impostor; choose one tree or none")));
     for (const Detail* detail : detailsOf(options)) refuseTooLarge(params, *detail, limits, progress);
     CPoseMaker maker(params, options, motion, varied, limits, treeFolder);
     maker.prepare(age, progress);

@@ -52,6 +52,8 @@ constexpr string_view kObjects[] = {"levels", "materials"};
 constexpr string_view kObjectsNames[] = {N_("By branch level"), N_("By material")};
 constexpr string_view kAtlases[] = {"none", "leaves"};
 constexpr string_view kAtlasNames[] = {N_("No"), N_("Leaves, blossoms and twigs")};
+constexpr string_view kImpostors[] = {"none", "cross", "hemi-octahedral", "octahedral"};
+constexpr string_view kImpostorNames[] = {N_("No"), N_("Cross of billboards"), N_("Views from above the horizon (hemi-octahedral)"), N_("Views from all sides (octahedral)")};
 constexpr int kMaxBones = 256, kMaxTexture = 8192;
 
 constexpr ExportChoice kChoices[] = {
@@ -72,6 +74,13 @@ constexpr ExportChoice kChoices[] = {
      .words = kLods,
      .names = kLodNames,
      .field = &ExportOptions::lods},
+    {.key = "impostor",
+     .label = N_("Impostor"),
+     .help = N_("What stands for the tree when it is far: two crossed billboards as the last level of detail, or 8 × 8 views in an atlas "
+                "beside the model (albedo, normal, depth), for a shader that shows the nearest."),
+     .words = kImpostors,
+     .names = kImpostorNames,
+     .field = &ExportOptions::impostor},
     {.key = "scale",
      .label = N_("Scale"),
      .help = N_("The model's metres are multiplied by this: 100 writes centimetres."),
@@ -285,10 +294,22 @@ string_view adviceOn(const ExportOptions& options, const Format& format) {
     return {};
 }
 
+namespace {
 /// Pictures that the export would have to change, or to add.
 bool changesPictures(const ExportOptions& options) {
     return options.textureSize > 0 || options.textureFormat != 0 || options.normalMaps != 0 || options.packedMaps != 0 || options.atlas != 0;
 }
+
+string_view impostorConflict(const ExportOptions& options, const Format& format) {
+    const auto impostor = static_cast<ExportedImpostor>(options.impostor);
+    if (impostor == ExportedImpostor::None) return {};
+    if (isSolid(options)) return N_("one solid has no impostor");
+    if (impostor != ExportedImpostor::Cross) return {};
+    if (options.lods == static_cast<int>(ExportedLods::None)) return N_("crossed billboards are the last level of detail; choose all levels of detail");
+    if (format.pictures == Pictures::None) return N_("%1 holds no textures, so no billboards");
+    return {};
+}
+} // namespace
 
 string_view conflictOf(const ExportOptions& options, const Format& format) {
     const auto lods = static_cast<ExportedLods>(options.lods);
@@ -325,6 +346,7 @@ string_view conflictOf(const ExportOptions& options, const Format& format) {
         if (moves) return N_("leaves that move in the wind cannot be instances");
         if (lods == ExportedLods::InOneFile) return N_("instances belong to one level of detail; choose a file for each");
     }
+    if (const std::string_view conflict = impostorConflict(options, format); !conflict.empty()) return conflict;
     if (options.atlas != static_cast<int>(ExportedAtlas::None) && format.pictures == Pictures::None) return N_("%1 holds no textures, so no atlas");
     if (options.collision != static_cast<int>(ExportedCollision::None)) {
         if (!format.objects) return N_("%1 has no objects whose names an engine looks for; choose glTF or FBX");

@@ -151,6 +151,8 @@ std::string_view rowConflictOf(const ExportOptions& options, const Format& forma
         return NC_("stromar", "a row of trees stands still; choose one tree or no wind");
     if (options.collision != static_cast<int>(ExportedCollision::None))
         return NC_("stromar", "a row of trees has no collision; choose one tree or none");
+    if (options.impostor != static_cast<int>(ExportedImpostor::None))
+        return NC_("stromar", "a row of trees has no impostor; choose one tree or none");
     return {};
 }
 

@@ -1,5 +1,6 @@
 #include "TwigPicture.h"
 #include "stromar/texture/Opacity.h"
+#include "stromar/texture/Srgb.h"
 #include "stromar/util/Rasterise.h"
 #include "stromar/util/Random.h"
 #include "stromar/util/Text.h"
@@ -30,12 +31,10 @@ glm::vec4 colour(const std::array<std::uint8_t, N>& c) {
     return glm::vec4(c[0], c[1], c[2], N > 3 ? c[N - 1] : 255) / 255.0f;
 }
 
-/// sRGB to light and back.
+/// sRGB to light.
 glm::vec4 linear(const glm::vec4& c) {
-    const auto one = [](float v) { return v <= 0.04045f ? v / 12.92f : std::pow((v + 0.055f) / 1.055f, 2.4f); };
-    return {one(c.x), one(c.y), one(c.z), c.w};
+    return {linearOf(c.x), linearOf(c.y), linearOf(c.z), c.w};
 }
-float encoded(float v) { return v <= 0.0031308f ? 12.92f * v : 1.055f * std::pow(v, 1 / 2.4f) - 0.055f; }
 
 /// Of the leaf's picture at a place of it, v up.
 class CLeafLook {
@@ -166,8 +165,6 @@ private:
     std::vector<Sample> m_samples; ///< rows from below
 };
 
-std::uint8_t byteOf(float value) { return static_cast<std::uint8_t>(std::clamp(value * 255 + 0.5f, 0.0f, 255.0f)); }
-
 TextureMaps CTwigCamera::picture() const {
     TextureMaps maps;
     maps.width = maps.height = kSize;
@@ -233,7 +230,7 @@ public:
         for (auto* pixels : {&maps.albedo, &maps.back})
             for (auto& pixel : *pixels) {
                 const glm::vec4 light = linear(colour(pixel));
-                for (int c = 0; c < 3; ++c) pixel[static_cast<std::size_t>(c)] = static_cast<std::uint8_t>(std::clamp(encoded(light[c] * float(share[c])) * 255 + 0.5f, 0.0f, 255.0f));
+                for (int c = 0; c < 3; ++c) pixel[static_cast<std::size_t>(c)] = byteOf(encodedOf(light[c] * float(share[c])));
             }
     }
 

@@ -217,7 +217,7 @@ private:
                 property("ThresholdsUsedAsPercentage", "bool", "", "", 1);
                 for (std::size_t lod = 0; lod < m_model.coarser.size(); ++lod)
                     property(("Thresholds|Level" + std::to_string(lod)).c_str(), "Distance", "", "",
-                             100 * kScreenCoverage[std::min(lod, kScreenCoverage.size() - 1)], "cm");
+                             100 * screenCoverage(lod, m_model.coarser.size() + 1), "cm");
             });
         });
     }

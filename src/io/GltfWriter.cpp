@@ -292,10 +292,10 @@ private:
             const bool carries = !m_source.channels.empty();
             const Meshes& parts = lod == 0 ? m_source.meshes : m_source.coarser[lod - 1];
             const int mesh = addMesh(name, parts, lod == 0 || !carries ? m_source.channels : m_source.coarserChannels[lod - 1]);
-            const int node = addNode(name, mesh, parts);
+            const int node = addNode(name, mesh, parts, parts.front()->surface != Surface::Impostor);
             if (lod == 0) first = node;
             if (lod > 0) ids.emplace_back(node);
-            coverage.emplace_back(kScreenCoverage[std::min(lod, kScreenCoverage.size() - 1)]);
+            coverage.emplace_back(screenCoverage(lod, count));
         }
         tinygltf::Node& finest = m_gltf.nodes[static_cast<std::size_t>(first)];
         finest.extensions["MSFT_lod"] = tinygltf::Value(tinygltf::Value::Object{{"ids", tinygltf::Value(ids)}});
@@ -304,7 +304,7 @@ private:
         m_gltf.scenes[0].nodes.push_back(first);
     }
 
-    int addNode(const std::string& name, int mesh, const Meshes& parts) {
+    int addNode(const std::string& name, int mesh, const Meshes& parts, bool skinned = true) {
         tinygltf::Node node;
         node.name = name;
         node.mesh = mesh;
@@ -313,7 +313,7 @@ private:
             node.translation = {box.low.x, box.low.y, box.low.z};
             node.scale = {box.step, box.step, box.step};
         }
-        if (!m_gltf.skins.empty()) node.skin = 0;
+        if (!m_gltf.skins.empty() && skinned) node.skin = 0;
         m_gltf.nodes.push_back(node);
         return static_cast<int>(m_gltf.nodes.size()) - 1;
     }

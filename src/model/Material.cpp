@@ -40,6 +40,7 @@ constexpr SurfaceInfo kSurfaceTable[] = {
     leafOfKind<&T::leaf2Texture, 0>("leaf_2"),
     leafOfKind<&T::leaf3Texture, 1>("leaf_3"),
     leafOfKind<&T::leaf4Texture, 2>("leaf_4"),
+    {"impostor", kLeafColour, true, nullptr, "", nullptr},
 };
 static_assert(std::size(kSurfaceTable) == kSurfaces.size());
 } // namespace

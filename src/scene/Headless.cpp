@@ -81,6 +81,8 @@ private:
 };
 
 namespace {
+constexpr const char* kTooLarge = "the graphics card cannot draw a picture of this size";
+
 /// Colour and depth of one size. The context is current.
 class CFrameBuffer {
 public:
@@ -174,11 +176,19 @@ Pixels CHeadlessPainter::paint(const CCamera& camera, int width, int height) {
     return pixels;
 }
 
+void CHeadlessPainter::drawAll(std::span<const CCamera> cameras, int width, int height) {
+    m_context->makeCurrent();
+    const CFrameBuffer drawn(m_renderer.extensions(), width, height, m_samples);
+    if (!drawn.complete()) throw CError(kTooLarge);
+    for (const CCamera& camera : cameras) m_renderer.draw(drawn.id(), width, height, camera);
+    glFinish();
+}
+
 void CHeadlessPainter::paintPass(const CCamera& camera, const ViewPass& pass, int width, int height, Pixels& pixels) {
     m_context->makeCurrent();
     const osg::GLExtensions& gl = m_renderer.extensions();
     const CFrameBuffer drawn(gl, width, height, m_samples), flat(gl, width, height, 1);
-    if (!drawn.complete() || !flat.complete()) throw CError("the graphics card cannot draw a picture of this size");
+    if (!drawn.complete() || !flat.complete()) throw CError(kTooLarge);
     m_renderer.draw(drawn.id(), width, height, camera, pass);
     gl.glBindFramebuffer(GL_READ_FRAMEBUFFER_EXT, drawn.id());
     gl.glBindFramebuffer(GL_DRAW_FRAMEBUFFER_EXT, flat.id());

@@ -65,7 +65,7 @@ osg::ref_ptr<osg::Node> makeNode(const ExportModel& model) {
     root->setRangeMode(osg::LOD::PIXEL_SIZE_ON_SCREEN);
     float high = FLT_MAX;
     for (std::size_t lod = 0; lod <= model.coarser.size(); ++lod) {
-        const float low = kScreen * static_cast<float>(kScreenCoverage[std::min(lod, kScreenCoverage.size() - 1)]);
+        const float low = kScreen * static_cast<float>(screenCoverage(lod, model.coarser.size() + 1));
         root->addChild(makeGroup(model, model.name + "_LOD" + std::to_string(lod),
                                  lod == 0 ? model.meshes : model.coarser[lod - 1], states),
                        low, high);

@@ -10,6 +10,10 @@
 #include "stromar/model/MeshValues.h"
 #include "stromar/model/ModelSway.h"
 #include "stromar/params/TreeFile.h"
+#ifdef STROMAR_WITH_OSG
+#include "stromar/app/Pictures.h"
+#include "stromar/scene/Headless.h"
+#endif
 #include <algorithm>
 #include <benchmark/benchmark.h>
 #include <cstdlib>
@@ -198,6 +202,40 @@ void addMotion(const std::vector<Preset>& presets) {
     }
 }
 
+#ifdef STROMAR_WITH_OSG
+/// A view that is turned, without a window: on the graphics card, where there is one. Shadows are kept, as the window keeps them.
+void turnView(State& state, const CParams& params, int width, int height) {
+    constexpr int kFrames = 30, kSamples = 4;
+    const CProgress progress;
+    const auto model = CTreeCreator().create(params, detailOf(Model::Full), progress);
+    makePictures(*model, {}, progress);
+    CViewScene scene;
+    const std::vector<ViewPart> parts = viewPartsOf(*model, {}, progress);
+    scene.show(parts);
+    for (const ViewPart& part : parts) scene.setSurface(part.surface, *readSurface(part.surface, textureOf(*model, part.surface, {}).string()));
+    CHeadlessPainter painter(scene, kSamples);
+    std::vector<CCamera> cameras(kFrames);
+    for (int i = 0; i < kFrames; ++i) {
+        cameras[static_cast<std::size_t>(i)].frame(scene.bounds(), double(width) / height);
+        cameras[static_cast<std::size_t>(i)].turn(360.0 * i / kFrames, 0);
+    }
+    painter.drawAll(std::span(cameras).first(1), width, height); // textures and meshes go to the card
+    for (auto _ : state) painter.drawAll(cameras, width, height);
+    state.counters["frames/s"] = perSecond(kFrames);
+}
+
+void addFrames(const std::vector<Preset>& presets) {
+    for (const Preset& preset : presets) {
+        if (preset.name != "weeping_willow" && preset.name != "quaking_aspen" && preset.name != "english_oak" && preset.name != "norway_spruce") continue;
+        for (const auto& [width, height] : {std::pair(800, 700), std::pair(1920, 1080), std::pair(3840, 2160)})
+            add("Frames/" + preset.name + "/" + std::to_string(width) + "x" + std::to_string(height),
+                [=, params = preset.params](State& state) { turnView(state, params, width, height); });
+    }
+}
+#else
+void addFrames(const std::vector<Preset>&) {}
+#endif
+
 void addExports(const CParams& params) {
     for (const Format& format : formatTable()) {
         const std::string ending(format.ending);
@@ -216,6 +254,7 @@ int main(int argc, char** argv) {
     if (const auto apple = std::ranges::find(presets, "apple", &Preset::name); apple != presets.end()) addExports(apple->params);
     addStrands(CParams(strandsBlock()));
     addMotion(presets);
+    addFrames(presets);
     for (const int threads : {1, 2}) add("Derive/" + std::to_string(threads), [=](State& state) { derive(state, threads); });
     benchmark::RunSpecifiedBenchmarks();
     benchmark::Shutdown();

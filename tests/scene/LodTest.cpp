@@ -1,5 +1,6 @@
 // What one sees when a program changes from one level of detail to the next: as much tree, in the same colours.
 #include "mesh/SampleTrees.h"
+#include "util/Lab.h"
 #include "stromar/app/Pictures.h"
 #include "stromar/app/TreeCreator.h"
 #include "stromar/model/ExportModel.h"
@@ -22,20 +23,6 @@ constexpr double kMaxColour = 3;        // ΔE, CIE76
 
 /// All of them take a quarter of an hour.
 bool allAreWanted() { return std::getenv("STROMAR_ALL_TREES") != nullptr; }
-
-double linear(std::uint8_t value) {
-    const double v = value / 255.0;
-    return v <= 0.04045 ? v / 12.92 : std::pow((v + 0.055) / 1.055, 2.4);
-}
-
-double curve(double t) { return t > 0.008856 ? std::cbrt(t) : 7.787 * t + 16.0 / 116; }
-
-/// CIE L*a*b* of linear sRGB, D65.
-glm::dvec3 labOf(const glm::dvec3& rgb) {
-    const double x = curve((0.4124 * rgb.x + 0.3576 * rgb.y + 0.1805 * rgb.z) / 0.95047), y = curve(0.2126 * rgb.x + 0.7152 * rgb.y + 0.0722 * rgb.z),
-                 z = curve((0.0193 * rgb.x + 0.1192 * rgb.y + 0.9505 * rgb.z) / 1.08883);
-    return {116 * y - 16, 500 * (x - y), 200 * (y - z)};
-}
 
 /// Of a tree on nothing.
 struct Seen {

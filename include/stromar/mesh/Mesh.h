@@ -12,10 +12,10 @@
 
 namespace stromar {
 
-enum class Surface { Bark, Leaf, Blossom, Fruit, Twig, Bark1, Bark2, Bark3, Leaf2, Leaf3, Leaf4 };
+enum class Surface { Bark, Leaf, Blossom, Fruit, Twig, Bark1, Bark2, Bark3, Leaf2, Leaf3, Leaf4, Impostor };
 inline constexpr std::array kSurfaces{Surface::Bark, Surface::Leaf,  Surface::Blossom, Surface::Fruit,
                                       Surface::Twig, Surface::Bark1, Surface::Bark2,   Surface::Bark3,
-                                      Surface::Leaf2, Surface::Leaf3, Surface::Leaf4};
+                                      Surface::Leaf2, Surface::Leaf3, Surface::Leaf4,  Surface::Impostor};
 /// Of stems, by generation; deeper ones have the last.
 inline constexpr std::array kBarks{Surface::Bark, Surface::Bark1, Surface::Bark2, Surface::Bark3};
 constexpr Surface barkOf(std::size_t generation) { return kBarks[generation < kBarks.size() ? generation : kBarks.size() - 1]; }

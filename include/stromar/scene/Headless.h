@@ -2,6 +2,7 @@
 #include "stromar/scene/SceneRenderer.h"
 #include "stromar/texture/Opacity.h"
 #include <memory>
+#include <span>
 
 namespace stromar {
 
@@ -16,6 +17,8 @@ public:
 
     /// Rows from the top; straight alpha. Throws CError when the graphics card has no room.
     Pixels paint(const CCamera& camera, int width, int height);
+    /// Draws what each camera sees, in one pass as a window does, and forgets it; returns when the card has done all. Throws likewise.
+    void drawAll(std::span<const CCamera> cameras, int width, int height);
 
 private:
     void paintPass(const CCamera& camera, const ViewPass& pass, int width, int height, Pixels& pixels);
