@@ -1,4 +1,4 @@
-#include "../VertexColours.h"
+#include "VertexColours.h"
 #include "stromar/app/Impostor.h"
 #include "stromar/app/Pictures.h"
 #include "stromar/model/Material.h"

@@ -1,4 +1,4 @@
-#include "../ContentHash.h"
+#include "ContentHash.h"
 #include "stromar/app/Impostor.h"
 #include "stromar/app/Pictures.h"
 #include "stromar/texture/TextureMaps.h"

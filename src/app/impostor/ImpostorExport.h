@@ -1,5 +1,5 @@
 #pragma once
-#include "../ExportParts.h"
+#include "ExportParts.h"
 #include <optional>
 
 namespace stromar {
