@@ -4,6 +4,7 @@
 #include "mesh/SampleTrees.h"
 #include "stromar/app/Methods.h"
 #include "stromar/model/JoinedModel.h"
+#include <algorithm>
 #include <cmath>
 #include <cstdlib>
 #include <gtest/gtest.h>
@@ -58,16 +59,35 @@ Built builtOf(const TreeModel& model) {
     return built;
 }
 
-/// Never more than predicted; `near` times as much is predicted at most.
-void expectWithin(const CParams& params, const Detail& detail, bool varied, const std::string& label,
+/// Never more than predicted; `near` times as much is predicted at most. A creator that is used for one tree's levels of detail
+/// grows it once. Gives the triangles.
+std::size_t expectWithin(CTreeCreator& creator, const CParams& params, const Detail& detail, const std::string& label,
                   double near = std::numeric_limits<double>::max()) {
     const Prediction size = predictSize(params, detail);
     const Built predicted{size.stems, size.segments, size.organs, size.vertices, size.bytes};
-    const Built built = builtOf(*CTreeCreator(varied, SizeLimits::none()).create(params, detail, CProgress(2)));
+    const auto model = creator.create(params, detail, CProgress(2));
+    const Built built = builtOf(*model);
     for (const auto& [name, field] : kFields) {
         EXPECT_LE(built.*field, predicted.*field * (1 + 1e-9)) << label << ": " << name;
         EXPECT_LE(predicted.*field / near, built.*field + 1) << label << ": " << name;
     }
+    return model->triangleCount();
+}
+
+/// What the last level of detail has of the triangles of the first, at most, unless it has no more than kFew: a twentieth, but where most are
+/// of leaves that stay as they are, or of the wood of many thin stems that nothing stands for.
+constexpr std::size_t kFew = 5000;
+constexpr double kUsualShare = 0.05;
+constexpr std::pair<const char*, double> kLargerShares[] = {
+    {"abop_2_7c", 0.13},   {"abop_2_7d", 0.12},    {"abop_2_8a", 0.10},     {"abop_2_8b", 0.19},    {"abop_2_8c", 0.14},    {"abop_2_8d", 0.09},
+    {"black_tupelo", 0.055}, {"fan_palm", 0.86},   {"flowering_dogwood", 0.08}, {"strand_acacia", 0.09}, {"strand_birch", 0.08}, {"strand_oak", 0.09},
+    {"strand_poplar", 0.11}, {"strand_spruce", 0.10}, {"strand_willow", 0.11}, {"strand_winter", 0.16}, {"weeping_beech", 0.09}, {"weeping_willow", 0.065},
+    {"winter_oak", 0.06}};
+
+void expectFewTriangles(const std::string& name, std::size_t finest, std::size_t coarsest) {
+    const auto own = std::ranges::find_if(kLargerShares, [&](const auto& larger) { return name == larger.first; });
+    const double share = own == std::end(kLargerShares) ? kUsualShare : own->second;
+    EXPECT_LE(coarsest, std::max(kFew, static_cast<std::size_t>(share * double(finest)))) << name << " of " << finest;
 }
 
 /// The numbers before " million vertices" in a refusal.
@@ -89,33 +109,41 @@ std::string refusal(const CParams& params, double limit) {
 }
 } // namespace
 
-TEST(SlowPrediction, BoundsThePresets) {
-    for (const Sample& sample : presets())
-        for (const int seed : {13, 1, 77, 4711})
-            for (const Detail& detail : detailTable()) {
-                CParams params = sample.params;
-                params.common.seed = seed;
-                if (detail.model == Model::Full && detail.lod < (seed == 77 ? 3 : seed == 4711 ? 1 : 0)) continue; // the largest: time
-                expectWithin(params, detail, true,
-                             sample.name + ", seed " + std::to_string(seed) + ", " + std::string(detail.name));
-            }
+/// How many times as much as is built may be predicted: how much of straight stems is left out nobody knows before.
+double nearFor(const Detail& detail) { return detail.share < 1 ? 6 : 5; }
+
+TEST(SlowPrediction, BoundsThePresetsAndIsNear) {
+    for (const Sample& sample : presets()) {
+        CTreeCreator creator(true, SizeLimits::none());
+        std::size_t finest = 0, last = 0;
+        for (const Detail& detail : detailTable()) {
+            last = expectWithin(creator, sample.params, detail, sample.name + ", " + std::string(detail.name), nearFor(detail));
+            finest = std::max(finest, last);
+        }
+        expectFewTriangles(sample.name, finest, last);
+    }
 }
 
-TEST(SlowPrediction, IsNearForThePresets) {
+TEST(SlowPrediction, BoundsThePresetsWithOtherSeeds) {
     for (const Sample& sample : presets())
-        for (const Detail& detail : detailTable())
-            expectWithin(sample.params, detail, true, sample.name + ", " + std::string(detail.name),
-                         detail.share < 1 ? 6 : 5); // how much of straight stems is left out nobody knows before
+        for (const auto& [seed, fromLod] : {std::pair{1, 1}, {77, 3}, {4711, 2}}) { // the largest take time
+            CTreeCreator creator(true, SizeLimits::none());
+            CParams params = sample.params;
+            params.common.seed = seed;
+            for (const Detail& detail : detailTable())
+                if (detail.model == Model::Simple || detail.lod >= fromLod)
+                    expectWithin(creator, params, detail, sample.name + ", seed " + std::to_string(seed) + ", " + std::string(detail.name));
+        }
 }
 
 TEST(SlowPrediction, BoundsRandomTrees) {
     int looked = 0;
     for (std::uint64_t number = 1000; number < 1220; ++number) {
         const CParams params = randomParams(number, kCaps);
+        CTreeCreator creator(number % 4 != 0, SizeLimits::none());
         for (const Detail& detail : detailTable()) {
             if (predictSize(params, detail).vertices > 1e6) continue; // time
-            expectWithin(params, detail, number % 4 != 0,
-                         "sample " + std::to_string(number) + ", " + std::string(detail.name));
+            expectWithin(creator, params, detail, "sample " + std::to_string(number) + ", " + std::string(detail.name));
             ++looked;
         }
     }
@@ -130,7 +158,8 @@ TEST(Prediction, BoundsDeepTrees) {
             weberPenn(params).levels = levels;
             const std::string label = "levels " + std::to_string(levels) + ", sample " + std::to_string(number);
             if (predictSize(params, detailOf(Model::Full)).vertices > 2e6) continue; // time
-            expectWithin(params, detailOf(Model::Full), true, label);
+            CTreeCreator creator(true, SizeLimits::none());
+            expectWithin(creator, params, detailOf(Model::Full), label);
             ++looked;
         }
     EXPECT_GE(looked, 10);
@@ -150,8 +179,9 @@ TEST(SlowPrediction, BoundsTrunksOfManySpheresSplitsAndTurns) {
                         weberPenn(params).level[0].curveRes = resolution;
                         weberPenn(params).level[0].taper = taper;
                         weberPenn(params).level[0].curveV = helix;
+                        CTreeCreator creator(true, SizeLimits::none());
                         for (const Detail& detail : detailTable())
-                            expectWithin(params, detail, true,
+                            expectWithin(creator, params, detail,
                                          "segments " + std::to_string(resolution) + ", taper " + std::to_string(taper) +
                                              ", curve " + std::to_string(helix) + ", splits " + std::to_string(splits) +
                                              ", ratio " + std::to_string(ratio) + ", " + std::string(detail.name));

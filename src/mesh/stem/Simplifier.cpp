@@ -30,7 +30,7 @@ CSimplifier::CSimplifier(const CTree& tree, int generation, const MeshParams& pa
     : m_detail(detail), m_generation(tree.generation(static_cast<std::size_t>(generation))),
       m_surface(tree, generation, params), m_smoother(m_surface), m_line(m_generation, m_surface),
       m_forkMaker(m_generation, m_surface), m_trial(m_generation, m_surface),
-      m_smooth(generation < detail.smoothGenerations) {
+      m_smooth(generation < detail.smoothGenerations), m_maxSag(detail.maxSag * tree.height()) {
     if (parents && detail.collarRings > 0)
         m_collars.emplace(tree.generation(static_cast<std::size_t>(generation - 1)), *parents);
 }
@@ -135,7 +135,7 @@ bool CSimplifier::addRings(const CStem& stem, const CPath& path, double start, T
         const Ring ring{segment, tube.points, place};
         if (alongOf(ring) > m_clear) addRing(stem, tube, discAt(stem, ring), needed, plan);
     };
-    double left = 0;
+    Bend left;
     for (std::uint32_t i = addFirstRings(stem, path, start, tube, plan); i < path.segmentCount; ++i) {
         const std::uint32_t segment = path.firstSegment + i;
         const bool forks = i > 0 && m_line.forksBelow(segment);
@@ -289,14 +289,16 @@ double CSimplifier::alongOf(const Ring& ring) const {
     return segment.start + ring.t * segment.length;
 }
 
-/// Whether a ring between segments changes too little to be drawn; `left` sums the turns since the last that is.
-bool CSimplifier::isLeftOut(const CStem& stem, std::uint32_t segment, double& left) const {
-    left += m_line.turnBelow(segment);
+/// Whether a ring between segments changes too little to be drawn.
+bool CSimplifier::isLeftOut(const CStem& stem, std::uint32_t segment, Bend& left) const {
     const CSegment& above = m_generation.segments[segment];
-    const bool needed = m_line.forksBelow(segment) || m_surface.uneven(stem) || above.helixRadius > 0 ||
-                        left >= turnOf(stem, m_detail.minTurn) ||
-                        left * above.length > 2 * above.radiusBase; // the chord would leave the wood
-    if (needed) left = 0;
+    left.turn += m_line.turnBelow(segment);
+    left.length += m_generation.segments[segment - 1].length;
+    const bool bends = left.turn >= turnOf(stem, m_detail.minTurn) ||
+                       left.turn * above.length > 2 * above.radiusBase; // the chord would leave the wood
+    const double sag = left.turn * (left.length + above.length) / 8; // of an arc
+    const bool needed = m_line.forksBelow(segment) || m_surface.uneven(stem) || above.helixRadius > m_maxSag || (bends && sag >= m_maxSag);
+    if (needed) left = {};
     return !needed;
 }
 

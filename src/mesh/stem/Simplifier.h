@@ -53,7 +53,11 @@ private:
     std::uint32_t addLimb(const CStem& stem, const ForkStart& start, Tube& tube, MeshPlan& plan);
     void addRing(const CStem& stem, const Tube& tube, const Disc& disc, bool needed, MeshPlan& plan);
     template <typename Add> void addBetween(const CStem& stem, std::uint32_t segment, Add&& add);
-    bool isLeftOut(const CStem& stem, std::uint32_t segment, double& left) const;
+    /// Since the last ring.
+    struct Bend {
+        double turn = 0, length = 0; ///< radians; metres
+    };
+    bool isLeftOut(const CStem& stem, std::uint32_t segment, Bend& left) const;
 
     void halvePoints(const CStem& stem, const Tube& tube, MeshPlan& plan) const;
     bool canHalve(const CStem& stem, std::uint32_t points, const Ring& ring) const;
@@ -87,6 +91,7 @@ private:
     CForkMaker m_forkMaker;
     CTubeTrial m_trial;
     bool m_smooth;
+    double m_maxSag; ///< metres
     std::optional<CCollarMaker> m_collars;
 
     // Of the stem and the tube that are being planned:

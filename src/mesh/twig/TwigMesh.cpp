@@ -29,14 +29,20 @@ struct CardPlan {
     std::size_t indicesOfCard() const { return std::size_t{planes} * rows * 6; }
 };
 
-CardPlan planCards(const std::vector<LeafyTwig>& twigs, const Twig& typical, const Detail& detail) {
+/// Of a card that follows its twig as closely as can be seen at this level of detail.
+double rowsFor(const Twig& typical, double maxSag) {
+    const double wanted = std::ceil(typical.bend / kBendPerRow), sag = typical.bend * typical.length / 8;
+    const double seen = maxSag > 0 ? std::ceil(std::sqrt(sag / maxSag)) : wanted;
+    return std::clamp(std::min(wanted, seen), 1.0, double(kMaxRows));
+}
+
+CardPlan planCards(const std::vector<LeafyTwig>& twigs, const Twig& typical, const Detail& detail, double treeHeight) {
     CardPlan plan{};
     const double budget = std::min(double(detail.leafBudget), std::ceil(leavesOn(twigs) * detail.share));
     const double perTwig = budget / std::max(1.0, double(twigs.size()));
     const double planes = typical.flat || perTwig < detail.twigPlanes ? 1 : detail.twigPlanes;
-    const double wanted = std::clamp(std::ceil(typical.bend / kBendPerRow), 1.0, double(kMaxRows));
     plan.planes = static_cast<std::uint32_t>(planes);
-    plan.rows = static_cast<std::uint32_t>(std::clamp(std::floor(perTwig / planes), 1.0, wanted));
+    plan.rows = static_cast<std::uint32_t>(std::clamp(std::floor(perTwig / planes), 1.0, rowsFor(typical, detail.maxSag * treeHeight)));
     const auto max = static_cast<std::size_t>(budget) / (plan.planes * plan.rows);
     const std::size_t count = std::min(twigs.size(), max);
     for (std::size_t i = 0; i < count; ++i) plan.twigs.push_back(twigs[evenly(i, count, twigs.size())]);
@@ -175,7 +181,7 @@ private:
 };
 CardPlan planCards(const StemSet& twigs, const CTree& tree, const COrgans& leaves, const Twig& typical,
                    const MeshParams& params, const Detail& detail) {
-    return planCards(leafyTwigs(twigs, tree, leaves, params.seasonOf(Organ::Leaf).share), typical, detail);
+    return planCards(leafyTwigs(twigs, tree, leaves, params.seasonOf(Organ::Leaf).share), typical, detail, tree.height());
 }
 } // namespace
 
@@ -204,7 +210,7 @@ public:
         m_frame = {glm::dvec3(box.min + box.max) / 2.0, glm::length(glm::dvec3(box.max - box.min)) / 2 + reach};
     }
 
-    CardPlan plan(const Detail& detail) const { return planCards(m_twigs, m_twig, detail); }
+    CardPlan plan(const Detail& detail) const { return planCards(m_twigs, m_twig, detail, m_tree.height()); }
     CrownLook lookOfLeaves(const std::shared_ptr<const COrgans>& leaves, const StemSet& twigs, const MeshParams& params) const {
         return crownLook(leafParts(leaves, &twigs, leavesOn(m_twigs), m_tree, params, m_twig.masks, detailOf(Model::Full, 1), m_progress), m_frame, m_progress);
     }
