@@ -45,7 +45,7 @@ std::string nameOf(std::uint64_t hash) { return nameOfHash(hash) + ".png"; }
 fs::path recipeFile(std::string_view recipe, int size) {
     std::uint64_t hash = hashCombine(kLookVersion, static_cast<std::uint64_t>(size));
     for (const char c : recipe) hash = hashCombine(hash, static_cast<unsigned char>(c));
-    return pictureCache() / "textures" / nameOf(hash);
+    return recipePictures() / nameOf(hash);
 }
 
 void keepPicture(const TextureMaps& maps, const fs::path& file) {
@@ -136,6 +136,8 @@ fs::path pictureCache() {
     if (const char* home = std::getenv("HOME"); home && *home) return fs::path(home) / ".cache" / "stromar";
     return fs::temp_directory_path() / "stromar-cache";
 }
+
+fs::path recipePictures() { return pictureCache() / "textures"; }
 
 std::uintmax_t pictureCacheSize() { return sizeOf(keptPictures()); }
 

@@ -4,6 +4,7 @@
 #include "stromar/app/Pictures.h"
 #include "stromar/texture/TextureMaps.h"
 #include "util/TemporaryFolder.h"
+#include <chrono>
 #include <cstdlib>
 #include <gtest/gtest.h>
 
@@ -101,6 +102,26 @@ TEST_F(TwigPicture, FollowsTheLeavesPicture) {
     ASSERT_NE(file(*after), file(*before));
     const Seen seen = seenOf(readPngs(file(*after)));
     EXPECT_LT(seen.green, 0.3 * seen.opaque);
+}
+
+/// Two processes may draw the same leaf at the same time.
+TEST_F(TwigPicture, StaysWhenARecipeIsDrawnAgain) {
+    const auto model = create(2);
+    makePictures(*model, m_folder.path(), CProgress());
+    const fs::path before = file(*model), leaf = textureOf(m_params, Surface::Leaf, m_folder.path());
+    fs::last_write_time(leaf, fs::last_write_time(leaf) + std::chrono::seconds(5));
+    EXPECT_EQ(file(*model), before);
+}
+
+TEST_F(TwigPicture, FollowsAPictureThatIsWrittenAnew) {
+    const fs::path leaf = m_folder.path() / "own.png";
+    makePictures(m_params, CProgress());
+    fs::copy_file(textureOf(m_params, Surface::Leaf, m_folder.path()), leaf);
+    m_params.text.leafTexture = "own.png";
+    const auto model = create(2);
+    const fs::path before = file(*model);
+    fs::last_write_time(leaf, fs::last_write_time(leaf) + std::chrono::seconds(5));
+    EXPECT_NE(file(*model), before);
 }
 
 TEST_F(TwigPicture, IsNotMadeOfPicturesThatCannotBeRead) {

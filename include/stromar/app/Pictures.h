@@ -13,6 +13,8 @@ std::filesystem::path dataFolder();
 
 /// The user's folder of pictures that were drawn, which can be drawn again: textures, twigs, thumbnails.
 std::filesystem::path pictureCache();
+/// The folder in it of what recipes draw, named by recipe and size.
+std::filesystem::path recipePictures();
 /// What they take, bytes.
 std::uintmax_t pictureCacheSize();
 /// Whether a picture of the cache is there; then it counts as used now.
