@@ -3076,8 +3076,8 @@
         <translation>obrázky, které zůstávají na místě, nelze změnit; zvolte kopie</translation>
     </message>
     <message>
-        <source>Of the full model: 0 is the finest, 1 to 3 have about 50, 12 and 7 % of its triangles.</source>
-        <translation>U plného modelu: 0 je nejjemnější, 1 až 3 mají asi 50, 12 a 7 % jeho trojúhelníků.</translation>
+        <source>Of the full model: 0 is the finest, 1 to 3 have about 50, 12 and 4 % of its triangles.</source>
+        <translation>U plného modelu: 0 je nejjemnější, 1 až 3 mají asi 50, 12 a 4 % jeho trojúhelníků.</translation>
     </message>
     <message>
         <source>Babylon.js shows one level of detail at a time, Blender and Godot all four on top of each other, others the finest alone: choose a file for each</source>
@@ -3908,10 +3908,6 @@
         <translation>%1 nemůže obsahovat instance; zvolte glTF nebo USD</translation>
     </message>
     <message>
-        <source>instances (PointInstancer) and levels of detail in one file (variants) are unverified: no program of the tests reads them</source>
-        <translation>instance (PointInstancer) a úrovně detailu v jednom souboru (varianty) jsou neověřené: žádný program z testů je nečte</translation>
-    </message>
-    <message>
         <source>only PNG textures can go into an atlas, not %1</source>
         <translation>do atlasu mohou jen textury PNG, ne %1</translation>
     </message>
@@ -4014,6 +4010,50 @@
     <message>
         <source>an impostor can be made of PNG textures only, not of %1</source>
         <translation>impostor lze vytvořit jen z textur PNG, ne z %1</translation>
+    </message>
+    <message>
+        <source>Without overlap, for light maps</source>
+        <translation>Bez překryvů, pro světelné mapy</translation>
+    </message>
+    <message>
+        <source>Second UV</source>
+        <translation>Druhé UV</translation>
+    </message>
+    <message>
+        <source>A second set of texture coordinates, in which no two triangles share a place: for light maps, in glTF and FBX files.</source>
+        <translation>Druhá sada souřadnic textury, v níž žádné dva trojúhelníky nesdílejí místo: pro světelné mapy, v souborech glTF a FBX.</translation>
+    </message>
+    <message>
+        <source>%1 holds one set of texture coordinates; choose glTF or FBX</source>
+        <translation>%1 obsahuje jednu sadu souřadnic textury; zvolte glTF nebo FBX</translation>
+    </message>
+    <message>
+        <source>one solid has no texture coordinates</source>
+        <translation>jedno těleso nemá souřadnice textury</translation>
+    </message>
+    <message>
+        <source>the second texture coordinates hold the wind already</source>
+        <translation>druhé souřadnice textury už obsahují vítr</translation>
+    </message>
+    <message>
+        <source>instances share their texture coordinates</source>
+        <translation>instance sdílejí souřadnice textury</translation>
+    </message>
+    <message>
+        <source>instances (PointInstancer), levels of detail in one file (variants) and time samples are for programs that are built on OpenUSD: three.js shows none of them</source>
+        <translation>instance (PointInstancer), úrovně detailů v jednom souboru (varianty) a časové vzorky jsou pro programy postavené na OpenUSD: three.js nezobrazuje nic z toho</translation>
+    </message>
+    <message>
+        <source>%1 holds no time samples; choose USD</source>
+        <translation>%1 neobsahuje časové vzorky; zvolte USD</translation>
+    </message>
+    <message>
+        <source>time samples belong to one level of detail; choose a file for each</source>
+        <translation>časové vzorky patří k jedné úrovni detailů; zvolte pro každou soubor</translation>
+    </message>
+    <message>
+        <source>cards of a growing tree show another twig in every frame; choose level of detail 0 or 1</source>
+        <translation>karty rostoucího stromu ukazují v každém snímku jinou větvičku; zvolte úroveň detailů 0 nebo 1</translation>
     </message>
 </context>
 <context>

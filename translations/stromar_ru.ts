@@ -3076,8 +3076,8 @@
         <translation>изображения, которые остаются на месте, изменить нельзя; выберите копии</translation>
     </message>
     <message>
-        <source>Of the full model: 0 is the finest, 1 to 3 have about 50, 12 and 7 % of its triangles.</source>
-        <translation>У полной модели: 0 — самый подробный, в 1–3 около 50, 12 и 7 % её треугольников.</translation>
+        <source>Of the full model: 0 is the finest, 1 to 3 have about 50, 12 and 4 % of its triangles.</source>
+        <translation>У полной модели: 0 — самый подробный, в 1–3 около 50, 12 и 4 % её треугольников.</translation>
     </message>
     <message>
         <source>Babylon.js shows one level of detail at a time, Blender and Godot all four on top of each other, others the finest alone: choose a file for each</source>
@@ -3908,10 +3908,6 @@
         <translation>%1 не может содержать экземпляры; выберите glTF или USD</translation>
     </message>
     <message>
-        <source>instances (PointInstancer) and levels of detail in one file (variants) are unverified: no program of the tests reads them</source>
-        <translation>экземпляры (PointInstancer) и уровни детализации в одном файле (варианты) не проверены: ни одна программа из тестов их не читает</translation>
-    </message>
-    <message>
         <source>only PNG textures can go into an atlas, not %1</source>
         <translation>в атлас входят только текстуры PNG, не %1</translation>
     </message>
@@ -4014,6 +4010,50 @@
     <message>
         <source>an impostor can be made of PNG textures only, not of %1</source>
         <translation>импостер можно сделать только из текстур PNG, не из %1</translation>
+    </message>
+    <message>
+        <source>Without overlap, for light maps</source>
+        <translation>Без наложений, для карт освещения</translation>
+    </message>
+    <message>
+        <source>Second UV</source>
+        <translation>Второй UV</translation>
+    </message>
+    <message>
+        <source>A second set of texture coordinates, in which no two triangles share a place: for light maps, in glTF and FBX files.</source>
+        <translation>Второй набор текстурных координат, в котором никакие два треугольника не занимают одно место: для карт освещения, в файлах glTF и FBX.</translation>
+    </message>
+    <message>
+        <source>%1 holds one set of texture coordinates; choose glTF or FBX</source>
+        <translation>%1 содержит один набор текстурных координат; выберите glTF или FBX</translation>
+    </message>
+    <message>
+        <source>one solid has no texture coordinates</source>
+        <translation>у одного тела нет текстурных координат</translation>
+    </message>
+    <message>
+        <source>the second texture coordinates hold the wind already</source>
+        <translation>вторые текстурные координаты уже заняты ветром</translation>
+    </message>
+    <message>
+        <source>instances share their texture coordinates</source>
+        <translation>экземпляры имеют общие текстурные координаты</translation>
+    </message>
+    <message>
+        <source>instances (PointInstancer), levels of detail in one file (variants) and time samples are for programs that are built on OpenUSD: three.js shows none of them</source>
+        <translation>экземпляры (PointInstancer), уровни детализации в одном файле (варианты) и временные выборки — для программ на основе OpenUSD: three.js ничего из этого не показывает</translation>
+    </message>
+    <message>
+        <source>%1 holds no time samples; choose USD</source>
+        <translation>%1 не содержит временных выборок; выберите USD</translation>
+    </message>
+    <message>
+        <source>time samples belong to one level of detail; choose a file for each</source>
+        <translation>временные выборки относятся к одному уровню детализации; выберите файл для каждого</translation>
+    </message>
+    <message>
+        <source>cards of a growing tree show another twig in every frame; choose level of detail 0 or 1</source>
+        <translation>карточки растущего дерева показывают в каждом кадре другую веточку; выберите уровень детализации 0 или 1</translation>
     </message>
 </context>
 <context>

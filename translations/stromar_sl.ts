@@ -3076,8 +3076,8 @@
         <translation>slik, ki ostanejo, kjer so, ni mogoče spremeniti; izberite kopije</translation>
     </message>
     <message>
-        <source>Of the full model: 0 is the finest, 1 to 3 have about 50, 12 and 7 % of its triangles.</source>
-        <translation>Pri polnem modelu: 0 je najfinejša, 1 do 3 imajo približno 50, 12 in 7 % njegovih trikotnikov.</translation>
+        <source>Of the full model: 0 is the finest, 1 to 3 have about 50, 12 and 4 % of its triangles.</source>
+        <translation>Pri polnem modelu: 0 je najfinejša, 1 do 3 imajo približno 50, 12 in 4 % njegovih trikotnikov.</translation>
     </message>
     <message>
         <source>Babylon.js shows one level of detail at a time, Blender and Godot all four on top of each other, others the finest alone: choose a file for each</source>
@@ -3908,10 +3908,6 @@
         <translation>%1 ne more vsebovati instanc; izberite glTF ali USD</translation>
     </message>
     <message>
-        <source>instances (PointInstancer) and levels of detail in one file (variants) are unverified: no program of the tests reads them</source>
-        <translation>instance (PointInstancer) in ravni podrobnosti v eni datoteki (različice) so nepreverjene: noben program v preizkusih jih ne bere</translation>
-    </message>
-    <message>
         <source>only PNG textures can go into an atlas, not %1</source>
         <translation>v atlas gredo le teksture PNG, ne %1</translation>
     </message>
@@ -4014,6 +4010,50 @@
     <message>
         <source>an impostor can be made of PNG textures only, not of %1</source>
         <translation>impostor je mogoče narediti le iz tekstur PNG, ne iz %1</translation>
+    </message>
+    <message>
+        <source>Without overlap, for light maps</source>
+        <translation>Brez prekrivanja, za svetlobne karte</translation>
+    </message>
+    <message>
+        <source>Second UV</source>
+        <translation>Drugi UV</translation>
+    </message>
+    <message>
+        <source>A second set of texture coordinates, in which no two triangles share a place: for light maps, in glTF and FBX files.</source>
+        <translation>Drugi nabor teksturnih koordinat, v katerem si nobena dva trikotnika ne delita mesta: za svetlobne karte, v datotekah glTF in FBX.</translation>
+    </message>
+    <message>
+        <source>%1 holds one set of texture coordinates; choose glTF or FBX</source>
+        <translation>%1 vsebuje en nabor teksturnih koordinat; izberite glTF ali FBX</translation>
+    </message>
+    <message>
+        <source>one solid has no texture coordinates</source>
+        <translation>eno telo nima teksturnih koordinat</translation>
+    </message>
+    <message>
+        <source>the second texture coordinates hold the wind already</source>
+        <translation>druge teksturne koordinate že vsebujejo veter</translation>
+    </message>
+    <message>
+        <source>instances share their texture coordinates</source>
+        <translation>primerki si delijo teksturne koordinate</translation>
+    </message>
+    <message>
+        <source>instances (PointInstancer), levels of detail in one file (variants) and time samples are for programs that are built on OpenUSD: three.js shows none of them</source>
+        <translation>primerki (PointInstancer), ravni podrobnosti v eni datoteki (variante) in časovni vzorci so za programe, ki temeljijo na OpenUSD: three.js ne prikaže ničesar od tega</translation>
+    </message>
+    <message>
+        <source>%1 holds no time samples; choose USD</source>
+        <translation>%1 ne vsebuje časovnih vzorcev; izberite USD</translation>
+    </message>
+    <message>
+        <source>time samples belong to one level of detail; choose a file for each</source>
+        <translation>časovni vzorci spadajo k eni ravni podrobnosti; izberite datoteko za vsako</translation>
+    </message>
+    <message>
+        <source>cards of a growing tree show another twig in every frame; choose level of detail 0 or 1</source>
+        <translation>kartice rastočega drevesa v vsaki sličici kažejo drugo vejico; izberite raven podrobnosti 0 ali 1</translation>
     </message>
 </context>
 <context>

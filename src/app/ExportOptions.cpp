@@ -54,6 +54,8 @@ constexpr string_view kAtlases[] = {"none", "leaves"};
 constexpr string_view kAtlasNames[] = {N_("No"), N_("Leaves, blossoms and twigs")};
 constexpr string_view kImpostors[] = {"none", "cross", "hemi-octahedral", "octahedral"};
 constexpr string_view kImpostorNames[] = {N_("No"), N_("Cross of billboards"), N_("Views from above the horizon (hemi-octahedral)"), N_("Views from all sides (octahedral)")};
+constexpr string_view kSecondUvs[] = {"none", "lightmap"};
+constexpr string_view kSecondUvNames[] = {N_("No"), N_("Without overlap, for light maps")};
 constexpr int kMaxBones = 256, kMaxTexture = 8192;
 
 constexpr ExportChoice kChoices[] = {
@@ -65,7 +67,7 @@ constexpr ExportChoice kChoices[] = {
      .field = &ExportOptions::model},
     {.key = "lod",
      .label = N_("Level of detail"),
-     .help = N_("Of the full model: 0 is the finest, 1 to 3 have about 50, 12 and 7 % of its triangles."),
+     .help = N_("Of the full model: 0 is the finest, 1 to 3 have about 50, 12 and 4 % of its triangles."),
      .field = &ExportOptions::lod,
      .range = {0, kMaxLod}},
     {.key = "lods",
@@ -123,6 +125,12 @@ constexpr ExportChoice kChoices[] = {
      .words = kAtlases,
      .names = kAtlasNames,
      .field = &ExportOptions::atlas},
+    {.key = "second-uv",
+     .label = N_("Second UV"),
+     .help = N_("A second set of texture coordinates, in which no two triangles share a place: for light maps, in glTF and FBX files."),
+     .words = kSecondUvs,
+     .names = kSecondUvNames,
+     .field = &ExportOptions::secondUv},
     {.key = "normal-maps",
      .label = N_("Normal maps"),
      .help = N_("Which way the green of normal maps points: up, as OpenGL, Blender, Unity and Godot have it, or down, "
@@ -239,11 +247,12 @@ bool isTwoSided(const ExportOptions& options, const Format& format) {
 }
 
 double bytesPerVertex(const ExportOptions& options, const Format& format) {
-    constexpr double kInstanced = 0.55; // of files of presets
+    constexpr double kInstanced = 0.55, kSecondUv = 1.17; // of files of presets
     constexpr double kShares[] = {1, 0.6, 0.27}; // measured with the aspen
     static_assert(std::size(kShares) == std::size(kCompressions));
     const bool shared = options.instances != static_cast<int>(ExportedInstances::None);
-    return (shared ? kInstanced : 1) * kShares[options.compression] * format.bytesPerVertex;
+    const bool unwrapped = options.secondUv != static_cast<int>(ExportedSecondUv::None);
+    return (shared ? kInstanced : 1) * (unwrapped ? kSecondUv : 1) * kShares[options.compression] * format.bytesPerVertex;
 }
 
 std::string choiceText(const ExportOptions& options, const ExportChoice& choice) {
@@ -300,6 +309,16 @@ bool changesPictures(const ExportOptions& options) {
     return options.textureSize > 0 || options.textureFormat != 0 || options.normalMaps != 0 || options.packedMaps != 0 || options.atlas != 0;
 }
 
+string_view secondUvConflict(const ExportOptions& options, const Format& format) {
+    if (options.secondUv == static_cast<int>(ExportedSecondUv::None)) return {};
+    if (format.channels == Channels::None) return N_("%1 holds one set of texture coordinates; choose glTF or FBX");
+    if (isSolid(options)) return N_("one solid has no texture coordinates");
+    const auto wind = static_cast<ExportedWind>(options.wind);
+    if (wind == ExportedWind::Unity || wind == ExportedWind::PivotPainter) return N_("the second texture coordinates hold the wind already");
+    if (options.instances != static_cast<int>(ExportedInstances::None)) return N_("instances share their texture coordinates");
+    return {};
+}
+
 string_view impostorConflict(const ExportOptions& options, const Format& format) {
     const auto impostor = static_cast<ExportedImpostor>(options.impostor);
     if (impostor == ExportedImpostor::None) return {};
@@ -346,7 +365,8 @@ string_view conflictOf(const ExportOptions& options, const Format& format) {
         if (moves) return N_("leaves that move in the wind cannot be instances");
         if (lods == ExportedLods::InOneFile) return N_("instances belong to one level of detail; choose a file for each");
     }
-    if (const std::string_view conflict = impostorConflict(options, format); !conflict.empty()) return conflict;
+    for (const auto conflictIn : {impostorConflict, secondUvConflict})
+        if (const std::string_view conflict = conflictIn(options, format); !conflict.empty()) return conflict;
     if (options.atlas != static_cast<int>(ExportedAtlas::None) && format.pictures == Pictures::None) return N_("%1 holds no textures, so no atlas");
     if (options.collision != static_cast<int>(ExportedCollision::None)) {
         if (!format.objects) return N_("%1 has no objects whose names an engine looks for; choose glTF or FBX");

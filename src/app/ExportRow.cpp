@@ -1,6 +1,7 @@
 #include "stromar/app/ExportRow.h"
 #include "ExportParts.h"
 #include "Merge.h"
+#include "SecondUvs.h"
 #include "VertexColours.h"
 #include "stromar/app/Formats.h"
 #include "stromar/app/Pictures.h"
@@ -66,6 +67,7 @@ private:
             foliage.name = CAtlas::kName;
             atlas->replaceIn(own, foliage);
         }
+        if (m_options.secondUv == static_cast<int>(ExportedSecondUv::LightMap)) addSecondUvs(own, progress);
         if (m_options.objects == static_cast<int>(ExportedObjects::Materials)) mergeByMaterial(own);
         return own;
     }

@@ -29,7 +29,7 @@ constexpr unsigned kShape = TexCoords | Normals, kColours = Materials | Pictures
 constexpr unsigned kEverything = kShape | kColours | NormalMaps | RoughnessMaps | Tangents | Tints | Occlusion;
 constexpr unsigned kMaps = NormalMaps | RoughnessMaps;
 
-constexpr const char* kUsdRemark = N_("instances (PointInstancer) and levels of detail in one file (variants) are unverified: no program of the tests reads them");
+constexpr const char* kUsdRemark = N_("instances (PointInstancer), levels of detail in one file (variants) and time samples are for programs that are built on OpenUSD: three.js shows none of them");
 
 // clang-format off
 constexpr Format kFormats[] = {
@@ -42,10 +42,10 @@ constexpr Format kFormats[] = {
      .objects = true, .lods = true, .remark = N_("the roughness maps lie beside the file"), .looseRoughness = true, .opacity = true, .embeds = true,
      .channels = Channels::ColoursAndUvs},
     {.ending = ".usda", .name = N_("USD, text"), .upAxis = "y", .holds = kShape | kColours | kMaps, .write = writeUsda,
-     .bytesPerVertex = 130, .objects = true, .lods = true, .remark = kUsdRemark, .sides = Sides::Material, .instances = true},
+     .bytesPerVertex = 130, .objects = true, .lods = true, .remark = kUsdRemark, .sides = Sides::Material, .instances = true, .timeSamples = true},
     {.ending = ".usdz", .name = N_("USD, a package with its pictures"), .upAxis = "y", .holds = kShape | kColours | kMaps,
      .write = writeUsdz, .bytesPerVertex = 130, .pictures = Pictures::AlwaysInside, .objects = true, .lods = true,
-     .remark = kUsdRemark, .sides = Sides::Material, .instances = true},
+     .remark = kUsdRemark, .sides = Sides::Material, .instances = true, .timeSamples = true},
     {.ending = ".obj", .name = N_("Wavefront OBJ"), .upAxis = "y", .holds = kShape | kColours | kMaps, .write = writeObj,
      .bytesPerVertex = 200, .objects = true, .anyUp = true, .opacity = true, .sides = Sides::Triangles},
     {.ending = ".dae", .name = N_("COLLADA"), .upAxis = "y", .holds = kShape | kColours | NormalMaps,

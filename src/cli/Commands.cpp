@@ -327,9 +327,17 @@ void exportFrames(const CommonOptions& common, const CParams& params, const Expo
     else
         say(common, path + ": in the wind");
 }
+
+void exportTimeSamples(const CommonOptions& common, const CParams& params, const ExportOptions& options, const Motion& motion,
+                       const std::string& path, const CProgress& progress) {
+    if (motion.frames == 0) throw CUsageError("--time-samples wants --frames, or the --seconds of a wind");
+    stromar::exportTimeSamples(params, options, motion, common.age, common.varied, common.limits, std::filesystem::path(common.file).parent_path(), path,
+                               progress);
+    say(common, path + ": " + std::to_string(motion.frames) + " time samples");
+}
 } // namespace
 
-void exportTree(const CommonOptions& common, const ExportOptions& options, const Motion& motion, const std::string& path,
+void exportTree(const CommonOptions& common, const ExportOptions& options, const Motion& motion, bool timeSamples, const std::string& path,
                 const CProgress& progress) {
     const Format* format = formatOf(path);
     if (!format) throw CUsageError(unknownFormat(path));
@@ -337,6 +345,7 @@ void exportTree(const CommonOptions& common, const ExportOptions& options, const
     if (const std::string_view advice = adviceOn(options, *format); !advice.empty()) say(common, std::string(advice));
     const CParams params = readParams(common);
     const bool carriesWind = options.wind != static_cast<int>(ExportedWind::None);
+    if (timeSamples) return exportTimeSamples(common, params, options, motion, path, progress);
     if (!carriesWind && (motion.frames > 0 || motion.sways())) return exportFrames(common, params, options, motion, path, progress);
     CTreeCreator creator = creatorFor(common);
     const auto lods = stromar::exportTree(creator, params, options, std::filesystem::path(common.file).parent_path(), path,

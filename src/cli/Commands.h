@@ -43,7 +43,7 @@ void printStructure(const CommonOptions& common, bool segments, std::ostream& ou
 /// Prints a table of the faults of the meshes, or of the one solid that is exported; false when there are any.
 bool checkMeshes(const CommonOptions& common, const ModelOptions& model, const ExportOptions& exported, std::ostream& out,
                  const CProgress& progress);
-void exportTree(const CommonOptions& common, const ExportOptions& options, const Motion& motion, const std::string& path,
+void exportTree(const CommonOptions& common, const ExportOptions& options, const Motion& motion, bool timeSamples, const std::string& path,
                 const CProgress& progress);
 /// Draws a recipe, "bark:birch" or "leaf:oak" and KEY=VALUE, and writes its pictures.
 void writeTexture(const std::vector<std::string>& recipe, int size, const std::string& path, const CProgress& progress);

@@ -48,7 +48,7 @@ struct Options {
     Motion motion;
     std::string age, windStrength, windDirection, gusts, seconds, fps, fell;
     std::string pictureSize, season, memory, method = "weber-penn";
-    bool segments = false;
+    bool segments = false, timeSamples = false;
     bool markdown = false, json = false;
     std::string from, backdrop;
     bool transparent = false;
@@ -352,7 +352,7 @@ int run(const CLI::App& app, Options& options) {
     if (name == "check") sound = checkMeshes(options.common, options.model, options.exported, std::cout, progress);
     if (name == "export") {
         if (std::filesystem::path(options.output).extension().empty()) options.output += options.ending;
-        exportTree(options.common, options.exported, options.motion, options.output, progress);
+        exportTree(options.common, options.exported, options.motion, options.timeSamples, options.output, progress);
     }
     if (name == "render") renderTree(options.common, options.model, options.rendered, options.motion, options.output, progress);
     if (name == "texture") writeTexture(options.recipe, options.size, options.output, progress);
@@ -396,6 +396,7 @@ void setUp(CLI::App& app, Options& options) {
     addSolid(*checker, options.exported);
     addBatch(*batch, options);
     addMotion(*exporter, options, "files");
+    exporter->add_flag("--time-samples", options.timeSamples, "Of USD files: all frames in one file, as time samples of its meshes");
     exporter->add_option("-o,--output", options.output, "The model to write")->required()->type_name("OUT.ext");
     texture
         ->add_option("recipe", options.recipe,

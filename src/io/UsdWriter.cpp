@@ -4,7 +4,9 @@
 #include "ZipOut.h"
 #include "stromar/io/Writers.h"
 #include "stromar/texture/Opacity.h"
+#include <algorithm>
 #include <glm/common.hpp>
+#include <ranges>
 
 namespace stromar {
 
@@ -33,8 +35,9 @@ public:
 
     void write(std::ostream& stream) const {
         CTextOut out(stream);
-        out << "#usda 1.0\n(\n    defaultPrim = \"" << m_root << "\"\n    doc = \"Stromar\"\n    metersPerUnit = 1\n    upAxis = \"Y\"\n)\n\n"
-            << "def Xform \"" << m_root << "\" (\n    kind = \"component\"\n";
+        out << "#usda 1.0\n(\n    defaultPrim = \"" << m_root << "\"\n    doc = \"Stromar\"\n    metersPerUnit = 1\n    upAxis = \"Y\"\n";
+        writeTimes(out);
+        out << ")\n\ndef Xform \"" << m_root << "\" (\n    kind = \"component\"\n";
         if (hasLods()) out << "    variants = {\n        string LOD = \"LOD0\"\n    }\n    prepend variantSets = \"LOD\"\n";
         out << ")\n{\n";
         if (hasLods())
@@ -57,6 +60,12 @@ public:
 private:
     bool hasLods() const { return !m_model.coarser.empty(); }
 
+    void writeTimes(CTextOut& out) const {
+        if (m_model.samples.empty()) return;
+        out << "    startTimeCode = " << kFirstTime << "\n    endTimeCode = " << kFirstTime + m_model.samples.front().size() - 1
+            << "\n    timeCodesPerSecond = " << float(m_model.samplesPerSecond) << "\n    framesPerSecond = " << float(m_model.samplesPerSecond) << "\n";
+    }
+
     void writeLods(CTextOut& out) const {
         out << "    variantSet \"LOD\" = {\n";
         for (std::size_t lod = 0; lod <= m_model.coarser.size(); ++lod) {
@@ -69,7 +78,7 @@ private:
 
     void writeShape(std::size_t i, CTextOut& out) const {
         const CMesh& mesh = *m_model.meshes[i];
-        if (!m_model.isInstanced(i)) return writeMesh(mesh, identifier(mesh.name), out);
+        if (!m_model.isInstanced(i)) return writeMesh(mesh, identifier(mesh.name), out, i < m_model.samples.size() ? &m_model.samples[i] : nullptr);
         const Instances& all = m_model.instances[i];
         const std::string name = identifier(mesh.name);
         out << "    def PointInstancer \"" << name << "\"\n    {\n        int[] protoIndices = [";
@@ -88,34 +97,78 @@ private:
     std::string place(const Material& look) const { return "/" + m_root + "/Looks/" + identifier(look.name); }
 
     template <typename Values, typename Show>
-    void writeArray(const char* name, const Values& values, Show&& show, const char* behind, CTextOut& out) const {
-        out << "        " << name << " = [";
+    static void writeValues(const Values& values, Show&& show, CTextOut& out) {
+        out << "[";
         const char* between = "";
         for (const auto& value : values) {
             out << between << show(value);
             out.endRecord();
             between = ", ";
         }
-        out << "]" << behind << "\n";
+        out << "]";
     }
 
-    void writeMesh(const CMesh& mesh, const std::string& name, CTextOut& out) const {
+    template <typename Values, typename Show>
+    static void writeArray(const char* name, const Values& values, Show&& show, const char* behind, CTextOut& out) {
+        out << "        " << name << " = ";
+        writeValues(values, show, out);
+        out << behind << "\n";
+    }
+
+    /// What a mesh is, and at the moments of a motion or null.
+    struct Shape {
+        const CMesh& mesh;
+        const Meshes* samples;
+    };
+
+    /// An attribute of a mesh: its value, and that of each moment where it moves. write(mesh) writes such a value.
+    template <typename Write>
+    static void writeAttribute(const char* name, const Shape& shape, bool moves, const char* behind, CTextOut& out, Write&& write) {
+        if (moves) writeSamples(name, *shape.samples, out, write);
+        out << "        " << name << " = "; // behind the samples, which three.js would otherwise show the first of
+        write(shape.mesh);
+        out << behind << "\n";
+    }
+
+    template <typename Write> static void writeSamples(const char* name, const Meshes& samples, CTextOut& out, Write&& write) {
+        static const CMesh kNothing;
+        out << "        " << name << ".timeSamples = {\n";
+        for (std::size_t i = 0; i < samples.size(); ++i) {
+            out << "            " << kFirstTime + i << ": ";
+            write(samples[i] ? *samples[i] : kNothing);
+            out << ",\n";
+        }
+        out << "        }\n";
+    }
+
+    static void writeExtent(const CMesh& mesh, CTextOut& out) {
+        const Bounds bounds = mesh.positions.empty() ? Bounds{} : mesh.bounds();
+        const glm::vec3 a = yUp(bounds.min), b = yUp(bounds.max);
+        out << "[" << glm::min(a, b) << ", " << glm::max(a, b) << "]";
+    }
+
+    /// Whether its triangles are the same at all moments, and only their corners move.
+    static bool keepsTriangles(const Shape& shape) {
+        return std::ranges::all_of(*shape.samples, [&](const auto& sample) {
+            return sample && sample->indices == shape.mesh.indices && sample->texCoords == shape.mesh.texCoords;
+        });
+    }
+
+    void writeMesh(const CMesh& mesh, const std::string& name, CTextOut& out, const Meshes* samples = nullptr) const {
         constexpr const char* kByVertex = " (\n            interpolation = \"vertex\"\n        )";
         const Material& look = m_model.materialOf(mesh);
-        const Bounds bounds = mesh.bounds();
-        const glm::vec3 a = yUp(bounds.min), b = yUp(bounds.max);
+        const Shape shape{mesh, samples};
+        const bool moves = samples != nullptr, changes = moves && !keepsTriangles(shape);
         out << "    def Mesh \"" << name << "\" (\n        prepend apiSchemas = [\"MaterialBindingAPI\"]\n    )\n    {\n"
-            << "        uniform bool doubleSided = " << (look.cutOut ? "1" : "0") << "\n        float3[] extent = [" << glm::min(a, b) << ", "
-            << glm::max(a, b) << "]\n        int[] faceVertexCounts = [";
-        for (std::size_t t = 0; t < mesh.triangleCount(); ++t) {
-            out << (t == 0 ? "3" : ", 3");
-            out.endRecord();
-        }
-        out << "]\n";
-        writeArray("int[] faceVertexIndices", mesh.indices, [](std::uint32_t v) { return std::size_t{v}; }, "", out);
-        writeArray("normal3f[] normals", mesh.normals, yUp, kByVertex, out);
-        writeArray("point3f[] points", mesh.positions, yUp, "", out);
-        writeArray("texCoord2f[] primvars:st", mesh.texCoords, [](const glm::vec2& t) { return t; }, kByVertex, out);
+            << "        uniform bool doubleSided = " << (look.cutOut ? "1" : "0") << "\n";
+        writeAttribute("float3[] extent", shape, moves, "", out, [&](const CMesh& one) { writeExtent(one, out); });
+        writeAttribute("int[] faceVertexCounts", shape, changes, "", out, [&](const CMesh& one) {
+            writeValues(std::views::iota(std::size_t{0}, one.triangleCount()), [](std::size_t) { return std::size_t{3}; }, out);
+        });
+        writeAttribute("int[] faceVertexIndices", shape, changes, "", out, [&](const CMesh& one) { writeValues(one.indices, [](std::uint32_t v) { return std::size_t{v}; }, out); });
+        writeAttribute("normal3f[] normals", shape, moves, kByVertex, out, [&](const CMesh& one) { writeValues(one.normals, yUp, out); });
+        writeAttribute("point3f[] points", shape, moves, "", out, [&](const CMesh& one) { writeValues(one.positions, yUp, out); });
+        writeAttribute("texCoord2f[] primvars:st", shape, changes, kByVertex, out, [&](const CMesh& one) { writeValues(one.texCoords, [](const glm::vec2& t) { return t; }, out); });
         out << "        rel material:binding = <" << place(look) << ">\n        uniform token subdivisionScheme = \"none\"\n    }\n\n";
     }
 
@@ -185,6 +238,7 @@ private:
         out << "            }\n\n";
     }
 
+    static constexpr std::size_t kFirstTime = 1;
     static constexpr const char* kPrototype = "prototype"; ///< of what stands at many places
 
     const ExportModel& m_model;

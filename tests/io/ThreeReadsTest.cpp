@@ -148,7 +148,6 @@ struct Box {
 };
 } // namespace
 
-/// No program here reads variants of a text.
 TEST(UsdFiles, HoldLevelsOfDetailAsVariants) {
     const CTemporaryFolder folder;
     ExportOptions options;
@@ -171,7 +170,7 @@ TEST(UsdFiles, HoldLevelsOfDetailAsVariants) {
     EXPECT_EQ(std::ranges::count(text, '{'), std::ranges::count(text, '}'));
 }
 
-/// No program here reads a PointInstancer: by its definition, scaled, then turned, then moved.
+/// By the definition of a PointInstancer: scaled, then turned, then moved.
 TEST(UsdFiles, HoldLeavesAsInstances) {
     const CTemporaryFolder folder;
     CTreeCreator creator;
@@ -202,6 +201,16 @@ TEST(UsdFiles, HoldLeavesAsInstances) {
         EXPECT_NEAR(found.min[i], wanted.min[i], 1e-3);
         EXPECT_NEAR(found.max[i], wanted.max[i], 1e-3);
     }
+}
+
+TEST(UsdFiles, OfAMotionShowTheGrownTreeWithoutIt) {
+    needTool(fs::exists(STROMAR_BIN "/../node_modules/three"), "three.js (npm)");
+    const CTemporaryFolder folder;
+    const TreeModel& model = sampleModel("small");
+    Motion growth;
+    growth.frames = 3;
+    exportTimeSamples(model.params, {}, growth, 1, true, SizeLimits(), {}, folder / "oak.usda", CProgress(2));
+    EXPECT_EQ(readByThree(folder / "oak.usda").at("triangles"), model.triangleCount());
 }
 
 TEST(UsdFiles, SayWhatAStageIs) {

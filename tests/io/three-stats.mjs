@@ -43,7 +43,7 @@ const root = await readers[extname(file)]();
 root.updateMatrixWorld(true);
 const looks = new Set();
 const box = new THREE.Box3(); // of the vertices, not of the boxes of instances
-const stats = { triangles: 0, opaque: 0, objects: [], attributes: [], materials: {}, groups: 0, scale: 0, colours: 0, uv2: 0, vertices: 0, instances: 0, looks: 0, colour: [0, 0, 0], normal: [0, 0, 0], uv: [0, 0], };
+const stats = { triangles: 0, opaque: 0, objects: [], attributes: [], materials: {}, groups: 0, scale: 0, colours: 0, uv2: 0, vertices: 0, instances: 0, looks: 0, colour: [0, 0, 0], normal: [0, 0, 0], uv: [0, 0], uv2Range: [Infinity, -Infinity] };
 root.traverse(object => {
   stats.scale = Math.max(stats.scale, ...object.scale.toArray());
   if (!object.isMesh) return;
@@ -72,6 +72,8 @@ root.traverse(object => {
   }
   stats.vertices += places.length * attributes.position.count;
   stats.uv2 += attributes.uv1 ? 1 : 0;
+  for (let v = 0; attributes.uv1 && v < attributes.uv1.count; ++v)
+    for (let c = 0; c < 2; ++c) stats.uv2Range = [Math.min(stats.uv2Range[0], attributes.uv1.getComponent(v, c)), Math.max(stats.uv2Range[1], attributes.uv1.getComponent(v, c))];
   for (const material of [object.material].flat()) looks.add(material.uuid);
   for (const material of [object.material].flat()) stats.materials[material.name] = ['map', 'alphaMap', 'normalMap', 'roughnessMap'].filter(map => material[map]);
 });

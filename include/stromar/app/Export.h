@@ -28,6 +28,10 @@ std::vector<std::shared_ptr<const TreeModel>> exportTree(CTreeCreator& creator, 
 void exportFrames(const CParams& params, const ExportOptions& options, const Motion& motion, double age, bool varied,
                   const SizeLimits& limits, const std::filesystem::path& treeFolder, const std::filesystem::path& path,
                   const std::function<void(const std::filesystem::path&)>& written, const CProgress& progress);
+/// The same as one file (or one for each level of detail), with a sample of every mesh at each moment, in formats that hold them. All moments
+/// are held in memory; `limits` are those of all.
+void exportTimeSamples(const CParams& params, const ExportOptions& options, const Motion& motion, double age, bool varied, const SizeLimits& limits,
+                       const std::filesystem::path& treeFolder, const std::filesystem::path& path, const CProgress& progress);
 /// The same as exportModels() for one model with the usual options.
 void exportModel(const TreeModel& model, const std::filesystem::path& treeFolder, const std::filesystem::path& path,
                  const CProgress& progress);

@@ -13,7 +13,7 @@ namespace stromar {
 struct ExportOptions {
     int model = 0, lod = 0, lods = 0, up = 0, textures = 0, wind = 0, bones = 64, watertight = 0, occlusion = 1, textureSize = 0,
         normalMaps = 0, packedMaps = 0, twoSided = 0, collision = 0, leafLight = 0, compression = 0, instances = 0, textureFormat = 0,
-        objects = 0, atlas = 0, impostor = 0;
+        objects = 0, atlas = 0, impostor = 0, secondUv = 0;
     std::filesystem::path sharedPictures{}; ///< a folder where copies of pictures lie once, named by their content; empty: beside the model
     double scale = 1, voxelSize = 0.02, displacement = 0, displacementStrength = 3;
 
@@ -34,6 +34,7 @@ enum class ExportedLeafLight { None, Transmission };
 enum class ExportedInstances { None, Leaves };
 enum class ExportedObjects { Levels, Materials };
 enum class ExportedAtlas { None, Leaves };
+enum class ExportedSecondUv { None, LightMap };
 enum class ExportedImpostor { None, Cross, HemiOctahedral, Octahedral };
 using ExportedCompression = ExportModel::Compression;
 enum class ExportedCollision { None, Json, Unreal, Godot };

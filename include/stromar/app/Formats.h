@@ -47,6 +47,7 @@ struct Format {
     Sides sides = Sides::One;
     Channels channels = Channels::None;
     bool instances = false; ///< holds one mesh at many places
+    bool timeSamples = false; ///< holds meshes as they are at the moments of a motion
 
     bool has(Content content) const { return (holds & static_cast<unsigned>(content)) != 0; }
 };

@@ -69,6 +69,9 @@ struct ExportModel {
     bool leafLight = false; ///< light comes through what is cut out, in formats that hold it
     std::vector<Instances> instances{}; ///< by mesh, of a single level of detail; without places, or beyond the end: it stands once, as it is
 
+    std::vector<Meshes> samples{}; ///< by mesh: what it is at each moment of a motion, null where it is not there; or empty: nothing moves
+    double samplesPerSecond = 0;
+
     bool isInstanced(std::size_t mesh) const { return mesh < instances.size() && !instances[mesh].places.empty(); }
     /// Which of the materials a mesh has.
     std::size_t materialIndex(const CMesh& mesh) const;
