@@ -123,7 +123,7 @@ Sampled sampled(const std::string& name) {
 }
 
 class Impostor : public testing::TestWithParam<std::string> {};
-INSTANTIATE_TEST_SUITE_P(Some, Impostor, testing::ValuesIn(trees()), [](const auto& one) { return one.param; });
+INSTANTIATE_TEST_SUITE_P(Slow, Impostor, testing::ValuesIn(trees()), [](const auto& one) { return one.param; });
 
 TEST_P(Impostor, LooksLikeTheTreeFromAllSides) {
     const Sampled tree = sampled(GetParam());

@@ -229,7 +229,7 @@ TEST(Prediction, ARefusedTreeLeavesTheCreatorAsItWas) {
     EXPECT_EQ(creator.create(params, detailOf(Model::Simple), CProgress(2))->stems, before->stems);
 }
 
-TEST(Prediction, LeavesThatAreNotShownTakeNoMemory) {
+TEST(SlowPrediction, LeavesThatAreNotShownTakeNoMemory) {
     CParams params = preset("weeping_willow");
     weberPenn(params).leaves = -5000;
     weberPenn(params).level[3].curve = 1592;

@@ -31,11 +31,12 @@ TEST(StrandsMethod, MeshesOfRandomTreesAreSound) {
     }
 }
 
-TEST(StrandsMethod, NeverTakesMoreThanPredicted) {
+TEST(SlowStrandsMethod, NeverTakesMoreThanPredicted) {
     for (unsigned number = 1; number <= 60; ++number) {
         const CParams params = randomStrands(number, 1500);
+        CTreeCreator creator(true, SizeLimits::none());
         for (const Detail& detail : detailTable()) {
-            const auto model = created(params, detail);
+            const auto model = creator.create(params, detail, CProgress(2));
             const Prediction size = predictSize(params, detail);
             EXPECT_EQ(size.stems, double(model->tree->stemCount())) << number;
             EXPECT_EQ(size.leaves, double(model->tree->organs(Organ::Leaf)->total)) << number;

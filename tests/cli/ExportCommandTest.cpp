@@ -70,7 +70,7 @@ TEST(ExportCommand, WritesEveryFormat) {
     }
 }
 
-TEST(ExportCommand, GivesTheSameBytesForEveryNumberOfThreads) {
+TEST(SlowExportCommand, GivesTheSameBytesForEveryNumberOfThreads) {
     for (const Format& format : formatTable()) {
         const CTemporaryFolder one, two;
         const std::string name = "tree" + std::string(format.ending);

@@ -59,7 +59,7 @@ TEST(LeafMesh, ThePictureIsNotMirrored) {
     }
 }
 
-TEST(LeafMesh, ThinningKeepsTheAreaAndTheCrown) {
+TEST(SlowLeafMesh, ThinningKeepsTheAreaAndTheCrown) {
     for (Sample sample : weberPennPresets()) {
         sample.params.common.season = 7;
         sample.params.common.leafPlanes = 1;
