@@ -152,7 +152,7 @@ OrganBound drawnBound(double grown, Organ organ, const MeshParams& params, const
 OrganBound cardBound(double leaves, const TwigBound& twigs, const MeshParams& params, const Detail& detail) {
     const double grown = std::min(leaves, 2 * twigs.leaves); // of the typical one
     if (params.seasonOf(Organ::Leaf).share <= 0) return {grown, 0, 0};
-    const double vertices = std::min(4 * std::ceil(leaves * detail.share), twigs.stems * double(maxVerticesOfCard(detail)));
+    const double vertices = std::min(4 * std::ceil(leaves * detail.cardShare), twigs.stems * double(maxVerticesOfCard(detail)));
     return {grown, vertices, 1.5 * vertices};
 }
 

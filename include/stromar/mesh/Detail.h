@@ -24,6 +24,7 @@ struct Detail {
     std::size_t leafBudget; ///< most leaves that are drawn; a few (kFewOrgans) always are
     double maxLeafGrowth;   ///< thinned leaves grow at most to this times their length, to cover what all would
     int twigPlanes;         ///< of a card that shows a whole twig; 0: every leaf is drawn by itself
+    double cardShare;       ///< how many rectangles all cards have at most, for each leaf of the tree
 };
 
 constexpr std::size_t kFewOrgans = 60; ///< so many leaves, blossoms or fruits are not thinned

@@ -38,7 +38,7 @@ double rowsFor(const Twig& typical, double maxSag) {
 
 CardPlan planCards(const std::vector<LeafyTwig>& twigs, const Twig& typical, const Detail& detail, double treeHeight) {
     CardPlan plan{};
-    const double budget = std::min(double(detail.leafBudget), std::ceil(leavesOn(twigs) * detail.share));
+    const double budget = std::min(double(detail.leafBudget), std::ceil(leavesOn(twigs) * detail.cardShare));
     const double perTwig = budget / std::max(1.0, double(twigs.size()));
     const double planes = typical.flat || perTwig < detail.twigPlanes ? 1 : detail.twigPlanes;
     plan.planes = static_cast<std::uint32_t>(planes);
