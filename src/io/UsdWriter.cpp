@@ -6,7 +6,6 @@
 #include "stromar/texture/Opacity.h"
 #include <algorithm>
 #include <glm/common.hpp>
-#include <ranges>
 
 namespace stromar {
 
@@ -163,7 +162,7 @@ private:
             << "        uniform bool doubleSided = " << (look.cutOut ? "1" : "0") << "\n";
         writeAttribute("float3[] extent", shape, moves, "", out, [&](const CMesh& one) { writeExtent(one, out); });
         writeAttribute("int[] faceVertexCounts", shape, changes, "", out, [&](const CMesh& one) {
-            writeValues(std::views::iota(std::size_t{0}, one.triangleCount()), [](std::size_t) { return std::size_t{3}; }, out);
+            writeValues(std::vector<std::size_t>(one.triangleCount(), 3), [](std::size_t corners) { return corners; }, out);
         });
         writeAttribute("int[] faceVertexIndices", shape, changes, "", out, [&](const CMesh& one) { writeValues(one.indices, [](std::uint32_t v) { return std::size_t{v}; }, out); });
         writeAttribute("normal3f[] normals", shape, moves, kByVertex, out, [&](const CMesh& one) { writeValues(one.normals, yUp, out); });
