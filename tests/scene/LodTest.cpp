@@ -99,7 +99,7 @@ struct Bound {
     double colour;
 };
 constexpr Bound kExceptions[] = {
-    {"bamboo", 0.10, 3.4},
+    {"bamboo", 0.11, 3.4},
     {"black_tupelo", kMaxCoverage, 3.6},
     {"ca_black_oak", kMaxCoverage, 3.6},
     {"european_larch", 0.10, 6},

@@ -40,7 +40,7 @@ void addBillboard(CMesh& mesh, const ImpostorFrame& frame, int billboard) {
         mesh.texCoords.push_back(glm::vec2((billboard + 0.5 * (corner.x + 1)) / kBillboards, 0.5 * (corner.y + 1)));
         mesh.looks.push_back({});
     }
-    for (const std::uint32_t corner : {0, 1, 2, 0, 2, 3}) mesh.indices.push_back(first + corner);
+    for (const std::uint32_t corner : {0U, 1U, 2U, 0U, 2U, 3U}) mesh.indices.push_back(first + corner);
 }
 
 /// From the tree's axes to those of the billboard.
