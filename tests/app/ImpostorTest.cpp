@@ -167,13 +167,13 @@ TEST_F(ImpostorFiles, ACrossIsTheLastFile) {
     EXPECT_EQ(m_folder.names(), (std::set<std::string>{"tree_LOD0.glb", "tree_LOD1.glb", "tree_LOD2.glb", "tree_LOD3.glb", "tree_LOD4.glb"}));
     const Json gltf = gltfOf(m_folder / "tree_LOD4.glb");
     ASSERT_EQ(gltf["meshes"].size(), 1u);
-    EXPECT_EQ(gltf["accessors"][int(gltf["meshes"][0]["primitives"][0]["indices"])]["count"], 12);
+    EXPECT_EQ(gltf["accessors"][std::size_t(gltf["meshes"][0]["primitives"][0]["indices"])]["count"], 12);
     ASSERT_EQ(gltf["materials"].size(), 1u);
     EXPECT_EQ(gltf["materials"][0]["name"], "impostor");
     EXPECT_EQ(gltf["materials"][0]["alphaMode"], "MASK");
     EXPECT_EQ(gltf["materials"][0]["doubleSided"], true);
     EXPECT_TRUE(gltf["materials"][0].contains("normalTexture"));
-    const auto& box = gltf["accessors"][int(gltf["meshes"][0]["primitives"][0]["attributes"]["POSITION"])];
+    const auto& box = gltf["accessors"][std::size_t(gltf["meshes"][0]["primitives"][0]["attributes"]["POSITION"])];
     const Json tree = gltfOf(m_folder / "tree_LOD0.glb");
     double top = 0;
     for (const Json& accessor : tree["accessors"])
@@ -186,7 +186,7 @@ TEST_F(ImpostorFiles, ACrossIsTheLastLevelOfOneFile) {
     const Json gltf = gltfOf(m_folder / "tree.glb");
     const auto finest = *std::ranges::find_if(gltf["nodes"], [](const Json& node) { return node.contains("extensions") && node["extensions"].contains("MSFT_lod"); });
     EXPECT_EQ(finest["extras"]["MSFT_screencoverage"], (Json{0.5, 0.25, 0.1, 0.03, 0.01}));
-    const Json& last = gltf["nodes"][int(finest["extensions"]["MSFT_lod"]["ids"][3])];
+    const Json& last = gltf["nodes"][std::size_t(finest["extensions"]["MSFT_lod"]["ids"][3])];
     EXPECT_FALSE(last.contains("skin")) << "it hangs on no bone";
 }
 

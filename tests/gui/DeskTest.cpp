@@ -226,7 +226,7 @@ TEST_F(DeskTest, ThePictureComesBackInANewContext) {
 // Variants
 
 TEST_F(DeskTest, ASheetOfSeedsToChooseFromAndToLike) {
-    window.findChild<QDockWidget*>(QStringLiteral("variants"))->raise();
+    dock("variants")->show();
     ASSERT_TRUE(waitFor([&] { return window.variants().isVisible(); }));
     auto* cell = window.variants().findChild<QToolButton*>(QStringLiteral("seed4"));
     ASSERT_TRUE(waitFor([&] { return !cell->icon().isNull(); }, 60000));

@@ -9,6 +9,7 @@
 #include <QAbstractButton>
 #include <QAction>
 #include <QApplication>
+#include <QDockWidget>
 #include <QLabel>
 #include <QMessageBox>
 #include <QSlider>
@@ -22,6 +23,7 @@ namespace stromar {
 class WindowFixture : public ::testing::Test {
 protected:
     void SetUp() override {
+        dock("variants")->hide(); // its pictures of other trees would take most of the time
         window.show();
         ASSERT_TRUE(QTest::qWaitForWindowExposed(&window));
         QApplication::setActiveWindow(&window); // a bare X server has no window manager to do it
@@ -35,6 +37,7 @@ protected:
             return shown && shown->model->detail->model == model && shown->model->params == window.document().params();
         });
     }
+    QDockWidget* dock(const char* name) { return window.findChild<QDockWidget*>(QLatin1String(name)); }
     QAction* action(const char* name) { return window.findChild<QAction*>(QLatin1String(name)); }
     QSlider* slider(const char* key) { return window.panel().editor(paramRef(key))->findChild<QSlider*>(); }
     double value(const char* key) { return paramRef(key).get(window.document().params()); }

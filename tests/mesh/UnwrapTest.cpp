@@ -29,7 +29,7 @@ std::pair<int, int> sharedAndTaken(const std::vector<Unwrapped>& all, int side) 
     for (const Unwrapped& one : all)
         for (std::size_t i = 0; i < one.indices.size(); i += 3) {
             const auto at = [&](std::size_t k) { return double(side) * glm::dvec2(one.texCoords[one.indices[i + k]]); };
-            rasterise(at(0), at(1), at(2), static_cast<std::size_t>(side), static_cast<std::size_t>(side), [&](int x, int y, double u, double v) {
+            rasterise(at(0), at(1), at(2), side, side, [&](int x, int y, double u, double v) {
                 constexpr double kInside = 1e-3;
                 if (u > kInside && v > kInside && u + v < 1 - kInside) ++owners[static_cast<std::size_t>(y) * static_cast<std::size_t>(side) + static_cast<std::size_t>(x)];
             });

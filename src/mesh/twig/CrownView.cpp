@@ -49,20 +49,77 @@ Axes axesOf(const CMesh& mesh, const std::uint32_t* corners) {
     return {unit(side * (d2.y * e1 - d1.y * e2)), unit(side * (d1.x * e2 - d2.x * e1))};
 }
 
-/// A crown from one side, without perspective.
-class CCrownView {
+/// How a crown lies on the square grid of a view.
+class CCrownGrid {
 public:
-    CCrownView(const CrownFrame& crown, const glm::dvec3& viewer, int cells)
-        : m_middle(crown.middle), m_toView(glm::transpose(frameTo(viewer))), m_viewer(viewer), m_perMetre(cells / (2 * crown.radius)), m_side(cells),
-          m_cells(static_cast<std::size_t>(cells) * static_cast<std::size_t>(cells)) {}
+    CCrownGrid(const CrownFrame& crown, const glm::dvec3& viewer, int cells)
+        : m_middle(crown.middle), m_toView(glm::transpose(frameTo(viewer))), m_viewer(viewer), m_perMetre(cells / (2 * crown.radius)), m_side(cells) {}
 
-    void draw(const std::vector<CrownPart>& parts, const CProgress& progress) {
+protected:
+    /// On the grid; z, metres towards the viewer.
+    glm::dvec3 seen(const glm::vec3& place) const {
+        const glm::dvec3 p = m_toView * (glm::dvec3(place) - m_middle);
+        return {glm::dvec2(p) * m_perMetre + m_side / 2.0, p.z};
+    }
+    std::size_t cellAt(int x, int y) const { return static_cast<std::size_t>(y * m_side + x); }
+    std::size_t cellCount() const { return static_cast<std::size_t>(m_side) * static_cast<std::size_t>(m_side); }
+
+    template <typename Draw> static void forEachTriangle(const std::vector<CrownPart>& parts, const CProgress& progress, Draw&& draw) {
         constexpr std::size_t kBetweenPolls = 30'000;
         for (const CrownPart& part : parts)
             for (std::size_t t = 0; t + 2 < part.mesh->indices.size(); t += 3) {
                 if (t % kBetweenPolls == 0) progress.poll();
-                drawTriangle(part, &part.mesh->indices[t]);
+                draw(part, &part.mesh->indices[t]);
             }
+    }
+
+    glm::dvec3 m_middle;
+    glm::dmat3 m_toView;
+    glm::dvec3 m_viewer;
+    double m_perMetre;
+    int m_side;
+};
+
+/// The mean of a triangle's values by the weights of its second and third corner.
+template <typename Values> auto mixed(const Values& values, const std::uint32_t* corners, double u, double v) {
+    return float(1 - u - v) * values[corners[0]] + float(u) * values[corners[1]] + float(v) * values[corners[2]];
+}
+
+/// Which cells a crown covers from one side: much cheaper than what is seen there.
+class CCrownOutline : CCrownGrid {
+public:
+    CCrownOutline(const CrownFrame& crown, const glm::dvec3& viewer, int cells) : CCrownGrid(crown, viewer, cells), m_covered(cellCount()) {}
+
+    void draw(const std::vector<CrownPart>& parts, const CProgress& progress) {
+        forEachTriangle(parts, progress, [this](const CrownPart& part, const std::uint32_t* corners) {
+            const CMesh& mesh = *part.mesh;
+            const auto at = [&](int i) { return glm::dvec2(seen(mesh.positions[corners[i]])); };
+            rasterise(at(0), at(1), at(2), m_side, m_side, [&](int x, int y, double u, double v) {
+                std::uint8_t& covered = m_covered[cellAt(x, y)];
+                if (!covered) covered = shows(part, corners, u, v) ? 1 : 0;
+            });
+        });
+    }
+
+    double count() const { return double(std::ranges::count(m_covered, std::uint8_t{1})); }
+
+private:
+    static bool shows(const CrownPart& part, const std::uint32_t* corners, double u, double v) {
+        if (!part.leaf && !part.twig) return true;
+        const glm::vec2 at = mixed(part.mesh->texCoords, corners, u, v);
+        return (!part.leaf || part.leaf->covers(at)) && (!part.twig || part.twig->covers(at));
+    }
+
+    std::vector<std::uint8_t> m_covered;
+};
+
+/// A crown from one side, without perspective.
+class CCrownView : CCrownGrid {
+public:
+    CCrownView(const CrownFrame& crown, const glm::dvec3& viewer, int cells) : CCrownGrid(crown, viewer, cells), m_cells(cellCount()) {}
+
+    void draw(const std::vector<CrownPart>& parts, const CProgress& progress) {
+        forEachTriangle(parts, progress, [this](const CrownPart& part, const std::uint32_t* corners) { drawTriangle(part, corners); });
     }
 
     const std::vector<Cell>& cells() const { return m_cells; }
@@ -81,23 +138,20 @@ public:
 private:
     void drawTriangle(const CrownPart& part, const std::uint32_t* corners) {
         const CMesh& mesh = *part.mesh;
-        glm::dvec3 p[3];
-        for (int i = 0; i < 3; ++i) p[i] = m_toView * (glm::dvec3(mesh.positions[corners[i]]) - m_middle);
-        const auto onGrid = [&](const glm::dvec3& v) { return glm::dvec2(v) * m_perMetre + m_side / 2.0; };
+        const std::array<glm::dvec3, 3> p = {seen(mesh.positions[corners[0]]), seen(mesh.positions[corners[1]]), seen(mesh.positions[corners[2]])};
         std::optional<Axes> axes;
-        const int level = part.twig ? levelOf(mesh, corners, onGrid(p[0]), onGrid(p[1]), onGrid(p[2])) : 0;
-        rasterise(onGrid(p[0]), onGrid(p[1]), onGrid(p[2]), m_side, m_side, [&](int x, int y, double u, double v) {
-            Cell& cell = m_cells[static_cast<std::size_t>(y * m_side + x)];
+        const int level = part.twig ? levelOf(mesh, corners, p[0], p[1], p[2]) : 0;
+        rasterise(p[0], p[1], p[2], m_side, m_side, [&](int x, int y, double u, double v) {
+            Cell& cell = m_cells[cellAt(x, y)];
             const auto depth = static_cast<float>((1 - u - v) * p[0].z + u * p[1].z + v * p[2].z);
             if (depth <= cell.depth) return;
-            const auto mixed = [&](const auto& values) { return float(1 - u - v) * values[corners[0]] + float(u) * values[corners[1]] + float(v) * values[corners[2]]; };
-            if (part.leaf && !part.leaf->covers(mixed(mesh.texCoords))) return;
-            const glm::vec3 front = mixed(mesh.normals);
+            if (part.leaf && !part.leaf->covers(mixed(mesh.texCoords, corners, u, v))) return;
+            const glm::vec3 front = mixed(mesh.normals, corners, u, v);
             const bool behind = glm::dot(glm::dvec3(front), m_viewer) < 0;
             glm::vec3 normal = behind ? -front : front;
             bool back = behind;
             if (part.twig) {
-                const CTwigMask::Texel texel = part.twig->at(mixed(mesh.texCoords), level);
+                const CTwigMask::Texel texel = part.twig->at(mixed(mesh.texCoords, corners, u, v), level);
                 if (texel.normal == glm::vec3(0)) return;
                 if (!axes) axes = axesOf(mesh, corners);
                 normal = texel.normal.x * axes->right + texel.normal.y * axes->along + texel.normal.z * normal;
@@ -115,31 +169,22 @@ private:
         return static_cast<int>(std::lround(std::max(0.0, 0.5 * std::log2(texels / cells) + std::log2(kViewCells / kPixels))));
     }
 
-    glm::dvec3 m_middle;
-    glm::dmat3 m_toView;
-    glm::dvec3 m_viewer;
-    double m_perMetre;
-    int m_side;
     std::vector<Cell> m_cells;
 };
 
-/// `seen(view)` for each of the sides.
-template <typename Seen>
+/// `seen(i, view)` for each of the sides.
+template <typename View, typename Seen>
 void fromAllSides(const std::vector<CrownPart>& parts, const CrownFrame& frame, const CProgress& progress, Seen&& seen) {
     parallelFor(
         kViews, 1,
         [&](std::size_t begin, std::size_t end) {
             for (std::size_t i = begin; i < end; ++i) {
-                CCrownView view(frame, directionTo(2 * std::numbers::pi * (double(i) + 0.5) / kViews, kHeight), kViewCells);
+                View view(frame, directionTo(2 * std::numbers::pi * (double(i) + 0.5) / kViews, kHeight), kViewCells);
                 view.draw(parts, progress);
                 seen(i, view);
             }
         },
         progress);
-}
-
-double coveredCells(const CCrownView& view) {
-    return double(std::ranges::count_if(view.cells(), [](const Cell& cell) { return std::isfinite(cell.depth); }));
 }
 } // namespace
 
@@ -172,19 +217,26 @@ CTwigMask::CTwigMask(const Twig& twig) : m_texels(kSide * kSide) {
     }
 }
 
+namespace {
+std::size_t texelAt(const glm::vec2& texCoord, int side) {
+    const auto cell = [side](float v) { return static_cast<std::size_t>(std::clamp(static_cast<int>(v * float(side)), 0, side - 1)); };
+    return cell(texCoord.y) * static_cast<std::size_t>(side) + cell(texCoord.x);
+}
+} // namespace
+
+bool CTwigMask::covers(const glm::vec2& texCoord) const { return m_texels[texelAt(texCoord, kSide)].normal != glm::vec3(0); }
+
 CTwigMask::Texel CTwigMask::at(const glm::vec2& texCoord, int level) const {
-    const auto cell = [](float v, int side) { return static_cast<std::size_t>(std::clamp(static_cast<int>(v * float(side)), 0, side - 1)); };
-    const Texel& own = m_texels[cell(texCoord.y, kSide) * kSide + cell(texCoord.x, kSide)];
+    const Texel& own = m_texels[texelAt(texCoord, kSide)];
     if (own.normal == glm::vec3(0)) return own;
     level = std::min(level, kLevels - 1);
-    const int side = kSide >> level;
-    const glm::vec3& mean = m_means[static_cast<std::size_t>(level)][cell(texCoord.y, side) * static_cast<std::size_t>(side) + cell(texCoord.x, side)];
+    const glm::vec3& mean = m_means[static_cast<std::size_t>(level)][texelAt(texCoord, kSide >> level)];
     return {mean / std::max(1e-6f, glm::length(mean)), own.back};
 }
 
 double crownCover(const std::vector<CrownPart>& parts, const CrownFrame& frame, const CProgress& progress) {
     std::array<double, kViews> covered{};
-    fromAllSides(parts, frame, progress, [&](std::size_t i, const CCrownView& view) { covered[i] = coveredCells(view); });
+    fromAllSides<CCrownOutline>(parts, frame, progress, [&](std::size_t i, const CCrownOutline& outline) { covered[i] = outline.count(); });
     double sum = 0;
     for (const double one : covered) sum += one;
     return sum / (double(kViews) * kViewCells * kViewCells);
@@ -195,7 +247,7 @@ CrownLook crownLook(const std::vector<CrownPart>& parts, const CrownFrame& frame
     CCrownView lit(frame, sun, kSunCells);
     lit.draw(parts, progress);
     std::array<CrownLook, kViews> looks{};
-    fromAllSides(parts, frame, progress, [&](std::size_t i, const CCrownView& view) {
+    fromAllSides<CCrownView>(parts, frame, progress, [&](std::size_t i, const CCrownView& view) {
         CrownLook& look = looks[i];
         for (std::size_t c = 0; c < view.cells().size(); ++c) {
             const Cell& cell = view.cells()[c];

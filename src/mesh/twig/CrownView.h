@@ -22,6 +22,8 @@ public:
     };
     /// Normals are the mean over 2^level texels each way, as in smaller pictures.
     Texel at(const glm::vec2& texCoord, int level) const;
+    /// Whether there is a leaf.
+    bool covers(const glm::vec2& texCoord) const;
 
 private:
     static constexpr int kLevels = 8;
