@@ -60,7 +60,7 @@ public:
     std::shared_ptr<const TreeModel> make(CStopwatch& watch) {
         m_model->milliseconds.structure = watch.lap();
         m_progress.report(0.5);
-        chooseTwig();
+        chooseStemsOf(chooseTwig());
         m_model->milliseconds.structure += watch.lap();
         m_made.stems.resize(m_tree.generationCount());
         for (std::size_t g = 0; g < m_tree.generationCount(); ++g) {
@@ -73,7 +73,7 @@ public:
         m_model->milliseconds.structure += watch.lap();
         for (const Organ organ : kOrgans) std::ranges::copy(meshOrgans(organ), std::back_inserter(m_model->organs));
         if (m_model->twig)
-            m_model->cards = meshOfTwigs(m_asCards, m_tree, *m_made.leafCounts, *m_model->twig, m_mesh, m_detail, m_progress);
+            m_model->cards = meshOfTwigs(m_model->choice->asCards, m_tree, *m_made.leafCounts, *m_model->twig, m_mesh, m_detail, m_progress);
         auto& ms = m_model->milliseconds;
         ms.mesh += watch.lap();
         ms.total = ms.structure + ms.smooth + ms.mesh;
@@ -81,13 +81,14 @@ public:
     }
 
 private:
-    void chooseTwig() {
+    /// Which stems cards show.
+    StemSet chooseTwig() {
         m_made.leafCounts.reset();
-        if (!mayShowCards(m_params, m_detail, m_progress)) return;
+        if (!mayShowCards(m_params, m_detail, m_progress)) return {};
         m_made.leafCounts = m_builder.growOrgans(m_params, m_tree, Organ::Leaf, OrganDemand::none(), m_progress);
-        const StemSet twigs = twigsOf(m_tree, *m_made.leafCounts);
+        StemSet twigs = twigsOf(m_tree, *m_made.leafCounts);
         const auto typical = typicalOf(twigs, m_tree, *m_made.leafCounts, m_mesh);
-        if (!typical) return;
+        if (!typical) return {};
         OrganDemand itsLeaves{.stems = StemSet{}};
         itsLeaves.stems->stems.resize(typical->generation + 1);
         itsLeaves.stems->stems.back().resize(typical->stem + 1);
@@ -95,7 +96,24 @@ private:
         const auto leaves = m_builder.growOrgans(m_params, m_tree, Organ::Leaf, itsLeaves, m_progress);
         const auto crown = m_builder.growOrgans(m_params, m_tree, Organ::Leaf, {.share = detailOf(Model::Full, 1).share, .max = kMeasuredLeaves, .stems = twigs}, m_progress);
         m_model->twig = twigAt(*typical, twigs, m_tree, *leaves, crown, leafMasksOf(m_params, m_progress), m_mesh, m_progress);
-        m_asCards = twigs;
+        return twigs;
+    }
+
+    void chooseStemsOf(StemSet asCards) {
+        MadeChoice& made = m_made.choice;
+        const int last = static_cast<int>(m_tree.generationCount()) - 1;
+        if (!made.stems || made.sources != m_tree.generations() || made.stems->asCards != asCards || meshIsStale(made.params, m_params, last))
+            made = {m_tree.generations(), m_params, std::make_shared<const StemChoice>(chooseStems(m_tree, m_mesh, m_detail, std::move(asCards), m_progress))};
+        m_model->choice = made.stems;
+    }
+
+    GenerationChoice choiceOf(std::size_t g) const {
+        GenerationChoice own{{}, {}, m_model->choice->thickening(g)};
+        for (std::size_t s = 0; s < m_tree.generation(g).stems.size(); ++s) {
+            own.drawn.push_back(m_model->choice->draws(g, s));
+            own.bears.push_back(m_model->choice->bears(g, s));
+        }
+        return own;
     }
 
     void makeStems(std::size_t g, CStopwatch& watch) {
@@ -104,12 +122,10 @@ private:
         const auto& source = m_tree.generations()[g];
         // The simple model changes with every step of a hand: new memory would cost it more than it saves.
         const bool last = m_detail.model == Model::Full && g + 1 == m_tree.generationCount();
-        const bool sparse = isSparse(m_tree, generation, m_detail, m_asCards);
-        const std::vector<bool> asCards = g < m_asCards.stems.size() ? m_asCards.stems[g] : std::vector<bool>();
-        if (!made.stems.mesh || made.source != source || made.sparse != sparse || made.asCards != asCards ||
-            meshIsStale(made.params, m_params, generation)) {
+        GenerationChoice choice = choiceOf(g);
+        if (!made.stems.mesh || made.source != source || made.choice != choice || meshIsStale(made.params, m_params, generation)) {
             made = {}; // first the memory of the old mesh
-            made = {source, meshStems(g, watch), m_params, sparse, asCards};
+            made = {source, meshStems(g, watch), m_params, std::move(choice)};
         } else if (made.last && !last)
             made.stems.plan = planStems(g);
         made.last = last;
@@ -133,7 +149,7 @@ private:
 
     MeshPlan planStems(std::size_t g) const {
         const StemMesh* parents = g > 0 ? &m_made.stems[g - 1].stems : nullptr;
-        return planRings(m_tree, static_cast<int>(g), m_mesh, m_detail, parents, m_progress, m_asCards);
+        return planRings(m_tree, static_cast<int>(g), m_mesh, m_detail, parents, m_progress, *m_model->choice);
     }
 
     std::shared_ptr<const COrgans> growOrgans(Organ organ) {
@@ -150,7 +166,7 @@ private:
     }
 
     /// Whose organs of a kind cards show.
-    StemSet asCards(Organ organ) const { return organ == Organ::Leaf ? m_asCards : StemSet(); }
+    StemSet asCards(Organ organ) const { return organ == Organ::Leaf ? m_model->choice->asCards : StemSet(); }
 
     /// The tree with what is grown on it: the same object as long as nothing of it changes.
     void keepTree(const OrganArrays& organs) {
@@ -164,7 +180,7 @@ private:
         MadeOrgans& made = m_made.organs[static_cast<std::size_t>(organ)];
         if (made.meshes.empty() || meshIsStale(made.params, m_params, Invalidation::kLeaves)) {
             made.meshes = meshOfOrgans(*m_model->tree, organ, m_plans, m_mesh, m_detail, m_progress, asCards(organ));
-            if (organ == Organ::Leaf && m_detail.lod > 0 && m_asCards.empty()) fitLeaves(made.meshes);
+            if (organ == Organ::Leaf && m_detail.lod > 0 && m_model->choice->asCards.empty()) fitLeaves(made.meshes);
             made.params = m_params;
         }
         return made.meshes;
@@ -186,7 +202,6 @@ private:
     const CProgress& m_progress;
     std::shared_ptr<TreeModel> m_model;
     std::vector<const MeshPlan*> m_plans;
-    StemSet m_asCards; ///< twigs that cards show
 };
 
 CTreeCreator::CTreeCreator(bool varied, const SizeLimits& limits)
@@ -248,6 +263,7 @@ void CTreeCreator::dropStaleMeshes() {
             if (std::ranges::find(generations, stems.source) == generations.end()) stems = {};
         for (MadeOrgans& organs : made.organs)
             if (organs.growth != m_growth) organs = {};
+        if (made.choice.sources != generations) made.choice = {};
         if (made.tree && !haveSameStems(*made.tree, *m_tree)) made.tree.reset();
     }
 }

@@ -109,18 +109,20 @@ double stemVertices(const SizeBound& tree, std::size_t generation, const Detail&
     return vertices * tree.generations[generation].stems;
 }
 
-/// The part of the last generation's stems that is drawn: see planRings(). What it is told of is itself a bound, hence
-/// the margin.
+/// The part of the last generation's stems that is drawn: see chooseStems(); where that leaves out others instead, it leaves out
+/// more. What it is told of is itself a bound, hence the margin.
 double twigShareBound(const SizeBound& tree, const Detail& detail) {
-    constexpr double kMargin = 1.3;
-    if (detail.share >= 1) return 1;
+    constexpr double kMargin = 1.3, kVerticesPerTriangle = 1; // at most
+    if (detail.woodShare >= 1) return 1;
     double left = 0;
     for (std::size_t g = 0; g < tree.generations.size(); ++g)
-        left += detail.share * stemVertices(tree, g, detailOf(detail.model, 0));
+        left += detail.woodShare * stemVertices(tree, g, detailOf(detail.model, 0));
+    if (detail.collarRings == 0) left = std::max(left, kVerticesPerTriangle * kFewWoodTriangles);
     for (std::size_t g = 0; g + 1 < tree.generations.size(); ++g) left -= stemVertices(tree, g, detail);
     const double share = left / std::max(1.0, stemVertices(tree, tree.generations.size() - 1, detail));
+    const double least = detail.collarRings == 0 ? kLeastShareOfTwigs : detail.share;
     const double sampled = 8 / std::sqrt(std::max(1.0, tree.generations.back().stems)); // chosen by chance
-    return std::min(1.0, kMargin * std::max(share, detail.share) + sampled);
+    return std::min(1.0, kMargin * std::max(share, least) + sampled);
 }
 
 /// Organs that are grown for a detail, and what is drawn of them.

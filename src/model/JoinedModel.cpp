@@ -5,9 +5,8 @@
 namespace stromar {
 
 StemMesh planned(const TreeModel& model, std::size_t generation, const StemMesh* below, const CProgress& progress) {
-    const StemSet asCards = model.twig ? twigsOf(*model.tree, *model.tree->organs(Organ::Leaf)) : StemSet();
     const Meshes& stems = model.unjoined ? model.unjoined->stems : model.stems;
-    StemMesh own{planRings(*model.tree, static_cast<int>(generation), meshParamsOf(model.params), *model.detail, below, progress, asCards),
+    StemMesh own{planRings(*model.tree, static_cast<int>(generation), meshParamsOf(model.params), *model.detail, below, progress, *model.choice),
                  stems[generation]};
     assert(own.plan.vertexCount == own.mesh->vertexCount());
     return own;

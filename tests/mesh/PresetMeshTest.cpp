@@ -63,7 +63,7 @@ TEST_P(PresetMesh, AlmostEveryBranchHasACollar) {
                 return byLevels || stems[s].length > kStub * std::max(stems[s].radius, stems[s].parentRadius);
             };
             std::size_t chosen = 0, collars = 0;
-            for (std::size_t s = 0; s < stems.size(); ++s) chosen += all[g].plan.stemIsChosen[s] && leavesWood(s);
+            for (std::size_t s = 0; s < stems.size(); ++s) chosen += all[g].plan.stemBears[s] && leavesWood(s);
             for (const Tube& tube : all[g].plan.tubes) collars += tube.collarRings > 0 && leavesWood(tube.stem);
             if (byLevels) {
                 EXPECT_GE(double(collars), 0.8 * double(chosen)) << "LOD " << lod << ", " << all[g].mesh->name;

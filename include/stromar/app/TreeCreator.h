@@ -27,13 +27,24 @@ public:
     void forgetOthers(const Detail& detail);
 
 private:
+    /// Of a generation's stems.
+    struct GenerationChoice {
+        std::vector<bool> drawn, bears;
+        Thickening thickening;
+
+        bool operator==(const GenerationChoice&) const = default;
+    };
     struct MadeStems {
         std::shared_ptr<const CGeneration> source;
         StemMesh stems;
         std::optional<CParams> params; ///< filling in defaults takes longer than a small step
-        bool sparse = false;
-        std::vector<bool> asCards; ///< by stem; empty: none
+        GenerationChoice choice;
         bool last = false; ///< no generation follows: the plan is not kept
+    };
+    struct MadeChoice {
+        std::vector<std::shared_ptr<const CGeneration>> sources;
+        std::optional<CParams> params;
+        std::shared_ptr<const StemChoice> stems;
     };
     struct MadeOrgans {
         std::uint64_t growth = 0; ///< of the tree that bears them
@@ -44,6 +55,7 @@ private:
     };
     /// What a level of detail shows.
     struct MadeModel {
+        MadeChoice choice;
         std::vector<MadeStems> stems; ///< by generation
         std::array<MadeOrgans, kOrgans.size()> organs;
         std::shared_ptr<const CTree> tree; ///< with its organs

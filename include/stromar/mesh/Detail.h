@@ -20,7 +20,8 @@ struct Detail {
     int helixRings;        ///< per turn of a helix
     int smoothGenerations; ///< the first so many get rings between their segments' ends
     int collarRings;       ///< between a parent's surface and a branch's own rings
-    double share;          ///< of the full model's triangles that is aimed at: see planRings()
+    double woodShare;      ///< of the wood's triangles at LOD 0 that is aimed at: see chooseStems()
+    double share;          ///< of the leaves, blossoms and fruits that are drawn, and of the twigs at least
     std::size_t leafBudget; ///< most leaves that are drawn; a few (kFewOrgans) always are
     double maxLeafGrowth;   ///< thinned leaves grow at most to this times their length, to cover what all would
     int twigPlanes;         ///< of a card that shows a whole twig; 0: every leaf is drawn by itself
@@ -28,6 +29,7 @@ struct Detail {
 };
 
 constexpr std::size_t kFewOrgans = 60; ///< so many leaves, blossoms or fruits are not thinned
+constexpr std::size_t kFewWoodTriangles = 2500; ///< so many are not thinned at the last level of detail
 constexpr double kCoarsestTurn = 2.5; ///< of thin stems, times what is allowed to a trunk
 
 std::span<const Detail> detailTable();

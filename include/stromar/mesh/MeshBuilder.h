@@ -3,6 +3,7 @@
 #include "stromar/mesh/Mesh.h"
 #include "stromar/mesh/MeshParams.h"
 #include "stromar/mesh/OrganMesh.h"
+#include "stromar/mesh/StemChoice.h"
 #include "stromar/tree/Tree.h"
 #include "stromar/util/Progress.h"
 #include <memory>
@@ -83,7 +84,8 @@ struct MeshPlan {
     std::vector<Fork> forks;
     std::vector<ForkPoint> forkPoints;
     std::vector<std::int32_t> tubeOfPath; ///< −1: too short to be drawn
-    std::vector<bool> stemIsChosen;       ///< to be drawn, if it is long enough, and its leaves
+    std::vector<bool> stemBears;          ///< its leaves, blossoms and fruits are to be drawn
+    Thickening thickening;
     std::size_t vertexCount = 0, indexCount = 0;
 };
 
@@ -96,24 +98,18 @@ struct StemMesh {
     std::shared_ptr<const CMesh> mesh;
 };
 
-/// Whether a level of detail may leave out stems of a generation: only of the last one, and where no cards stand for
-/// twigs.
-bool isSparse(const CTree& tree, int generation, const Detail& detail, const StemSet& asCards = {});
-
 /// Decides where the rings of a generation stand. With the `parents`' mesh, that of the generation before at the same
-/// level of detail, branches get collars on it. A sparse generation keeps so many stems, chosen evenly, that all wood
-/// together has about the detail's share of the triangles of LOD 0, but never less than that share of them.
-/// Stems that cards show (see Twig.h) have no tubes, but count as chosen: what they bear besides leaves is drawn.
+/// level of detail, branches get collars on it. Only stems that are chosen have tubes.
 /// Time linear in the segments; runs on progress.threads() threads.
 MeshPlan planRings(const CTree& tree, int generation, const MeshParams& params, const Detail& detail,
-                   const StemMesh* parents, const CProgress& progress, const StemSet& asCards = {});
+                   const StemMesh* parents, const CProgress& progress, const StemChoice& choice = {});
 
 /// The mesh of one generation of stems: every tube is closed at its base and its tip. Same result for any number of
 /// threads. Throws CCancelled.
 std::shared_ptr<const CMesh> meshOfStems(const CTree& tree, int generation, const MeshPlan& plan, const MeshParams& params,
                                          const CProgress& progress);
 
-/// The meshes of all generations, each on the one before.
+/// The meshes of all generations, each on the one before, without cards.
 std::vector<StemMesh> meshAllStems(const CTree& tree, const MeshParams& params, const Detail& detail,
                                    const CProgress& progress);
 

@@ -2,6 +2,7 @@
 #include "stromar/mesh/Detail.h"
 #include "stromar/mesh/JoinedStems.h"
 #include "stromar/mesh/OrganMesh.h"
+#include "stromar/mesh/StemChoice.h"
 #include "stromar/mesh/twig/Twig.h"
 #include "stromar/params/Params.h"
 #include <array>
@@ -26,6 +27,7 @@ struct TreeModel {
     std::shared_ptr<const CTree> tree; ///< of its organs those are grown that are shown
     std::shared_ptr<const CTree> grown; ///< the same at the end of its life, bare
     Meshes stems;                      ///< by generation
+    std::shared_ptr<const StemChoice> choice; ///< which stems those show
     std::shared_ptr<const UnjoinedStems> unjoined; ///< null: every stem is closed by itself
     OrganMeshes organs;                ///< leaves by kind, blossoms, fruits; some may be empty
     std::shared_ptr<const Twig> twig;   ///< what cards show in place of last stems with leaves; null: there are none

@@ -54,6 +54,7 @@ struct StemSet {
         return generation < stems.size() && stem < stems[generation].size() && stems[generation][stem];
     }
     bool empty() const { return stems.empty(); }
+    bool operator==(const StemSet&) const = default;
 };
 
 /// The tree's twigs: stems without branches that bear leaves. Linear in the stems.

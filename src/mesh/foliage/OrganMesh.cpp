@@ -126,11 +126,11 @@ OrganDemand demandOf(const Detail& detail, std::span<const MeshPlan* const> plan
     if (detail.leafBudget != std::numeric_limits<std::size_t>::max()) demand.max = double(detail.leafBudget);
     demand.few = double(kFewOrgans);
     const auto bearsAll = [](const MeshPlan* plan) {
-        return std::ranges::find(plan->stemIsChosen, false) == plan->stemIsChosen.end();
+        return std::ranges::find(plan->stemBears, false) == plan->stemBears.end();
     };
     if (asCards.empty() && std::ranges::all_of(plans, bearsAll)) return demand;
     demand.stems.emplace();
-    for (const MeshPlan* plan : plans) demand.stems->stems.push_back(plan->stemIsChosen);
+    for (const MeshPlan* plan : plans) demand.stems->stems.push_back(plan->stemBears);
     for (std::size_t g = 0; g < asCards.stems.size(); ++g)
         for (std::size_t s = 0; s < asCards.stems[g].size(); ++s)
             if (asCards.stems[g][s]) demand.stems->stems[g][s] = false;
@@ -148,7 +148,7 @@ OrganMeshes meshOfOrgans(const CTree& tree, Organ organ, std::span<const MeshPla
     std::size_t drawable = 0;
     for (std::uint32_t i = 0; i < organs->grown.size(); ++i) {
         const CLeaf& own = organs->grown[i];
-        if (asCards.has(own.generation, own.stem) || !plans[own.generation]->stemIsChosen[own.stem]) continue;
+        if (asCards.has(own.generation, own.stem) || !plans[own.generation]->stemBears[own.stem]) continue;
         ++drawable;
         const CStem& stem = tree.generation(own.generation).stems[own.stem];
         if (hasFallen(stem, own.number, season.share)) continue;

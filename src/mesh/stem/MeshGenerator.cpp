@@ -12,7 +12,7 @@ std::shared_ptr<const CMesh> meshOfStems(const CTree& tree, int generation, cons
                                          const CProgress& progress) {
     const auto mesh = allocateMesh(generation == 0 ? "trunk" : "branches_" + std::to_string(generation),
                                    barkOf(static_cast<std::size_t>(generation)), plan.vertexCount, plan.indexCount);
-    const CStemSurface surface(tree, generation, params);
+    const CStemSurface surface(tree, generation, params, plan.thickening);
     parallelFor(
         plan.tubes.size(), kTubeGrain,
         [&](std::size_t begin, std::size_t end) {
@@ -44,9 +44,10 @@ std::vector<const MeshPlan*> plansOf(std::span<const StemMesh> stems) {
 
 std::vector<StemMesh> meshAllStems(const CTree& tree, const MeshParams& params, const Detail& detail,
                                    const CProgress& progress) {
+    const StemChoice choice = chooseStems(tree, params, detail, {}, progress);
     std::vector<StemMesh> all;
     for (int g = 0; g < static_cast<int>(tree.generationCount()); ++g) {
-        StemMesh own{planRings(tree, g, params, detail, all.empty() ? nullptr : &all.back(), progress), nullptr};
+        StemMesh own{planRings(tree, g, params, detail, all.empty() ? nullptr : &all.back(), progress, choice), nullptr};
         own.mesh = meshOfStems(tree, g, own.plan, params, progress);
         all.push_back(std::move(own));
     }

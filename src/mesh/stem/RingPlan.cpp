@@ -1,20 +1,13 @@
+#include "stem/RingPlan.h"
 #include "stem/Simplifier.h"
 #include "stem/TubeWriter.h"
-#include "stromar/mesh/MeshBuilder.h"
 #include "stromar/util/Parallel.h"
-#include "stromar/util/Random.h"
 #include <algorithm>
 
 namespace stromar {
 
 namespace {
 constexpr std::size_t kGrain = 64;
-
-/// Whether a stem is among the share of its generation that is drawn. A smaller share chooses of what a larger one
-/// does.
-bool isChosen(const CStem& stem, std::uint32_t s, double share) {
-    return share >= 1 || s == 0 || unitOf(hashCombine(0, stem.id)) < share;
-}
 
 void append(MeshPlan& whole, const MeshPlan& part) {
     const auto rings = static_cast<std::uint32_t>(whole.rings.size());
@@ -50,15 +43,16 @@ void layOut(MeshPlan& plan, std::size_t paths) {
         plan.indexCount += tube.indexCount();
     }
 }
+} // namespace
 
-MeshPlan planAll(const CTree& tree, int generation, const MeshParams& params, const Detail& detail,
-                 const StemMesh* parents, const std::vector<bool>& drawn, const CProgress& progress) {
+MeshPlan planStems(const CTree& tree, int generation, const MeshParams& params, const Detail& detail, const StemMesh* parents,
+                   const std::vector<bool>& drawn, Thickening thickening, const CProgress& progress) {
     const CGeneration& own = tree.generation(static_cast<std::size_t>(generation));
     std::vector<MeshPlan> parts((own.stems.size() + kGrain - 1) / kGrain);
     parallelFor(
         own.stems.size(), kGrain,
         [&](std::size_t begin, std::size_t end) {
-            CSimplifier simplifier(tree, generation, params, detail, parents);
+            CSimplifier simplifier(tree, generation, params, detail, parents, thickening);
             for (std::size_t s = begin; s < end; ++s)
                 if (drawn[s]) simplifier.planStem(static_cast<std::uint32_t>(s), parts[begin / kGrain]);
         },
@@ -66,38 +60,20 @@ MeshPlan planAll(const CTree& tree, int generation, const MeshParams& params, co
     MeshPlan plan;
     for (const MeshPlan& part : parts) append(plan, part);
     layOut(plan, own.paths.size());
+    plan.thickening = std::move(thickening);
     return plan;
 }
 
-/// The part of the last generation's stems that fills what the others leave of the detail's share of triangles.
-double shareOfTwigs(const CTree& tree, const MeshParams& params, const Detail& detail, const CProgress& progress) {
-    const int last = static_cast<int>(tree.generationCount()) - 1;
-    const auto size = [&](int generation, const Detail& at) {
-        const std::vector<bool> all(tree.generation(static_cast<std::size_t>(generation)).stems.size(), true);
-        return double(planAll(tree, generation, params, at, nullptr, all, progress).indexCount);
-    };
-    double left = 0;
-    for (int g = 0; g <= last; ++g) left += detail.share * size(g, detailOf(detail.model, 0));
-    for (int g = 0; g < last; ++g) left -= size(g, detail);
-    return std::clamp(left / std::max(1.0, size(last, detail)), detail.share, 1.0);
-}
-} // namespace
-
-bool isSparse(const CTree& tree, int generation, const Detail& detail, const StemSet& asCards) {
-    return asCards.empty() && detail.share < 1 && generation >= 2 && generation + 1 == static_cast<int>(tree.generationCount());
-}
-
 MeshPlan planRings(const CTree& tree, int generation, const MeshParams& params, const Detail& detail,
-                   const StemMesh* parents, const CProgress& progress, const StemSet& asCards) {
+                   const StemMesh* parents, const CProgress& progress, const StemChoice& choice) {
     const auto g = static_cast<std::size_t>(generation);
-    const double share = isSparse(tree, generation, detail, asCards) ? shareOfTwigs(tree, params, detail, progress) : 1;
-    std::vector<bool> chosen, drawn;
-    for (std::uint32_t s = 0; s < tree.generation(g).stems.size(); ++s) {
-        chosen.push_back(isChosen(tree.generation(g).stems[s], s, share));
-        drawn.push_back(chosen.back() && !asCards.has(g, s));
+    std::vector<bool> bears, drawn;
+    for (std::size_t s = 0; s < tree.generation(g).stems.size(); ++s) {
+        bears.push_back(choice.bears(g, s));
+        drawn.push_back(choice.draws(g, s));
     }
-    MeshPlan plan = planAll(tree, generation, params, detail, parents, drawn, progress);
-    plan.stemIsChosen = std::move(chosen);
+    MeshPlan plan = planStems(tree, generation, params, detail, parents, drawn, choice.thickening(g), progress);
+    plan.stemBears = std::move(bears);
     return plan;
 }
 

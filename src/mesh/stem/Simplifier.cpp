@@ -26,9 +26,9 @@ void CSimplifier::Mark::restore(MeshPlan& plan) const {
 }
 
 CSimplifier::CSimplifier(const CTree& tree, int generation, const MeshParams& params, const Detail& detail,
-                         const StemMesh* parents)
+                         const StemMesh* parents, const Thickening& thickening)
     : m_detail(detail), m_generation(tree.generation(static_cast<std::size_t>(generation))),
-      m_surface(tree, generation, params), m_smoother(m_surface), m_line(m_generation, m_surface),
+      m_surface(tree, generation, params, thickening), m_smoother(m_surface), m_line(m_generation, m_surface),
       m_forkMaker(m_generation, m_surface), m_trial(m_generation, m_surface),
       m_smooth(generation < detail.smoothGenerations), m_maxSag(detail.maxSag * tree.height()) {
     if (parents && detail.collarRings > 0)

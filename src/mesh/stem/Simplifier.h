@@ -14,7 +14,8 @@ namespace stromar {
 class CSimplifier {
 public:
     /// With the parents' mesh, branches get collars on it.
-    CSimplifier(const CTree& tree, int generation, const MeshParams& params, const Detail& detail, const StemMesh* parents);
+    CSimplifier(const CTree& tree, int generation, const MeshParams& params, const Detail& detail, const StemMesh* parents,
+                const Thickening& thickening);
 
     /// Appends a stem's tubes; those that a fork joins follow each other.
     void planStem(std::uint32_t s, MeshPlan& plan);

@@ -2,18 +2,24 @@
 #include "stem/RootFlare.h"
 #include "stromar/mesh/Mesh.h"
 #include "stromar/mesh/MeshParams.h"
+#include "stromar/mesh/StemChoice.h"
 #include "stromar/tree/Tree.h"
 #include <algorithm>
 #include <cmath>
 
 namespace stromar {
 
-/// The form of the stems' wood in one generation: radius profile, base form and the least radius. Metres, radians;
+/// The form of the stems' wood in one generation, as it is drawn: radius profile, base form and the least radius. Metres, radians;
 /// `along` is counted from a stem's base.
 class CStemSurface {
 public:
+    /// The thickening has to outlive it.
+    CStemSurface(const CTree& tree, int generation, const MeshParams& params, const Thickening& thickening)
+        : CStemSurface(tree, generation, params) {
+        if (!thickening.stems.empty()) m_thickening = &thickening;
+    }
     CStemSurface(const CTree& tree, int generation, const MeshParams& params)
-        : m_params(params), m_base(generation == 0 ? tree.base() : BaseForm()), m_trunk(generation == 0) {
+        : m_params(params), m_stems(tree.generation(static_cast<std::size_t>(generation)).stems.data()), m_base(generation == 0 ? tree.base() : BaseForm()), m_trunk(generation == 0) {
         if (tree.generation(0).stems.empty()) return;
         m_trunkLength = tree.generation(0).stems[0].length;
         m_trunkRadius = tree.generation(0).stems[0].radius;
@@ -33,7 +39,7 @@ public:
         const double along = segment.start + t * segment.length;
         const double wood = stem.profile.isEven() ? segment.radiusBase + t * (radiusAbove(stem, segment) - segment.radiusBase)
                                                   : stem.profile.radiusAt(along, stem.length, stem.radius);
-        return m_base.flare == 0 ? wood : wood * m_base.flareAt(along / stem.length);
+        return growthOf(stem) * (m_base.flare == 0 ? wood : wood * m_base.flareAt(along / stem.length));
     }
 
     /// Likewise, to the end of the farthest root.
@@ -91,7 +97,13 @@ private:
         return runsOn ? (&segment + 1)->radiusBase : segment.radiusEnd; // segments of a stem lie one after the other
     }
 
+    double growthOf(const CStem& stem) const {
+        return m_thickening && m_thickening->stems[static_cast<std::size_t>(&stem - m_stems)] ? m_thickening->growth : 1;
+    }
+
     MeshParams m_params;
+    const CStem* m_stems;
+    const Thickening* m_thickening = nullptr;
     BaseForm m_base; ///< none above the trunks
     bool m_trunk;
     double m_trunkLength = 0, m_trunkRadius = 0; ///< of the first

@@ -1,0 +1,41 @@
+#pragma once
+#include "stromar/mesh/Detail.h"
+#include "stromar/mesh/MeshParams.h"
+#include "stromar/tree/Tree.h"
+#include "stromar/util/Progress.h"
+#include <vector>
+
+namespace stromar {
+
+/// Stems of a generation that are drawn thicker than they are.
+struct Thickening {
+    std::vector<bool> stems; ///< empty: none
+    double growth = 1;       ///< of their radius
+
+    bool operator==(const Thickening&) const = default;
+};
+
+/// Which stems a level of detail draws. Where it has too few triangles for all wood, stems are left out by chance; where that is not
+/// seen, whole twigs with all that grows on them, and those that stay are as much thicker: they cover as much (Cook, Halstead,
+/// Planck & Ryu 2007, Stochastic Simplification of Aggregate Detail).
+struct StemChoice {
+    StemSet asCards; ///< shown by cards (Twig.h)
+    StemSet leftOut;
+    StemSet thicker;
+    double growth = 1;      ///< of the radius of those
+    bool bareToo = false;   ///< leaves, blossoms and fruits are drawn where their stem is left out
+
+    bool draws(std::size_t generation, std::size_t stem) const { return !asCards.has(generation, stem) && !leftOut.has(generation, stem); }
+    bool bears(std::size_t generation, std::size_t stem) const { return bareToo || !leftOut.has(generation, stem); }
+    Thickening thickening(std::size_t generation) const;
+    bool operator==(const StemChoice&) const = default;
+};
+
+/// Of the twigs that may be left out whole, at least this part stays.
+constexpr double kLeastShareOfTwigs = 0.25;
+
+/// Chooses so many that all wood has about the detail's share of the triangles of LOD 0. A smaller share keeps of what a larger one does.
+/// Linear in the segments, about as long as planning their rings; nothing where the detail draws all. Throws CCancelled.
+StemChoice chooseStems(const CTree& tree, const MeshParams& params, const Detail& detail, StemSet asCards, const CProgress& progress);
+
+} // namespace stromar

@@ -1,0 +1,155 @@
+#include "stromar/mesh/StemChoice.h"
+#include "stem/RingPlan.h"
+#include "stromar/util/Random.h"
+#include <algorithm>
+
+namespace stromar {
+
+namespace {
+constexpr std::size_t kMaxStems = 64;  // of a twig that may be left out
+constexpr double kMaxRadius = 0.002;   // likewise, of the tree's height: a fifth of a pixel where the last level of detail is shown
+constexpr double kMaxGrowth = 1 / kLeastShareOfTwigs;
+constexpr std::size_t kSampled = 2000; // stems of a generation that tell how many triangles all have at LOD 0
+
+/// A number for every stem, by generation.
+template <typename Number> using PerStem = std::vector<std::vector<Number>>;
+
+template <typename Number> PerStem<Number> forStemsOf(const CTree& tree, Number value) {
+    PerStem<Number> all;
+    for (const auto& generation : tree.generations()) all.emplace_back(generation->stems.size(), value);
+    return all;
+}
+
+/// Corners of its triangles.
+PerStem<double> costs(const CTree& tree, const MeshParams& params, const Detail& detail, const StemSet& asCards, const CProgress& progress) {
+    PerStem<double> all = forStemsOf(tree, 0.0);
+    for (std::size_t g = 0; g < all.size(); ++g) {
+        std::vector<bool> drawn(all[g].size());
+        for (std::size_t s = 0; s < drawn.size(); ++s) drawn[s] = !asCards.has(g, s);
+        for (const Tube& tube : planStems(tree, static_cast<int>(g), params, detail, nullptr, drawn, {}, progress).tubes)
+            all[g][tube.stem] += double(tube.indices);
+    }
+    return all;
+}
+
+/// Of all stems at LOD 0, by some of them.
+double fullCost(const CTree& tree, const MeshParams& params, const Detail& full, std::size_t sampled, const CProgress& progress) {
+    double sum = 0;
+    for (std::size_t g = 0; g < tree.generationCount(); ++g) {
+        const std::size_t stems = tree.generation(g).stems.size(), step = std::max<std::size_t>(1, stems / sampled);
+        std::vector<bool> drawn(stems);
+        for (std::size_t s = 0; s < stems; s += step) drawn[s] = true;
+        sum += double(step) * double(planStems(tree, static_cast<int>(g), params, full, nullptr, drawn, {}, progress).indexCount);
+    }
+    return sum;
+}
+
+/// How many stems grow on each, itself among them.
+PerStem<std::size_t> stemsOn(const CTree& tree) {
+    PerStem<std::size_t> all = forStemsOf<std::size_t>(tree, 1);
+    for (std::size_t g = all.size(); g-- > 1;)
+        for (std::size_t s = 0; s < all[g].size(); ++s) all[g - 1][static_cast<std::size_t>(tree.generation(g).stems[s].parent)] += all[g][s];
+    return all;
+}
+
+/// The twigs that may be left out, and which stems are a part of one.
+struct Twigs {
+    struct Root {
+        std::size_t generation, stem;
+    };
+    static constexpr std::size_t kNone = ~std::size_t{0};
+
+    std::vector<Root> roots;
+    PerStem<std::size_t> of; ///< which of them a stem belongs to
+};
+
+template <typename MayGo> Twigs twigsThatMayGo(const CTree& tree, MayGo&& mayGo) {
+    Twigs twigs{{}, forStemsOf(tree, Twigs::kNone)};
+    for (std::size_t g = 2; g < twigs.of.size(); ++g)
+        for (std::size_t s = 0; s < twigs.of[g].size(); ++s) {
+            std::size_t& own = twigs.of[g][s];
+            own = twigs.of[g - 1][static_cast<std::size_t>(tree.generation(g).stems[s].parent)];
+            if (own != Twigs::kNone || !mayGo(g, s)) continue;
+            own = twigs.roots.size();
+            twigs.roots.push_back({g, s});
+        }
+    return twigs;
+}
+
+/// The part of the twigs' triangles that fills what other stems leave of the budget.
+double shareOf(const Twigs& twigs, const PerStem<double>& costs, double budget) {
+    double left = budget, theirs = 0;
+    for (std::size_t g = 0; g < costs.size(); ++g)
+        for (std::size_t s = 0; s < costs[g].size(); ++s) {
+            if (twigs.of[g][s] == Twigs::kNone) left -= costs[g][s];
+            else theirs += costs[g][s];
+        }
+    return left / std::max(1.0, theirs);
+}
+
+bool stays(const CTree& tree, const Twigs::Root& root, double share) {
+    return share >= 1 || root.stem == 0 || unitOf(hashCombine(0, tree.generation(root.generation).stems[root.stem].id)) < share;
+}
+
+StemSet setOf(const Twigs& twigs, const std::vector<bool>& chosen) {
+    StemSet set;
+    for (const std::vector<std::size_t>& generation : twigs.of) {
+        std::vector<bool>& own = set.stems.emplace_back(generation.size());
+        for (std::size_t s = 0; s < own.size(); ++s) own[s] = generation[s] != Twigs::kNone && chosen[generation[s]];
+    }
+    return set;
+}
+
+/// How much thicker twigs have to be to cover as much as all do.
+double growthOf(const CTree& tree, const Twigs& twigs, const std::vector<bool>& stay, const StemSet& asCards) {
+    double all = 0, kept = 0;
+    for (std::size_t g = 0; g < twigs.of.size(); ++g)
+        for (std::size_t s = 0; s < twigs.of[g].size(); ++s) {
+            if (twigs.of[g][s] == Twigs::kNone || asCards.has(g, s)) continue;
+            const CStem& stem = tree.generation(g).stems[s];
+            all += stem.length * stem.radius;
+            if (stay[twigs.of[g][s]]) kept += stem.length * stem.radius;
+        }
+    return kept > 0 ? std::min(kMaxGrowth, all / kept) : 1;
+}
+} // namespace
+
+Thickening StemChoice::thickening(std::size_t generation) const {
+    return growth == 1 || generation >= thicker.stems.size() ? Thickening() : Thickening{thicker.stems[generation], growth};
+}
+
+StemChoice chooseStems(const CTree& tree, const MeshParams& params, const Detail& detail, StemSet asCards, const CProgress& progress) {
+    StemChoice choice;
+    choice.asCards = std::move(asCards);
+    const bool joined = detail.collarRings > 0; // each stem is seen where it grows out of another
+    if (detail.woodShare >= 1 || tree.generationCount() < 3 || (joined && !choice.asCards.empty())) return choice;
+    const std::size_t last = tree.generationCount() - 1;
+    const PerStem<double> own = costs(tree, params, detail, choice.asCards, progress);
+    const double wanted = detail.woodShare * fullCost(tree, params, detailOf(detail.model, 0), joined ? own[last].size() : kSampled, progress);
+    const double budget = joined ? wanted : std::max(wanted, 3.0 * kFewWoodTriangles);
+    const PerStem<std::size_t> sizes = joined ? PerStem<std::size_t>() : stemsOn(tree);
+    const double thin = kMaxRadius * tree.height();
+    Twigs twigs;
+    double share = 0;
+    for (std::size_t most = 1; most <= kMaxStems && share < kLeastShareOfTwigs; most *= 2) {
+        twigs = twigsThatMayGo(tree, [&](std::size_t g, std::size_t s) {
+            return g == last || (!joined && sizes[g][s] <= most && tree.generation(g).stems[s].radius <= thin);
+        });
+        share = shareOf(twigs, own, budget);
+        if (joined) break;
+    }
+    if (share >= 1) return choice;
+    std::vector<bool> stay, go;
+    for (const Twigs::Root& root : twigs.roots) {
+        stay.push_back(stays(tree, root, std::max(share, joined ? detail.share : kLeastShareOfTwigs)));
+        go.push_back(!stay.back());
+    }
+    choice.leftOut = setOf(twigs, go);
+    if (joined) return choice;
+    choice.thicker = setOf(twigs, stay);
+    choice.growth = growthOf(tree, twigs, stay, choice.asCards);
+    choice.bareToo = true;
+    return choice;
+}
+
+} // namespace stromar
