@@ -60,7 +60,7 @@ TEST_P(StemChoiceTest, NearerOnlyStemsOfTheLastGenerationGo) {
 TEST_P(StemChoiceTest, IsTheSameForEveryNumberOfThreads) { EXPECT_EQ(Chosen(GetParam(), 3, 1).choice, Chosen(GetParam(), 3, 4).choice); }
 
 TEST(StemChoice, SmallTreesKeepTheirWood) {
-    const Chosen small("abop_2_6a", 3);
+    const Chosen small("lady_fern", 3);
     small.forEachStem([&](std::size_t g, std::size_t s, const CStem&) { ASSERT_TRUE(small.choice.draws(g, s)); });
 }
 

@@ -10,6 +10,7 @@ constexpr std::size_t kMaxStems = 64;  // of a twig that may be left out
 constexpr double kMaxRadius = 0.002;   // likewise, of the tree's height: a fifth of a pixel where the last level of detail is shown
 constexpr double kMaxGrowth = 1 / kLeastShareOfTwigs;
 constexpr std::size_t kSampled = 2000; // stems of a generation that tell how many triangles all have at LOD 0
+constexpr std::size_t kAllStems = ~std::size_t{0};
 
 /// A number for every stem, by generation.
 template <typename Number> using PerStem = std::vector<std::vector<Number>>;
@@ -125,7 +126,7 @@ StemChoice chooseStems(const CTree& tree, const MeshParams& params, const Detail
     if (detail.woodShare >= 1 || tree.generationCount() < 3 || (joined && !choice.asCards.empty())) return choice;
     const std::size_t last = tree.generationCount() - 1;
     const PerStem<double> own = costs(tree, params, detail, choice.asCards, progress);
-    const double wanted = detail.woodShare * fullCost(tree, params, detailOf(detail.model, 0), joined ? own[last].size() : kSampled, progress);
+    const double wanted = detail.woodShare * fullCost(tree, params, detailOf(detail.model, 0), joined ? kAllStems : kSampled, progress);
     const double budget = joined ? wanted : std::max(wanted, 3.0 * kFewWoodTriangles);
     const PerStem<std::size_t> sizes = joined ? PerStem<std::size_t>() : stemsOn(tree);
     const double thin = kMaxRadius * tree.height();
