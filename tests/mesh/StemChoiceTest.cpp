@@ -10,7 +10,7 @@ namespace {
 struct Chosen {
     explicit Chosen(const std::string& name, int lod, int threads = 2)
         : tree(grow(preset(name))),
-          choice(chooseStems(*tree, meshParamsOf(preset(name)), detailOf(Model::Full, lod), {}, CProgress(static_cast<unsigned>(threads)))) {}
+          choice(chooseStems(*tree, meshParamsOf(preset(name)), detailOf(Model::Full, lod), {}, CProgress(threads))) {}
 
     template <typename Visit> void forEachStem(Visit&& visit) const {
         for (std::size_t g = 0; g < tree->generationCount(); ++g)
