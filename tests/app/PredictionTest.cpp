@@ -123,16 +123,19 @@ TEST(SlowPrediction, BoundsThePresetsAndIsNear) {
     }
 }
 
-TEST(SlowPrediction, BoundsThePresetsWithOtherSeeds) {
-    for (const Sample& sample : presets())
-        for (const auto& [seed, fromLod] : {std::pair{1, 1}, {77, 3}, {4711, 2}}) { // the largest take time
-            CTreeCreator creator(true, SizeLimits::none());
-            CParams params = sample.params;
-            params.common.seed = seed;
-            for (const Detail& detail : detailTable())
-                if (detail.model == Model::Simple || detail.lod >= fromLod)
-                    expectWithin(creator, params, detail, sample.name + ", seed " + std::to_string(seed) + ", " + std::string(detail.name));
-        }
+/// A seed, and from which level of detail on it is looked at: the largest take time.
+class PredictionOfSeeds : public ::testing::TestWithParam<std::pair<int, int>> {};
+INSTANTIATE_TEST_SUITE_P(Slow, PredictionOfSeeds, ::testing::Values(std::pair(1, 1), std::pair(77, 3), std::pair(4711, 2)));
+
+TEST_P(PredictionOfSeeds, BoundThePresets) {
+    for (const Sample& sample : presets()) {
+        CTreeCreator creator(true, SizeLimits::none());
+        CParams params = sample.params;
+        params.common.seed = GetParam().first;
+        for (const Detail& detail : detailTable())
+            if (detail.model == Model::Simple || detail.lod >= GetParam().second)
+                expectWithin(creator, params, detail, sample.name + ", " + std::string(detail.name));
+    }
 }
 
 TEST(SlowPrediction, BoundsRandomTrees) {
