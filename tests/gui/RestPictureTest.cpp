@@ -1,10 +1,18 @@
 #include "view/Viewport.h"
+#include "WatchedApplication.h"
 #include "WindowFixture.h"
 
 namespace stromar {
 namespace {
 
-class RestPicture : public WindowFixture {};
+class RestPicture : public WindowFixture {
+protected:
+    void SetUp() override {
+        test::CWatchedApplication::refine(true);
+        WindowFixture::SetUp();
+    }
+    void TearDown() override { test::CWatchedApplication::refine(false); }
+};
 
 TEST_F(RestPicture, AViewThatRestsBecomesSmoothAndIsPlainAgainWhenItMoves) {
     const auto seen = [&] { return window.viewport().grab().toImage().convertToFormat(QImage::Format_RGB32); };

@@ -11,6 +11,12 @@ namespace stromar::test {
 
 class WatchdogTest : public WindowFixture {
 protected:
+    void SetUp() override {
+        CWatchedApplication::refine(true);
+        WindowFixture::SetUp();
+    }
+    void TearDown() override { CWatchedApplication::refine(false); }
+
     static constexpr double kMost = 50; // milliseconds
 
     CWatchedApplication& app() { return *static_cast<CWatchedApplication*>(qApp); }

@@ -4,6 +4,7 @@
 #include <QApplication>
 #include <QEvent>
 #include <QString>
+#include <QTimer>
 #include <ctime>
 
 namespace stromar::test {
@@ -18,10 +19,16 @@ public:
         m_worst = 0;
         m_what.clear();
     }
+    /// Whether a view that rests becomes smooth, which takes most of the time of a test that does not look at it.
+    static void refine(bool on) { static_cast<CWatchedApplication*>(qApp)->m_refining = on; }
     double worstMilliseconds() const { return m_worst; }
     const QString& what() const { return m_what; }
 
     bool notify(QObject* receiver, QEvent* event) override {
+        if (auto* timer = qobject_cast<QTimer*>(receiver); timer && !m_refining && isOfRestPicture(*timer, *event)) {
+            timer->stop();
+            return true;
+        }
         if (m_depth > 0) {
             if (!draws(*receiver, *event)) return QApplication::notify(receiver, event);
             const double start = now(); // inside another event
@@ -46,9 +53,12 @@ public:
     }
 
 private:
+    static bool isOfRestPicture(const QObject& receiver, const QEvent& event) {
+        return event.type() == QEvent::Timer && qobject_cast<const CRestPicture*>(receiver.parent());
+    }
     static bool draws(const QObject& receiver, const QEvent& event) {
         return event.type() == QEvent::Paint || event.type() == QEvent::UpdateRequest || event.type() == QEvent::Expose ||
-               (event.type() == QEvent::Timer && qobject_cast<const CRestPicture*>(receiver.parent())) ||
+               isOfRestPicture(receiver, event) ||
                (event.type() == QEvent::MetaCall && qobject_cast<const CThumbnails*>(&receiver)); // which has been grown on a thread
     }
     static double now() {
@@ -60,6 +70,7 @@ private:
     double m_worst = 0, m_drawn = 0;
     QString m_what;
     int m_depth = 0;
+    bool m_refining = false;
 };
 
 } // namespace stromar::test
