@@ -120,9 +120,9 @@ double twigShareBound(const SizeBound& tree, const Detail& detail) {
     if (detail.collarRings == 0) left = std::max(left, kVerticesPerTriangle * kFewWoodTriangles);
     for (std::size_t g = 0; g + 1 < tree.generations.size(); ++g) left -= stemVertices(tree, g, detail);
     const double share = left / std::max(1.0, stemVertices(tree, tree.generations.size() - 1, detail));
-    const double least = detail.collarRings == 0 ? kLeastShareOfTwigs : detail.share;
+    const double least = detail.collarRings == 0 ? kLeastShareOfTwigs : kMargin * detail.share;
     const double sampled = 8 / std::sqrt(std::max(1.0, tree.generations.back().stems)); // chosen by chance
-    return std::min(1.0, kMargin * std::max(share, least) + sampled);
+    return std::min(1.0, std::max(kMargin * share, least) + sampled);
 }
 
 /// Organs that are grown for a detail, and what is drawn of them.

@@ -108,8 +108,8 @@ std::string refusal(const CParams& params, double limit) {
 }
 } // namespace
 
-/// How many times as much as is built may be predicted: how much of straight stems, and of thin twigs, is left out nobody knows before.
-double nearFor(const Detail& detail) { return detail.woodShare >= 1 ? 5 : detail.collarRings > 0 ? 6 : 7; }
+/// How many times as much as is built may be predicted: how much of straight stems is left out nobody knows before.
+double nearFor(const Detail& detail) { return detail.share < 1 ? 6 : 5; }
 
 TEST(SlowPrediction, BoundsThePresetsAndIsNear) {
     for (const Sample& sample : presets()) {
