@@ -16,6 +16,7 @@ constexpr double kRoundEndRings = 40; // likewise a round end
 constexpr double kBytesPerVertex = 2 * sizeof(glm::vec3) + sizeof(glm::vec2) + sizeof(VertexLook);
 constexpr double kCopies = 2;           // the mesh, and what the graphics card or a writer gets
 constexpr double kJoinedGrowth = 1.3;   // of wood that is joined for a file: points of collars, copies at seams and creases
+constexpr double kBytesPerChosenStem = 64; // while chooseStems() counts triangles and stems, and of its sets
 constexpr double kBytesPerWall = 100;   // of a triangle while its tube is joined: unrolled, and in the tries
 
 /// Of stems of one thickness in a generation.
@@ -120,7 +121,7 @@ double twigShareBound(const SizeBound& tree, const Detail& detail) {
     if (detail.collarRings == 0) left = std::max(left, kVerticesPerTriangle * kFewWoodTriangles);
     for (std::size_t g = 0; g + 1 < tree.generations.size(); ++g) left -= stemVertices(tree, g, detail);
     const double share = left / std::max(1.0, stemVertices(tree, tree.generations.size() - 1, detail));
-    const double least = detail.collarRings == 0 ? kLeastShareOfTwigs : kMargin * detail.share;
+    const double least = detail.collarRings == 0 ? kLeastShareOfThinBranches : kMargin * detail.share;
     const double sampled = 8 / std::sqrt(std::max(1.0, tree.generations.back().stems)); // chosen by chance
     return std::min(1.0, std::max(kMargin * share, least) + sampled);
 }
@@ -189,6 +190,7 @@ MeshBound meshBound(const SizeBound& tree, const MeshParams& params, const Detai
         maxPointBytes = std::max(maxPointBytes, pointBytes);
     }
     bound.bytes += maxPointBytes + maxWallBytes;
+    if (detail.woodShare < 1) bound.bytes += tree.stems() * kBytesPerChosenStem;
     for (const Organ organ : kOrgans) {
         const OrganBound own = organBound(tree, organ, params, detail, onCards);
         bound.vertices += own.vertices;

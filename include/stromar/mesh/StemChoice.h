@@ -16,23 +16,23 @@ struct Thickening {
 };
 
 /// Which stems a level of detail draws. Where it has too few triangles for all wood, stems are left out by chance; where that is not
-/// seen, whole twigs with all that grows on them, and those that stay are as much thicker: they cover as much (Cook, Halstead,
+/// seen, thin branches with all that grows on them, and those that stay are as much thicker: they cover as much (Cook, Halstead,
 /// Planck & Ryu 2007, Stochastic Simplification of Aggregate Detail).
 struct StemChoice {
     StemSet asCards; ///< shown by cards (Twig.h)
     StemSet leftOut;
     StemSet thicker;
-    double growth = 1;      ///< of the radius of those
-    bool bareToo = false;   ///< leaves, blossoms and fruits are drawn where their stem is left out
+    double growth = 1;       ///< of the radius of those
+    bool organsStay = false;   ///< leaves, blossoms and fruits are drawn where their stem is left out
 
     bool draws(std::size_t generation, std::size_t stem) const { return !asCards.has(generation, stem) && !leftOut.has(generation, stem); }
-    bool bears(std::size_t generation, std::size_t stem) const { return bareToo || !leftOut.has(generation, stem); }
+    bool bears(std::size_t generation, std::size_t stem) const { return organsStay || !leftOut.has(generation, stem); }
     Thickening thickening(std::size_t generation) const;
     bool operator==(const StemChoice&) const = default;
 };
 
-/// Of the twigs that may be left out whole, at least this part stays.
-constexpr double kLeastShareOfTwigs = 0.25;
+/// Of the thin branches that may be left out, at least this part stays.
+constexpr double kLeastShareOfThinBranches = 0.25;
 
 /// Chooses so many that all wood has about the detail's share of the triangles of LOD 0. A smaller share keeps of what a larger one does.
 /// Linear in the segments, about as long as planning their rings; nothing where the detail draws all. Throws CCancelled.

@@ -6,9 +6,9 @@
 namespace stromar {
 
 namespace {
-constexpr std::size_t kMaxStems = 64;  // of a twig that may be left out
+constexpr std::size_t kMaxStems = 64;  // of a subtree, a branch with all that grows on it, that may be left out
 constexpr double kMaxRadius = 0.002;   // likewise, of the tree's height: a fifth of a pixel where the last level of detail is shown
-constexpr double kMaxGrowth = 1 / kLeastShareOfTwigs;
+constexpr double kMaxGrowth = 1 / kLeastShareOfThinBranches;
 constexpr std::size_t kSampled = 2000; // stems of a generation that tell how many triangles all have at LOD 0
 constexpr std::size_t kAllStems = ~std::size_t{0};
 
@@ -53,8 +53,8 @@ PerStem<std::size_t> stemsOn(const CTree& tree) {
     return all;
 }
 
-/// The twigs that may be left out, and which stems are a part of one.
-struct Twigs {
+/// The subtrees that may be left out, and which stems are a part of one.
+struct Subtrees {
     struct Root {
         std::size_t generation, stem;
     };
@@ -64,52 +64,52 @@ struct Twigs {
     PerStem<std::size_t> of; ///< which of them a stem belongs to
 };
 
-template <typename MayGo> Twigs twigsThatMayGo(const CTree& tree, MayGo&& mayGo) {
-    Twigs twigs{{}, forStemsOf(tree, Twigs::kNone)};
-    for (std::size_t g = 2; g < twigs.of.size(); ++g)
-        for (std::size_t s = 0; s < twigs.of[g].size(); ++s) {
-            std::size_t& own = twigs.of[g][s];
-            own = twigs.of[g - 1][static_cast<std::size_t>(tree.generation(g).stems[s].parent)];
-            if (own != Twigs::kNone || !mayGo(g, s)) continue;
-            own = twigs.roots.size();
-            twigs.roots.push_back({g, s});
+template <typename MayGo> Subtrees subtreesThatMayGo(const CTree& tree, MayGo&& mayGo) {
+    Subtrees subtrees{{}, forStemsOf(tree, Subtrees::kNone)};
+    for (std::size_t g = 2; g < subtrees.of.size(); ++g)
+        for (std::size_t s = 0; s < subtrees.of[g].size(); ++s) {
+            std::size_t& own = subtrees.of[g][s];
+            own = subtrees.of[g - 1][static_cast<std::size_t>(tree.generation(g).stems[s].parent)];
+            if (own != Subtrees::kNone || !mayGo(g, s)) continue;
+            own = subtrees.roots.size();
+            subtrees.roots.push_back({g, s});
         }
-    return twigs;
+    return subtrees;
 }
 
-/// The part of the twigs' triangles that fills what other stems leave of the budget.
-double shareOf(const Twigs& twigs, const PerStem<double>& costs, double budget) {
+/// The part of their triangles that fills what other stems leave of the budget.
+double shareOf(const Subtrees& subtrees, const PerStem<double>& costs, double budget) {
     double left = budget, theirs = 0;
     for (std::size_t g = 0; g < costs.size(); ++g)
         for (std::size_t s = 0; s < costs[g].size(); ++s) {
-            if (twigs.of[g][s] == Twigs::kNone) left -= costs[g][s];
+            if (subtrees.of[g][s] == Subtrees::kNone) left -= costs[g][s];
             else theirs += costs[g][s];
         }
     return left / std::max(1.0, theirs);
 }
 
-bool stays(const CTree& tree, const Twigs::Root& root, double share) {
+bool stays(const CTree& tree, const Subtrees::Root& root, double share) {
     return share >= 1 || root.stem == 0 || unitOf(hashCombine(0, tree.generation(root.generation).stems[root.stem].id)) < share;
 }
 
-StemSet setOf(const Twigs& twigs, const std::vector<bool>& chosen) {
+StemSet setOf(const Subtrees& subtrees, const std::vector<bool>& chosen) {
     StemSet set;
-    for (const std::vector<std::size_t>& generation : twigs.of) {
+    for (const std::vector<std::size_t>& generation : subtrees.of) {
         std::vector<bool>& own = set.stems.emplace_back(generation.size());
-        for (std::size_t s = 0; s < own.size(); ++s) own[s] = generation[s] != Twigs::kNone && chosen[generation[s]];
+        for (std::size_t s = 0; s < own.size(); ++s) own[s] = generation[s] != Subtrees::kNone && chosen[generation[s]];
     }
     return set;
 }
 
-/// How much thicker twigs have to be to cover as much as all do.
-double growthOf(const CTree& tree, const Twigs& twigs, const std::vector<bool>& stay, const StemSet& asCards) {
+/// How much thicker those that stay have to be to cover as much as all do.
+double growthOf(const CTree& tree, const Subtrees& subtrees, const std::vector<bool>& stay, const StemSet& asCards) {
     double all = 0, kept = 0;
-    for (std::size_t g = 0; g < twigs.of.size(); ++g)
-        for (std::size_t s = 0; s < twigs.of[g].size(); ++s) {
-            if (twigs.of[g][s] == Twigs::kNone || asCards.has(g, s)) continue;
+    for (std::size_t g = 0; g < subtrees.of.size(); ++g)
+        for (std::size_t s = 0; s < subtrees.of[g].size(); ++s) {
+            if (subtrees.of[g][s] == Subtrees::kNone || asCards.has(g, s)) continue;
             const CStem& stem = tree.generation(g).stems[s];
             all += stem.length * stem.radius;
-            if (stay[twigs.of[g][s]]) kept += stem.length * stem.radius;
+            if (stay[subtrees.of[g][s]]) kept += stem.length * stem.radius;
         }
     return kept > 0 ? std::min(kMaxGrowth, all / kept) : 1;
 }
@@ -130,26 +130,26 @@ StemChoice chooseStems(const CTree& tree, const MeshParams& params, const Detail
     const double budget = joined ? wanted : std::max(wanted, 3.0 * kFewWoodTriangles);
     const PerStem<std::size_t> sizes = joined ? PerStem<std::size_t>() : stemsOn(tree);
     const double thin = kMaxRadius * tree.height();
-    Twigs twigs;
+    Subtrees subtrees;
     double share = 0;
-    for (std::size_t most = 1; most <= kMaxStems && share < kLeastShareOfTwigs; most *= 2) {
-        twigs = twigsThatMayGo(tree, [&](std::size_t g, std::size_t s) {
+    for (std::size_t most = 1; most <= kMaxStems && share < kLeastShareOfThinBranches; most *= 2) {
+        subtrees = subtreesThatMayGo(tree, [&](std::size_t g, std::size_t s) {
             return g == last || (!joined && sizes[g][s] <= most && tree.generation(g).stems[s].radius <= thin);
         });
-        share = shareOf(twigs, own, budget);
+        share = shareOf(subtrees, own, budget);
         if (joined) break;
     }
     if (share >= 1) return choice;
     std::vector<bool> stay, go;
-    for (const Twigs::Root& root : twigs.roots) {
-        stay.push_back(stays(tree, root, std::max(share, joined ? detail.share : kLeastShareOfTwigs)));
+    for (const Subtrees::Root& root : subtrees.roots) {
+        stay.push_back(stays(tree, root, std::max(share, joined ? detail.share : kLeastShareOfThinBranches)));
         go.push_back(!stay.back());
     }
-    choice.leftOut = setOf(twigs, go);
+    choice.leftOut = setOf(subtrees, go);
     if (joined) return choice;
-    choice.thicker = setOf(twigs, stay);
-    choice.growth = growthOf(tree, twigs, stay, choice.asCards);
-    choice.bareToo = true;
+    choice.thicker = setOf(subtrees, stay);
+    choice.growth = growthOf(tree, subtrees, stay, choice.asCards);
+    choice.organsStay = true;
     return choice;
 }
 
