@@ -73,7 +73,8 @@ public:
         m_model->milliseconds.structure += watch.lap();
         for (const Organ organ : kOrgans) std::ranges::copy(meshOrgans(organ), std::back_inserter(m_model->organs));
         if (m_model->twig)
-            m_model->cards = meshOfTwigs(m_model->choice->asCards, m_tree, *m_made.leafCounts, *m_model->twig, m_mesh, m_detail, m_progress);
+            m_model->cards = meshOfTwigs(m_model->choice->asCards, m_tree, *m_made.leafCounts, *m_model->twig, m_mesh, m_detail, m_progress,
+                                         meshOrgans(Organ::Leaf));
         auto& ms = m_model->milliseconds;
         ms.mesh += watch.lap();
         ms.total = ms.structure + ms.smooth + ms.mesh;
@@ -94,7 +95,7 @@ private:
         itsLeaves.stems->stems.back().resize(typical->stem + 1);
         itsLeaves.stems->stems.back().back() = true;
         const auto leaves = m_builder.growOrgans(m_params, m_tree, Organ::Leaf, itsLeaves, m_progress);
-        const auto crown = m_builder.growOrgans(m_params, m_tree, Organ::Leaf, {.share = detailOf(Model::Full, 1).share, .max = kMeasuredLeaves, .stems = twigs}, m_progress);
+        const auto crown = m_builder.growOrgans(m_params, m_tree, Organ::Leaf, {.max = kMeasuredLeaves}, m_progress);
         m_model->twig = twigAt(*typical, twigs, m_tree, *leaves, crown, leafMasksOf(m_params, m_progress), m_mesh, m_progress);
         return twigs;
     }
@@ -180,15 +181,20 @@ private:
         MadeOrgans& made = m_made.organs[static_cast<std::size_t>(organ)];
         if (made.meshes.empty() || meshIsStale(made.params, m_params, Invalidation::kLeaves)) {
             made.meshes = meshOfOrgans(*m_model->tree, organ, m_plans, m_mesh, m_detail, m_progress, asCards(organ));
-            if (organ == Organ::Leaf && m_detail.lod > 0 && m_model->choice->asCards.empty()) fitLeaves(made.meshes);
+            if (organ == Organ::Leaf && m_detail.lod > 0) fitLeaves(made.meshes);
             made.params = m_params;
         }
         return made.meshes;
     }
 
+    /// Those beside the cards.
     void fitLeaves(OrganMeshes& meshes) const {
-        if (double(m_model->tree->organs(Organ::Leaf)->total) > kMeasuredLeaves) return;
-        const auto all = m_builder.growOrgans(m_params, m_tree, Organ::Leaf, {}, m_progress);
+        const StemSet& asCards = m_model->choice->asCards;
+        const COrgans& leaves = *m_model->tree->organs(Organ::Leaf);
+        if (double(leaves.total - leaves.countOn(asCards)) > kMeasuredLeaves) return;
+        OrganDemand beside;
+        if (!asCards.empty()) beside.stems = demandOf(m_detail, m_plans, asCards).stems;
+        const auto all = m_builder.growOrgans(m_params, m_tree, Organ::Leaf, beside, m_progress);
         meshes = fittingLeaves(meshes, all, m_tree, leafMasksOf(m_params, m_progress), m_mesh, m_progress);
     }
 

@@ -3,6 +3,7 @@
 #include <cassert>
 #include <cmath>
 #include <limits>
+#include <numbers>
 
 namespace stromar {
 
@@ -36,5 +37,7 @@ int roundRingPoints(const Detail& detail, double thickness) {
     const int points = static_cast<int>(std::ceil(detail.ringPoints * thickness - 1e-9));
     return std::max(3, points > 5 ? (points + 1) / 2 * 2 : points);
 }
+
+double outlineShare(int sides) { return sides * std::sin(std::numbers::pi / sides) / std::numbers::pi; }
 
 } // namespace stromar

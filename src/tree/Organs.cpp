@@ -10,6 +10,14 @@ namespace {
 constexpr std::uint64_t kThinning = 0x7468696e;
 }
 
+std::size_t COrgans::countOn(const StemSet& stems) const {
+    std::size_t count = 0;
+    for (std::size_t g = 0; g < stems.stems.size(); ++g)
+        for (std::size_t s = 0; s < stems.stems[g].size(); ++s)
+            if (stems.stems[g][s]) count += countOn(g, s);
+    return count;
+}
+
 StemSet twigsOf(const CTree& tree, const COrgans& leaves) {
     StemSet twigs;
     twigs.stems.resize(leaves.counts.size());

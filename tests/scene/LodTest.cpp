@@ -160,6 +160,7 @@ TEST_P(LevelsOfDetail, DoNotPop) {
         const std::vector<CCamera> cameras = camerasAround(fine);
         const Seen before = eye.look(fine, cameras, side), after = eye.look(coarse, cameras, side);
         const double coverage = after.covered / before.covered - 1, colour = glm::distance(before.lab(), after.lab());
+        std::printf("%s to %d: %+.4f %.2f\n", GetParam().c_str(), lod, coverage, colour);
         EXPECT_LE(std::abs(coverage), bound.coverage) << "to level " << lod;
         EXPECT_LE(colour, bound.colour) << "to level " << lod;
         fine = std::move(coarse);

@@ -85,6 +85,7 @@ struct MeshPlan {
     std::vector<ForkPoint> forkPoints;
     std::vector<std::int32_t> tubeOfPath; ///< −1: too short to be drawn
     std::vector<bool> stemBears;          ///< its leaves, blossoms and fruits are to be drawn
+    const Detail* detail = nullptr;       ///< of the table
     Thickening thickening;                ///< with which its stems are drawn
     std::size_t vertexCount = 0, indexCount = 0;
 };

@@ -30,22 +30,6 @@ struct CLeaf {
 };
 using LeafArray = RawVector<CLeaf>;
 
-/// The organs of one kind that a tree bears. Perhaps only some of them are grown: those that a model shows.
-struct COrgans {
-    LeafArray grown;                                ///< in the order of generations, stems and numbers
-    std::vector<std::vector<std::uint32_t>> counts; ///< by generation and stem: how many it bears; empty: none does
-    std::size_t total = 0;                          ///< sum of the counts
-
-    std::uint32_t countOn(std::size_t generation, std::size_t stem) const {
-        return generation < counts.size() && !counts[generation].empty() ? counts[generation][stem] : 0;
-    }
-};
-using OrganArrays = std::array<std::shared_ptr<const COrgans>, kOrgans.size()>; ///< by Organ, none is null
-
-/// Organs that are all grown, in order; sets their numbers.
-std::shared_ptr<const COrgans> allOrgans(LeafArray grown,
-                                         const std::vector<std::shared_ptr<const CGeneration>>& generations);
-
 /// Some of a tree's stems, by generation; of a generation that is missing or empty none.
 struct StemSet {
     std::vector<std::vector<bool>> stems;
@@ -56,6 +40,23 @@ struct StemSet {
     bool empty() const { return stems.empty(); }
     bool operator==(const StemSet&) const = default;
 };
+
+/// The organs of one kind that a tree bears. Perhaps only some of them are grown: those that a model shows.
+struct COrgans {
+    LeafArray grown;                                ///< in the order of generations, stems and numbers
+    std::vector<std::vector<std::uint32_t>> counts; ///< by generation and stem: how many it bears; empty: none does
+    std::size_t total = 0;                          ///< sum of the counts
+
+    std::uint32_t countOn(std::size_t generation, std::size_t stem) const {
+        return generation < counts.size() && !counts[generation].empty() ? counts[generation][stem] : 0;
+    }
+    std::size_t countOn(const StemSet& stems) const;
+};
+using OrganArrays = std::array<std::shared_ptr<const COrgans>, kOrgans.size()>; ///< by Organ, none is null
+
+/// Organs that are all grown, in order; sets their numbers.
+std::shared_ptr<const COrgans> allOrgans(LeafArray grown,
+                                         const std::vector<std::shared_ptr<const CGeneration>>& generations);
 
 /// The tree's twigs: stems without branches that bear leaves. Linear in the stems.
 StemSet twigsOf(const CTree& tree, const COrgans& leaves);

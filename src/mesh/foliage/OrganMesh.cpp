@@ -23,13 +23,6 @@ static_assert(std::size(kLooks) == kOrgans.size());
 
 const OrganLook& lookOf(Organ organ) { return kLooks[static_cast<std::size_t>(organ)]; }
 
-std::size_t countOn(const StemSet& stems, const COrgans& organs) {
-    std::size_t count = 0;
-    for (std::size_t g = 0; g < stems.stems.size(); ++g)
-        for (std::size_t s = 0; s < stems.stems[g].size(); ++s)
-            if (stems.stems[g][s]) count += organs.countOn(g, s);
-    return count;
-}
 } // namespace
 
 COrganMesh::COrganMesh(Organ organ, std::size_t kind, LeafBlade blade, std::shared_ptr<const COrgans> organs,
@@ -142,7 +135,7 @@ OrganMeshes meshOfOrgans(const CTree& tree, Organ organ, std::span<const MeshPla
     progress.poll();
     const SeasonShare season = params.seasonOf(organ);
     const auto& organs = tree.organs(organ);
-    const std::size_t total = organs->total - countOn(asCards, *organs);
+    const std::size_t total = organs->total - organs->countOn(asCards);
     std::vector<std::vector<std::uint32_t>> shown(organ == Organ::Leaf ? kLeafKinds : 1); // by kind
     shown[0].reserve(organs->grown.size());
     std::size_t drawable = 0;

@@ -12,7 +12,7 @@ std::shared_ptr<const CMesh> meshOfStems(const CTree& tree, int generation, cons
                                          const CProgress& progress) {
     const auto mesh = allocateMesh(generation == 0 ? "trunk" : "branches_" + std::to_string(generation),
                                    barkOf(static_cast<std::size_t>(generation)), plan.vertexCount, plan.indexCount);
-    const CStemSurface surface(tree, generation, params, plan.thickening);
+    const CStemSurface surface(tree, generation, params, *plan.detail, plan.thickening);
     parallelFor(
         plan.tubes.size(), kTubeGrain,
         [&](std::size_t begin, std::size_t end) {

@@ -60,6 +60,7 @@ MeshPlan planStems(const CTree& tree, int generation, const MeshParams& params, 
     MeshPlan plan;
     for (const MeshPlan& part : parts) append(plan, part);
     layOut(plan, own.paths.size());
+    plan.detail = &detail;
     plan.thickening = std::move(thickening);
     return plan;
 }

@@ -28,7 +28,7 @@ void CSimplifier::Mark::restore(MeshPlan& plan) const {
 CSimplifier::CSimplifier(const CTree& tree, int generation, const MeshParams& params, const Detail& detail,
                          const StemMesh* parents, const Thickening& thickening)
     : m_detail(detail), m_generation(tree.generation(static_cast<std::size_t>(generation))),
-      m_surface(tree, generation, params, thickening), m_smoother(m_surface), m_line(m_generation, m_surface),
+      m_surface(tree, generation, params, detail, thickening), m_smoother(m_surface), m_line(m_generation, m_surface),
       m_forkMaker(m_generation, m_surface), m_trial(m_generation, m_surface),
       m_smooth(generation < detail.smoothGenerations), m_maxSag(detail.maxSag * tree.height()) {
     if (parents && detail.collarRings > 0)
@@ -82,7 +82,7 @@ bool CSimplifier::planTube(std::uint32_t s, std::uint32_t p, bool withCollar, Me
     Tube tube{.stem = s,
               .path = p,
               .firstRing = static_cast<std::uint32_t>(before.rings),
-              .points = fork.common.points > 0 ? fork.common.points : ringPoints(radius),
+              .points = fork.common.points > 0 ? fork.common.points : static_cast<std::uint32_t>(m_surface.ringPoints(radius)),
               .firstCollarPoint = static_cast<std::uint32_t>(before.collarPoints),
               .firstFork = static_cast<std::uint32_t>(before.forks),
               .joined = fork.common.points > 0};
@@ -244,11 +244,7 @@ void CSimplifier::halvePoints(const CStem& stem, const Tube& tube, MeshPlan& pla
 
 bool CSimplifier::canHalve(const CStem& stem, std::uint32_t points, const Ring& ring) const {
     return points >= 6 && points % 2 == 0 &&
-           roundPoints(discAt(stem, ring).radius) <= static_cast<int>(points / 2);
-}
-
-std::uint32_t CSimplifier::ringPoints(double radius) const {
-    return static_cast<std::uint32_t>(std::max(roundPoints(radius), m_detail.lobePoints * m_surface.ridges()));
+           m_surface.roundPoints(discAt(stem, ring).radius / m_surface.growthOf(stem)) <= static_cast<int>(points / 2);
 }
 
 CSimplifier::Disc CSimplifier::discAt(const CStem& stem, const Ring& ring) const {

@@ -62,8 +62,6 @@ private:
 
     void halvePoints(const CStem& stem, const Tube& tube, MeshPlan& plan) const;
     bool canHalve(const CStem& stem, std::uint32_t points, const Ring& ring) const;
-    std::uint32_t ringPoints(double radius) const;
-    int roundPoints(double radius) const { return roundRingPoints(m_detail, m_surface.thickness(radius)); }
 
     bool collarFolds(const Tube& tube, const MeshPlan& plan);
     bool forksFold(const Tube& tube, const MeshPlan& plan);

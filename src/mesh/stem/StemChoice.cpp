@@ -146,10 +146,9 @@ StemChoice chooseStems(const CTree& tree, const MeshParams& params, const Detail
         go.push_back(!stay.back());
     }
     choice.leftOut = setOf(subtrees, go);
-    if (joined) return choice;
     choice.thicker = setOf(subtrees, stay);
     choice.growth = growthOf(tree, subtrees, stay, choice.asCards);
-    choice.organsStay = true;
+    choice.organsStay = !joined;
     return choice;
 }
 

@@ -13,9 +13,10 @@ namespace stromar {
 /// `along` is counted from a stem's base.
 class CStemSurface {
 public:
-    /// The thickening has to outlive it.
-    CStemSurface(const CTree& tree, int generation, const MeshParams& params, const Thickening& thickening)
+    /// At a level of detail. The thickening has to outlive it.
+    CStemSurface(const CTree& tree, int generation, const MeshParams& params, const Detail& detail, const Thickening& thickening)
         : CStemSurface(tree, generation, params) {
+        m_detail = &detail;
         if (!thickening.stems.empty()) m_thickening = &thickening;
     }
     CStemSurface(const CTree& tree, int generation, const MeshParams& params)
@@ -30,6 +31,11 @@ public:
     double thickness(double radius) const {
         return m_trunkRadius > 0 ? std::min(1.0, std::sqrt(radius / m_trunkRadius)) : 1;
     }
+
+    /// Of a ring, at a level of detail.
+    int ringPoints(double radius) const { return ringPoints(*m_detail, radius); }
+    /// Without room for lobes.
+    int roundPoints(double radius) const { return roundRingPoints(*m_detail, thickness(radius)); }
 
     /// As in VertexLook.
     std::uint8_t thinness(double radius) const { return thinnessOf(radius, m_trunkRadius); }
@@ -90,19 +96,27 @@ public:
         return {around, perMetre * around / exact};
     }
 
+    /// How much thicker a stem is drawn than it is: it covers as much as with all stems and with the points of its rings at LOD 0.
+    double growthOf(const CStem& stem) const {
+        if (!m_detail || m_detail->lod == 0) return 1;
+        const double outline = outlineShare(ringPoints(detailOf(m_detail->model, 0), stem.radius)) / outlineShare(ringPoints(stem.radius));
+        return m_thickening && m_thickening->stems[static_cast<std::size_t>(&stem - m_stems)] ? m_thickening->growth * outline : outline;
+    }
+
 private:
+    int ringPoints(const Detail& detail, double radius) const {
+        return std::max(roundRingPoints(detail, thickness(radius)), detail.lobePoints * ridges());
+    }
+
     /// At the end of a segment.
     static double radiusAbove(const CStem& stem, const CSegment& segment) {
         const bool runsOn = stem.profile.form == RadiusProfile::Form::Steps && segment.end() < stem.length;
         return runsOn ? (&segment + 1)->radiusBase : segment.radiusEnd; // segments of a stem lie one after the other
     }
 
-    double growthOf(const CStem& stem) const {
-        return m_thickening && m_thickening->stems[static_cast<std::size_t>(&stem - m_stems)] ? m_thickening->growth : 1;
-    }
-
     MeshParams m_params;
     const CStem* m_stems;
+    const Detail* m_detail = nullptr; ///< none: as it is
     const Thickening* m_thickening = nullptr;
     BaseForm m_base; ///< none above the trunks
     bool m_trunk;

@@ -313,10 +313,17 @@ std::vector<CrownPart> leafParts(const std::shared_ptr<const COrgans>& leaves, c
     return parts;
 }
 
+std::vector<CrownPart> partsOf(const OrganMeshes& leaves, const LeafMasks& masks, const CProgress& progress) {
+    std::vector<CrownPart> parts;
+    for (const auto& mesh : leaves)
+        if (mesh->count() > 0) parts.push_back({mesh->expanded(progress), &masks[mesh->kind()]});
+    return parts;
+}
+
 OrganMeshes fittingLeaves(const OrganMeshes& thinned, const std::shared_ptr<const COrgans>& all, const CTree& tree, const LeafMasks& masks,
                           const MeshParams& params, const CProgress& progress) {
-    const double present = double(all->total) * params.seasonOf(Organ::Leaf).share;
-    if (present < 1 || double(all->total) > kMeasuredLeaves || verticesOf(thinned) > kMaxVertices) return thinned;
+    const double present = double(all->grown.size()) * params.seasonOf(Organ::Leaf).share;
+    if (present < 1 || double(all->grown.size()) > kMeasuredLeaves || verticesOf(thinned) > kMaxVertices) return thinned;
     const std::vector<CrownPart> whole = leafParts(all, nullptr, present, tree, params, masks, detailOf(Model::Full), progress);
     if (whole.empty()) return thinned;
     Bounds box = whole.front().mesh->bounds();
@@ -328,10 +335,7 @@ OrganMeshes fittingLeaves(const OrganMeshes& thinned, const std::shared_ptr<cons
         return sized;
     };
     const double fit = fitTo(crownCover(whole, frame, progress), 1, [&](double areas) {
-        std::vector<CrownPart> parts;
-        for (const auto& mesh : resized(areas))
-            if (mesh->count() > 0) parts.push_back({mesh->expanded(progress), &masks[mesh->kind()]});
-        return crownCover(parts, frame, progress);
+        return crownCover(partsOf(resized(areas), masks, progress), frame, progress);
     });
     return resized(fit);
 }

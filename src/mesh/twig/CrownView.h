@@ -54,6 +54,8 @@ double crownCover(const std::vector<CrownPart>& parts, const CrownFrame& frame, 
 std::vector<CrownPart> leafParts(const std::shared_ptr<const COrgans>& leaves, const StemSet* stems, double present, const CTree& tree,
                                  const MeshParams& params, const LeafMasks& masks, const Detail& detail, const CProgress& progress);
 
+std::vector<CrownPart> partsOf(const OrganMeshes& leaves, const LeafMasks& masks, const CProgress& progress);
+
 /// By how much areas have to grow for something to cover as much as is wanted: by secants from `start`.
 template <typename CoverAt> double fitTo(double wanted, double start, CoverAt&& coverAt) {
     constexpr int kSteps = 3;

@@ -214,6 +214,11 @@ public:
     CrownLook lookOfLeaves(const std::shared_ptr<const COrgans>& leaves, const StemSet& twigs, const MeshParams& params) const {
         return crownLook(leafParts(leaves, &twigs, leavesOn(m_twigs), m_tree, params, m_twig.masks, detailOf(Model::Full, 1), m_progress), m_frame, m_progress);
     }
+    double coverOfAll(const std::shared_ptr<const COrgans>& leaves, const StemSet& twigs, const MeshParams& params) const {
+        if (leaves->countOn(twigs) == leaves->total) return m_twig.crown.covered;
+        const double present = double(leaves->total) * params.seasonOf(Organ::Leaf).share;
+        return crownCover(leafParts(leaves, nullptr, present, m_tree, params, m_twig.masks, detailOf(Model::Full, 1), m_progress), m_frame, m_progress);
+    }
     CrownLook lookOf(const std::shared_ptr<const CMesh>& cards) const { return crownLook({{cards, nullptr, &m_mask}}, m_frame, m_progress); }
 
     std::shared_ptr<const CMesh> cards(const CardPlan& plan, double fit) const {
@@ -229,10 +234,14 @@ public:
         return mesh;
     }
 
-    /// Of the areas of cards that are right for a single twig: so that they cover as much as the leaves do.
-    double fitOf(const CardPlan& plan) const {
-        const auto coverAt = [&](double fit) { return crownCover({{cards(plan, fit), nullptr, &m_mask}}, m_frame, m_progress); };
-        return fitTo(m_twig.crown.covered, m_twig.cardFit, coverAt);
+    /// Of the areas of cards that are right for a single twig: so that they, with what is drawn `beside` them, cover as much as the leaves do.
+    double fitOf(const CardPlan& plan, std::vector<CrownPart> beside = {}) const {
+        const double wanted = beside.empty() ? m_twig.crown.covered : m_twig.allCovered;
+        beside.emplace_back();
+        return fitTo(wanted, m_twig.cardFit, [&](double fit) {
+            beside.back() = {cards(plan, fit), nullptr, &m_mask};
+            return crownCover(beside, m_frame, m_progress);
+        });
     }
 
 private:
@@ -260,6 +269,7 @@ void measureCrown(Twig& twig, const StemSet& twigs, const CTree& tree, const std
                   const CProgress& progress) {
     const CCrown crown(twigs, tree, *leaves, params, twig, progress);
     twig.crown = crown.lookOfLeaves(leaves, twigs, params);
+    twig.allCovered = crown.coverOfAll(leaves, twigs, params);
     const CardPlan plan = crown.plan(detailOf(Model::Full, 2));
     twig.cardFit = crown.fitOf(plan);
     twig.cards = crown.lookOf(crown.cards(plan, twig.cardFit));
@@ -267,10 +277,10 @@ void measureCrown(Twig& twig, const StemSet& twigs, const CTree& tree, const std
 
 std::shared_ptr<const CMesh> meshOfTwigs(const StemSet& twigs, const CTree& tree, const COrgans& leaves, const Twig& typical,
                                          const MeshParams& params, const Detail& detail,
-                                         const CProgress& progress) {
+                                         const CProgress& progress, const OrganMeshes& beside) {
     const CCrown crown(twigs, tree, leaves, params, typical, progress);
     const CardPlan plan = crown.plan(detail);
-    return crown.cards(plan, crown.fitOf(plan));
+    return crown.cards(plan, crown.fitOf(plan, partsOf(beside, typical.masks, progress)));
 }
 
 } // namespace stromar

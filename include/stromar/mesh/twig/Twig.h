@@ -28,6 +28,7 @@ struct Twig {
     double seenPerLeaf;   ///< m² that are seen of its leaves' cards, on the average from all sides, over their number
     double allLeafArea;   ///< m² of all the tree's leaves that the season left
     LeafMasks masks;        ///< of its leaves
+    double allCovered = 0;  ///< as CrownLook::covered, by all leaves of the tree
     CrownLook crown, cards; ///< the leaves of all twigs; the cards that stand for them at level of detail 2
     double cardFit = 1;     ///< by how much the area of those differs from what is right for a single twig
 
@@ -46,7 +47,7 @@ struct TwigPlace {
 /// The one of the twigs that is nearest to their mean; nothing where none bears leaves. Of the leaves only the counts
 /// are looked at.
 std::optional<TwigPlace> typicalOf(const StemSet& twigs, const CTree& tree, const COrgans& leaves, const MeshParams& params);
-/// What that one with its leaves, which are grown, looks like. `crown`: leaves of all twigs, or some, evenly chosen (OrganDemand::max).
+/// What that one with its leaves, which are grown, looks like. `crown`: all leaves, or some, evenly chosen (OrganDemand::max).
 /// About a tenth of a second.
 std::shared_ptr<const Twig> twigAt(const TwigPlace& place, const StemSet& twigs, const CTree& tree, const COrgans& leaves,
                                    const std::shared_ptr<const COrgans>& crown, const LeafMasks& masks, const MeshParams& params,
@@ -57,10 +58,11 @@ std::shared_ptr<const Twig> typicalTwig(const CTree& tree, const MeshParams& par
 /// A card for every twig that bears leaves, bent with it, in the detail's number of planes. No
 /// more rectangles than the detail's share of the leaves: else fewer planes, straight cards, at last fewer cards. Each
 /// is so large that as much is seen of it as of its stem's leaves (Twig::seenPerLeaf), within half and four times the typical one's
-/// area; then all grow or shrink until they cover as much as Twig::crown. Throws CCancelled.
+/// area; then all grow or shrink until they cover as much as Twig::crown, or, with the leaves `beside` them, as Twig::allCovered. Throws CCancelled.
 /// Of the leaves only the counts are looked at.
 std::shared_ptr<const CMesh> meshOfTwigs(const StemSet& twigs, const CTree& tree, const COrgans& leaves, const Twig& typical,
-                                         const MeshParams& params, const Detail& detail, const CProgress& progress);
+                                         const MeshParams& params, const Detail& detail, const CProgress& progress,
+                                         const OrganMeshes& beside = {});
 /// For which twigs those cards stand, in their order: equally many vertices each.
 std::vector<TwigPlace> twigsOfCards(const StemSet& twigs, const CTree& tree, const COrgans& leaves, const Twig& typical,
                                     const MeshParams& params, const Detail& detail);
