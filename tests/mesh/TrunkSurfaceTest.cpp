@@ -4,6 +4,8 @@
 #include "weberpenn/Grown.h"
 #include <algorithm>
 #include <cmath>
+#include <glm/geometric.hpp>
+#include <glm/vec2.hpp>
 #include <gtest/gtest.h>
 #include <map>
 #include <numbers>
@@ -215,9 +217,29 @@ TEST(TrunkSurface, EnclosesTheVolumeOfItsPrism) {
         const Trunk trunk = trunkOf(params, detail);
         const CStem& m = trunk.stem();
         const int n = detail.ringPoints;
-        const double area = 0.5 * n * m.radius * m.radius * std::sin(2 * std::numbers::pi / n);
+        const double radius = detail.lod == 0 ? m.radius : m.radius * outlineShare(detailOf(Model::Full).ringPoints) / outlineShare(n);
+        const double area = 0.5 * n * radius * radius * std::sin(2 * std::numbers::pi / n);
         EXPECT_NEAR(signedVolume(*trunk.mesh), area * m.length, 1e-4 * area * m.length) << detail.name;
     }
+}
+
+TEST(TrunkSurface, IsAsWideAtEveryLevelOfDetail) {
+    const auto meanWidth = [](const Detail& detail) {
+        const Trunk trunk = trunkOf(plainTrunk(), detail);
+        double sum = 0;
+        for (int degrees = 0; degrees < 180; ++degrees) {
+            const glm::vec2 across(std::cos(degrees * std::numbers::pi / 180), std::sin(degrees * std::numbers::pi / 180));
+            float low = 0, high = 0;
+            forEachWallVertex(*trunk.mesh, [&](const glm::vec3& p, const glm::vec2&) {
+                low = std::min(low, glm::dot(across, glm::vec2(p)));
+                high = std::max(high, glm::dot(across, glm::vec2(p)));
+            });
+            sum += double(high - low) / 180;
+        }
+        return sum;
+    };
+    const double full = meanWidth(detailOf(Model::Full));
+    for (int lod = 1; lod <= kMaxLod; ++lod) EXPECT_NEAR(meanWidth(detailOf(Model::Full, lod)) / full, 1, 1e-3) << lod;
 }
 
 TEST(TrunkSurface, IsNeverThinnerThanTheLeastRadius) {

@@ -18,7 +18,7 @@ void CBarkScale::start(const CGeneration& generation, const CStem& stem, const C
 }
 
 void CBarkScale::add(const CStem& stem, std::span<const CSegment> segments, double until) {
-    const double base = std::max(m_surface.minRadius(), stem.radius);
+    const double base = m_surface.growthOf(stem) * std::max(m_surface.minRadius(), stem.radius);
     const auto scaleAt = [&](const CSegment& segment, double t) {
         return base > 0 ? m_surface.woodRadius(stem, segment, t) / base : 1;
     };
