@@ -116,7 +116,8 @@ double growthOf(const CTree& tree, const Subtrees& subtrees, const std::vector<b
 } // namespace
 
 Thickening StemChoice::thickening(std::size_t generation) const {
-    return growth == 1 || generation >= thicker.stems.size() ? Thickening() : Thickening{thicker.stems[generation], growth};
+    if (growth == 1 || generation >= thicker.stems.size() || std::ranges::find(thicker.stems[generation], true) == thicker.stems[generation].end()) return {};
+    return {thicker.stems[generation], growth};
 }
 
 StemChoice chooseStems(const CTree& tree, const MeshParams& params, const Detail& detail, StemSet asCards, const CProgress& progress) {
