@@ -315,6 +315,7 @@ std::vector<CrownPart> leafParts(const std::shared_ptr<const COrgans>& leaves, c
 
 std::vector<CrownPart> partsOf(const OrganMeshes& leaves, const LeafMasks& masks, const CProgress& progress) {
     std::vector<CrownPart> parts;
+    if (verticesOf(leaves) > kMaxVertices) return parts;
     for (const auto& mesh : leaves)
         if (mesh->count() > 0) parts.push_back({mesh->expanded(progress), &masks[mesh->kind()]});
     return parts;

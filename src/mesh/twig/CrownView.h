@@ -54,6 +54,7 @@ double crownCover(const std::vector<CrownPart>& parts, const CrownFrame& frame, 
 std::vector<CrownPart> leafParts(const std::shared_ptr<const COrgans>& leaves, const StemSet* stems, double present, const CTree& tree,
                                  const MeshParams& params, const LeafMasks& masks, const Detail& detail, const CProgress& progress);
 
+/// None where they have more than two million vertices: those of large trees would take too much memory.
 std::vector<CrownPart> partsOf(const OrganMeshes& leaves, const LeafMasks& masks, const CProgress& progress);
 
 /// By how much areas have to grow for something to cover as much as is wanted: by secants from `start`.
