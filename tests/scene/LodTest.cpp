@@ -100,8 +100,7 @@ struct Bound {
 };
 constexpr Bound kExceptions[] = {
     {"bamboo", 0.10, kMaxColour},
-    {"black_tupelo", 0.08, 3.6},
-    {"ca_black_oak", 0.06, kMaxColour},
+    {"black_tupelo", kMaxCoverage, 3.6},
     {"european_larch", kMaxCoverage, 5.4},
     {"horse_chestnut", kMaxCoverage, 3.5},
     {"japanese_maple", 0.08, 4.6},
