@@ -3,7 +3,7 @@ target_compile_options(stromar_options INTERFACE -Wall -Wextra -Wpedantic -Wconv
   $<$<CXX_COMPILER_ID:GNU>:-Wno-restrict> # g++ 12 warns of its own std::string (GCC bug 105651)
   $<$<BOOL:${STROMAR_WERROR}>:-Werror>
   -ffp-contract=off # contraction changes results from processor to processor
-  $<$<CONFIG:Release>:-O3>)
+  $<$<CONFIG:Release>:$<IF:$<BOOL:$<TARGET_PROPERTY:STROMAR_IS_TEST>>,-O1,-O3>>) # a test is compiled for longer than it runs
 if(CMAKE_SYSTEM_PROCESSOR STREQUAL "x86_64")
   target_compile_options(stromar_options INTERFACE -march=x86-64-v2)
 endif()

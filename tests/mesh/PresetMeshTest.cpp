@@ -10,12 +10,11 @@ namespace stromar::test {
 namespace {
 constexpr int kSeeds[] = {13, 4711};
 
-/// Calls `look(tree, params, generation, plan, mesh)` for every mesh of stems of a preset.
+/// Calls `look(generation, plan, mesh)` for every mesh of stems of a preset.
 template <typename Look>
-void forEachStemMesh(const CParams& params, const Detail& detail, Look&& look) {
-    const auto tree = grow(params);
-    for (int g = 0; const auto& [plan, mesh] : meshAllStems(*tree, meshParamsOf(params), detail, CProgress(2)))
-        look(*tree, g++, plan, *mesh);
+void forEachStemMesh(const CTree& tree, const CParams& params, const Detail& detail, Look&& look) {
+    for (int g = 0; const auto& [plan, mesh] : meshAllStems(tree, meshParamsOf(params), detail, CProgress(2)))
+        look(g++, plan, *mesh);
 }
 
 constexpr double kStub = 6;
@@ -35,10 +34,10 @@ protected:
 INSTANTIATE_TEST_SUITE_P(Slow, PresetMesh, testing::Range<std::size_t>(0, presets().size()), nameOf);
 
 TEST_P(PresetMesh, IsSound) {
-    for (const int seed : kSeeds)
+    for (const int seed : kSeeds) {
+        const CParams seeded = params(seed);
+        const auto tree = grow(seeded);
         for (const Detail& detail : detailTable()) {
-            const CParams seeded = params(seed);
-            const auto tree = grow(seeded);
             const auto all = meshAllStems(*tree, meshParamsOf(seeded), detail, CProgress(2));
             const std::string label = std::string(detail.name) + ", seed " + std::to_string(seed) + ", ";
             for (std::size_t g = 0; g < all.size(); ++g) {
@@ -49,11 +48,12 @@ TEST_P(PresetMesh, IsSound) {
             EXPECT_EQ(inWords(checkJoined(joinStems(*tree, all, CProgress(2)), all)), "") << label << "joined";
             EXPECT_EQ(inWords(checkLeaves(*organsOf(*tree, seeded, Organ::Leaf, all, detail))), "") << label;
         }
+    }
 }
 
 TEST_P(PresetMesh, AlmostEveryBranchHasACollar) {
+    const auto tree = grow(params());
     for (int lod = 0; lod <= 2; ++lod) {
-        const auto tree = grow(params());
         const auto all = meshAllStems(*tree, meshParamsOf(params()), detailOf(Model::Full, lod), CProgress(2));
         const bool byLevels = &params().block() == &weberPennBlock();
         std::size_t allChosen = 0, allCollars = 0;
@@ -80,7 +80,7 @@ TEST_P(PresetMesh, AlmostEveryBranchHasACollar) {
 /// of the ring below it.
 TEST_P(PresetMesh, RingsHaveFewerPointsWhereTheyAreThin) {
     std::size_t halved = 0;
-    forEachStemMesh(params(), detailOf(Model::Full), [&](const CTree&, int, const MeshPlan& plan, const CMesh&) {
+    forEachStemMesh(*grow(params()), params(), detailOf(Model::Full), [&](int, const MeshPlan& plan, const CMesh&) {
         for (const Tube& tube : plan.tubes) {
             const Ring* rings = plan.ringsOf(tube);
             ASSERT_TRUE(tube.joined ? rings[0].parted && rings[0].points < tube.points : rings[0].points == tube.points);
@@ -104,10 +104,11 @@ TEST_P(PresetMesh, RingsHaveFewerPointsWhereTheyAreThin) {
 /// Of the paths that fork from a stem, all but few are one surface with it; helices do not part, nor do whips that hang down
 /// in one line.
 TEST_P(PresetMesh, ForksAreOneSurface) {
+    const auto tree = grow(params());
     for (const int lod : {0, 1, 2}) {
         std::size_t clones = 0, joined = 0;
-        forEachStemMesh(params(), detailOf(Model::Full, lod), [&](const CTree& tree, int g, const MeshPlan& plan, const CMesh&) {
-            const CGeneration& generation = tree.generation(static_cast<std::size_t>(g));
+        forEachStemMesh(*tree, params(), detailOf(Model::Full, lod), [&](int g, const MeshPlan& plan, const CMesh&) {
+            const CGeneration& generation = tree->generation(static_cast<std::size_t>(g));
             for (const Tube& tube : plan.tubes) {
                 const CStem& stem = generation.stems[tube.stem];
                 const CPath& path = generation.paths[tube.path];
@@ -124,8 +125,9 @@ TEST_P(PresetMesh, ForksAreOneSurface) {
 }
 
 TEST_P(PresetMesh, EveryTubeFacesOutwards) {
+    const auto tree = grow(params());
     for (const Detail& detail : detailTable())
-        forEachStemMesh(params(), detail, [&](const CTree&, int, const MeshPlan& plan, const CMesh& mesh) {
+        forEachStemMesh(*tree, params(), detail, [&](int, const MeshPlan& plan, const CMesh& mesh) {
             ASSERT_FALSE(plan.tubes.empty());
             EXPECT_EQ(invertedSurfaces(plan, mesh), 0u) << "of " << plan.tubes.size() << ", " << detail.name << ", " << mesh.name;
         });
@@ -137,12 +139,12 @@ TEST_P(PresetMesh, BarkGoesWholeTimesAroundAndKeepsItsScale) {
     const CStem& trunk = tree->generation(0).stems[0];
     std::size_t measured = 0;
     forEachStemMesh(
-        params(), detailOf(Model::Full), [&](const CTree& grown, int g, const MeshPlan& plan, const CMesh& mesh) {
+        *tree, params(), detailOf(Model::Full), [&](int g, const MeshPlan& plan, const CMesh& mesh) {
             for (const Tube& tube : plan.tubes) {
                 const std::uint32_t lowest = plan.ringsOf(tube)->points; // a joined one has a share of the bark at first
                 const double around = (mesh.texCoords[tube.firstVertex + lowest].x - mesh.texCoords[tube.firstVertex].x) *
                                       float(tube.points) / float(lowest);
-                const CStem& own = grown.generation(std::size_t(g)).stems[tube.stem];
+                const CStem& own = tree->generation(std::size_t(g)).stems[tube.stem];
                 const double radius = std::max(own.radius, params().common.minRadius);
                 if (g == 0)
                     ASSERT_NEAR(around, wrapX, 1e-5 * wrapX);
@@ -150,7 +152,7 @@ TEST_P(PresetMesh, BarkGoesWholeTimesAroundAndKeepsItsScale) {
                     ASSERT_NEAR(around, std::max(1.0, std::round(wrapX * radius / trunk.radius)), 1e-5);
                 if (!own.profile.isEven() || (g == 0 && params().common.flare > 0)) continue;
                 // Metres per repeat along over metres per repeat around are the trunk's, wherever a stem is not too thin.
-                const CGeneration& generation = grown.generation(std::size_t(g));
+                const CGeneration& generation = tree->generation(std::size_t(g));
                 const CStem& same = g == 0 ? own : trunk; // several trunks differ
                 const double trunkShape = (same.length / wrapY) / (same.radius / wrapX);
                 std::size_t vertex = tube.firstVertex + tube.collarRings * (tube.points + 1);
@@ -180,10 +182,11 @@ TEST_P(PresetMesh, BarkGoesWholeTimesAroundAndKeepsItsScale) {
 }
 
 TEST_P(PresetMesh, IsTheSameForEveryNumberOfThreads) {
+    const auto alone = grow(params(), 1), two = grow(params(), 2), five = grow(params(), 5);
     for (const Detail& detail : detailTable()) {
-        const auto one = meshesOf(*grow(params(), 1), params(), detail, 1);
-        for (const int threads : {2, 5}) {
-            const auto more = meshesOf(*grow(params(), threads), params(), detail, threads);
+        const auto one = meshesOf(*alone, params(), detail, 1);
+        for (const auto& [threads, tree] : {std::pair(2, two), std::pair(5, five)}) {
+            const auto more = meshesOf(*tree, params(), detail, threads);
             ASSERT_EQ(one.size(), more.size());
             for (std::size_t m = 0; m < one.size(); ++m)
                 EXPECT_TRUE(sameBytes(*one[m], *more[m]))

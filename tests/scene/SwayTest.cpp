@@ -46,11 +46,9 @@ public:
     explicit CPlacesOnCard(const Swaying& tree) : m_tree(tree) {
         const auto create = proc<PFNGLCREATESHADERPROC>("glCreateShader");
         const unsigned shader = create(GL_VERTEX_SHADER);
-        const std::string text =
-            std::string(kPlaceFunctions) +
-            "varying vec3 outPlace;\nvoid main() { outPlace = placeOfVertex(); gl_Position = vec4(outPlace, 1.0); }\n";
-        const char* source = text.c_str();
-        proc<PFNGLSHADERSOURCEPROC>("glShaderSource")(shader, 1, &source, nullptr);
+        const char* const sources[] = {
+            kPlaceFunctions, "varying vec3 outPlace;\nvoid main() { outPlace = placeOfVertex(); gl_Position = vec4(outPlace, 1.0); }\n"};
+        proc<PFNGLSHADERSOURCEPROC>("glShaderSource")(shader, 2, sources, nullptr);
         proc<PFNGLCOMPILESHADERPROC>("glCompileShader")(shader);
         m_program = proc<PFNGLCREATEPROGRAMPROC>("glCreateProgram")();
         proc<PFNGLATTACHSHADERPROC>("glAttachShader")(m_program, shader);
