@@ -73,7 +73,7 @@ private:
     }
 
     void countUsed(const std::vector<JoinedWalls>& walls) {
-        std::vector<bool> used(m_mesh.vertexCount());
+        std::vector<std::uint8_t> used(m_mesh.vertexCount());
         for (std::size_t i = 0; i < m_mesh.indices.size(); ++i)
             if (!m_dropped[i / 3]) used[m_mesh.indices[i]] = true;
         for (const JoinedWalls& own : walls)
@@ -110,7 +110,7 @@ private:
 
     /// The new triangles, and those that share a vertex with them: by their first indices.
     std::vector<std::size_t> changedTriangles() const {
-        std::vector<bool> touched(m_out->vertexCount());
+        std::vector<std::uint8_t> touched(m_out->vertexCount());
         for (std::size_t i = m_firstNewIndex; i < m_out->indices.size(); ++i) touched[m_out->indices[i]] = true;
         std::vector<std::size_t> changed;
         for (std::size_t t = 0; t < m_out->indices.size(); t += 3)
@@ -151,7 +151,7 @@ private:
     static constexpr std::uint32_t kNone = ~std::uint32_t{0};
     std::uint32_t m_generation;
     const CMesh& m_mesh;
-    std::vector<bool> m_dropped;        ///< by triangle
+    std::vector<std::uint8_t> m_dropped; ///< by triangle; bytes, which are faster than bits
     std::vector<std::uint32_t> m_place; ///< where vertices go
     std::uint32_t m_kept = 0;
     std::size_t m_nextIndex = 0, m_firstNewIndex = 0;

@@ -2,6 +2,7 @@
 #include <algorithm>
 #include <cmath>
 #include <glm/geometric.hpp>
+#include <numeric>
 #include <tuple>
 
 namespace stromar {
@@ -38,24 +39,30 @@ CTriangulation::CTriangulation(std::vector<Triangle> triangles, Index vertexCoun
 
 void CTriangulation::findNeighbours() {
     struct Side {
-        Index low, high, triangle;
+        Index high, triangle;
         std::uint32_t corner;
     };
-    std::vector<Side> sides;
-    sides.reserve(3 * m_triangles.size());
+    const auto lowOf = [](const Triangle& own, std::uint32_t c) { return std::min(own.vertices[c], own.vertices[after(c)]); };
+    std::vector<std::size_t> ends(m_touching.size() + 1); // of the sides of each vertex that is their lower one
+    for (const Triangle& own : m_triangles)
+        for (std::uint32_t c = 0; c < 3; ++c) ++ends[lowOf(own, c) + 1];
+    std::partial_sum(ends.begin(), ends.end(), ends.begin());
+    std::vector<Side> sides(3 * m_triangles.size());
     for (Index t = 0; t < m_triangles.size(); ++t)
-        for (std::uint32_t c = 0; c < 3; ++c) {
-            const auto [low, high] = std::minmax(m_triangles[t].vertices[c], m_triangles[t].vertices[after(c)]);
-            sides.push_back({low, high, t, c});
+        for (std::uint32_t c = 0; c < 3; ++c)
+            sides[ends[lowOf(m_triangles[t], c)]++] = {std::max(m_triangles[t].vertices[c], m_triangles[t].vertices[after(c)]), t, c};
+    std::size_t start = 0;
+    for (std::size_t low = 0; low < m_touching.size(); ++low) {
+        const std::span<Side> own(sides.data() + start, ends[low] - start);
+        std::ranges::sort(own, {}, [](const Side& side) { return std::tuple(side.high, side.triangle); });
+        for (std::size_t i = 0; i + 1 < own.size(); ++i) {
+            const Side &one = own[i], &other = own[i + 1];
+            if (one.high != other.high || m_triangles[one.triangle].vertices[one.corner] == m_triangles[other.triangle].vertices[other.corner])
+                continue;
+            m_triangles[one.triangle].next[one.corner] = other.triangle;
+            m_triangles[other.triangle].next[other.corner] = one.triangle;
         }
-    const auto key = [](const Side& side) { return std::tuple(side.low, side.high, side.triangle); };
-    std::ranges::sort(sides, {}, key);
-    for (std::size_t i = 0; i + 1 < sides.size(); ++i) {
-        const Side &one = sides[i], &other = sides[i + 1];
-        const bool same = one.low == other.low && one.high == other.high;
-        if (!same || m_triangles[one.triangle].vertices[one.corner] == m_triangles[other.triangle].vertices[other.corner]) continue;
-        m_triangles[one.triangle].next[one.corner] = other.triangle;
-        m_triangles[other.triangle].next[other.corner] = one.triangle;
+        start = ends[low];
     }
 }
 
@@ -65,9 +72,11 @@ void CTriangulation::touch(Index triangle) {
 
 void CTriangulation::link(Index triangle, Index old, Index now) {
     if (triangle == kNone) return;
-    for (Index& next : m_triangles[triangle].next)
-        if (next == old) {
-            next = now;
+    Triangle& own = m_triangles[triangle];
+    for (std::uint32_t c = 0; c < 3; ++c)
+        if (own.next[c] == old) {
+            own.next[c] = now;
+            own.settled[c] = false;
             return;
         }
 }
@@ -115,6 +124,7 @@ void CTriangulation::flip(const Edge& edge) {
                       {a, far, near},
                       {beyond.next[after(j)], n, own.next[before(i)]},
                       {beyond.fixed[after(j)], false, own.fixed[before(i)]},
+                      {},
                       own.turns,
                       true,
                       false};
@@ -122,11 +132,14 @@ void CTriangulation::flip(const Edge& edge) {
                       {far, b, near},
                       {beyond.next[before(j)], own.next[after(i)], t},
                       {beyond.fixed[before(j)], own.fixed[after(i)], false},
+                      {},
                       beyond.turns + shift.x,
                       true,
                       false};
     link(beyond.next[after(j)], n, t);
     link(own.next[after(i)], t, n);
+    link(beyond.next[before(j)], n, n);
+    link(own.next[before(i)], t, t);
     touch(t);
     touch(n);
 }
@@ -142,10 +155,11 @@ void CTriangulation::split(Index triangle, Index vertex, const glm::dvec2& at) {
                                  {own.at[c], own.at[after(c)], at},
                                  {own.next[c], parts[after(c)], parts[before(c)]},
                                  {own.fixed[c], false, false},
+                                 {},
                                  own.turns,
                                  true,
                                  false};
-        if (c > 0) link(own.next[c], triangle, parts[c]);
+        link(own.next[c], triangle, parts[c]);
         touch(parts[c]);
     }
 }
@@ -184,9 +198,9 @@ bool CTriangulation::insert(const LoopPoint& point) {
     return false;
 }
 
-/// The edges that leave a vertex, of the triangles about it; none at the surface's border.
-std::vector<CTriangulation::Edge> CTriangulation::around(Index vertex) const {
-    std::vector<Edge> edges;
+/// The edges that leave a vertex, of the triangles about it, until this is asked again; none at the surface's border.
+std::span<const CTriangulation::Edge> CTriangulation::around(Index vertex) {
+    m_around.clear();
     const auto cornerOf = [&](Index t) {
         return static_cast<std::uint32_t>(std::ranges::find(m_triangles[t].vertices, vertex) - m_triangles[t].vertices.begin());
     };
@@ -194,15 +208,15 @@ std::vector<CTriangulation::Edge> CTriangulation::around(Index vertex) const {
     Index t = start;
     do {
         const std::uint32_t corner = cornerOf(t);
-        if (corner == 3 || edges.size() > kMaxSteps) return {};
-        edges.push_back({t, corner});
+        if (corner == 3 || m_around.size() > kMaxSteps) return {};
+        m_around.push_back({t, corner});
         t = m_triangles[t].next[before(corner)];
         if (t == kNone) return {};
     } while (t != start);
-    return edges;
+    return m_around;
 }
 
-std::optional<CTriangulation::Edge> CTriangulation::edgeBetween(Index from, Index to, const glm::dvec2& way) const {
+std::optional<CTriangulation::Edge> CTriangulation::edgeBetween(Index from, Index to, const glm::dvec2& way) {
     for (const Edge& edge : around(from)) {
         const Triangle& here = m_triangles[edge.triangle];
         const glm::dvec2 own = here.at[after(edge.corner)] - here.at[edge.corner];
@@ -212,14 +226,14 @@ std::optional<CTriangulation::Edge> CTriangulation::edgeBetween(Index from, Inde
 }
 
 /// On a thin stem there may be an edge on either side.
-bool CTriangulation::areConnected(Index one, Index other) const {
+bool CTriangulation::areConnected(Index one, Index other) {
     return std::ranges::any_of(around(one), [&](const Edge& edge) {
         return m_triangles[edge.triangle].vertices[after(edge.corner)] == other;
     });
 }
 
 /// The first edge on the way from a vertex; nothing where a vertex stands on the way.
-std::optional<CTriangulation::Edge> CTriangulation::crossedFrom(Index from, const glm::dvec2& way) const {
+std::optional<CTriangulation::Edge> CTriangulation::crossedFrom(Index from, const glm::dvec2& way) {
     for (const Edge& edge : around(from)) {
         const Triangle& here = m_triangles[edge.triangle];
         const glm::dvec2 start = here.at[edge.corner], end = start + way;
@@ -352,24 +366,34 @@ bool CTriangulation::cutOut(std::span<const LoopPoint> loop) {
     return false;
 }
 
+/// Whether the edge is better as it is, seen from either side.
+bool CTriangulation::isSettled(const Edge& edge, const BetterFlipped& better) {
+    Triangle& own = m_triangles[edge.triangle];
+    if (own.settled[edge.corner]) return true;
+    const Edge other = twin(edge);
+    Triangle& beyond = m_triangles[other.triangle];
+    const std::uint32_t c = edge.corner;
+    const bool flips = isConvex(edge) && better({own.vertices[c], own.vertices[after(c)], own.vertices[before(c)],
+                                                 beyond.vertices[before(other.corner)]});
+    own.settled[c] = beyond.settled[other.corner] = !flips;
+    return !flips;
+}
+
 void CTriangulation::improve(const BetterFlipped& better) {
     for (int pass = 0; pass < kPasses; ++pass) {
         bool flipped = false;
-        for (Index t = 0; t < m_triangles.size(); ++t)
+        for (Index t = 0; t < m_triangles.size(); ++t) {
+            if (!m_triangles[t].changed || m_triangles[t].removed) continue;
             for (std::uint32_t c = 0; c < 3; ++c) {
                 const Triangle& own = m_triangles[t];
                 const Index next = own.next[c];
-                if (!own.changed || own.removed || own.fixed[c] || next == kNone) continue;
-                const Triangle& beyond = m_triangles[next];
-                if (beyond.removed || !isConvex({t, c})) continue;
+                if (own.fixed[c] || next == kNone || m_triangles[next].removed || isSettled({t, c}, better)) continue;
                 const Edge other = twin({t, c});
-                if (!better({own.vertices[c], own.vertices[after(c)], own.vertices[before(c)],
-                             beyond.vertices[before(other.corner)]}))
-                    continue;
-                if (areConnected(own.vertices[before(c)], beyond.vertices[before(other.corner)])) continue;
+                if (areConnected(own.vertices[before(c)], m_triangles[next].vertices[before(other.corner)])) continue;
                 flip({t, c});
                 flipped = true;
             }
+        }
         if (!flipped) return;
     }
 }

@@ -23,6 +23,7 @@ public:
         std::array<glm::dvec2, 3> at;  ///< of the corners
         std::array<Index, 3> next{kNone, kNone, kNone}; ///< beyond the edge from a corner to the one after it
         std::array<bool, 3> fixed{};                    ///< edges that stay
+        std::array<bool, 3> settled{};                  ///< edges that were better so, and nothing beside them has changed since
         double turns = 0;     ///< that its plane was shifted by since the start
         bool changed = false; ///< or new
         bool removed = false;
@@ -35,7 +36,7 @@ public:
     /// Whether to turn the edge between two triangles: corners 0 and 1 are its ends, 2 and 3 opposite, in the first and the second.
     using BetterFlipped = std::function<bool(const std::array<Index, 4>&)>;
 
-    /// Vertices are counted from 0. Time n log n in the triangles.
+    /// Vertices are counted from 0. Linear in the triangles.
     CTriangulation(std::vector<Triangle> triangles, Index vertexCount);
 
     /// Adds a closed loop, counter-clockwise, as new vertices (the next indices), and takes out what lies inside. False when
@@ -56,23 +57,25 @@ private:
     bool insert(const LoopPoint& point);
     bool fix(Index from, Index to, const glm::dvec2& way, bool fixed);
     bool makeEdge(Index from, Index to, const glm::dvec2& way);
-    std::optional<Edge> edgeBetween(Index from, Index to, const glm::dvec2& way) const;
-    bool areConnected(Index one, Index other) const;
-    std::optional<Edge> crossedFrom(Index from, const glm::dvec2& way) const;
+    std::optional<Edge> edgeBetween(Index from, Index to, const glm::dvec2& way);
+    bool areConnected(Index one, Index other);
+    std::optional<Edge> crossedFrom(Index from, const glm::dvec2& way);
     bool flipTowards(Edge crossed, const glm::dvec2& way);
     bool removeInside(Index first, Index second, const glm::dvec2& way);
-    std::vector<Edge> around(Index vertex) const;
+    std::span<const Edge> around(Index vertex);
     void split(Index triangle, Index vertex, const glm::dvec2& at);
     glm::dvec2 shiftTo(const Edge& edge) const;
     Edge twin(const Edge& edge) const;
     std::array<glm::dvec2, 4> quad(const Edge& edge) const;
     bool isConvex(const Edge& edge) const;
+    bool isSettled(const Edge& edge, const BetterFlipped& better);
     void flip(const Edge& edge);
     void link(Index triangle, Index old, Index now);
     void touch(Index triangle);
 
     std::vector<Triangle> m_triangles;
     std::vector<Index> m_touching; ///< a triangle at each vertex
+    std::vector<Edge> m_around;    ///< room for around()
 };
 
 } // namespace stromar

@@ -40,12 +40,12 @@ public:
     JoinedWalls join(const std::vector<std::uint32_t>& branches, const CProgress& progress) {
         unrollVertices();
         if (m_around < kLeastAround) return std::move(m_walls);
-        const std::vector<Triangle> walls = unrolledTriangles();
+        const CTriangulation walls(unrolledTriangles(), m_tube.vertices);
         std::vector<std::uint32_t> left = branches;
         bool all = false;
         for (int tries = 0; !all && !left.empty() && tries < kMaxTries; ++tries) { // what was added for one that failed must not stay
             progress.poll();
-            CTriangulation surface(walls, m_tube.vertices);
+            CTriangulation surface = walls;
             all = cutOut(left, surface);
             if (!all) continue;
             surface.improve([&](const auto& corners) { return isBetterFlipped(corners); });
@@ -147,13 +147,18 @@ private:
 
     /// On a thin stem two edges may join the same vertices, one on either side. False when branches had to be left out for that.
     bool leaveTangled(const CTriangulation& surface, std::vector<std::uint32_t>& branches) const {
+        const auto standIn = [&](std::uint32_t corner) { return isTip(corner) ? m_firstTip : corner; };
+        std::vector<bool> near(surface.vertexCount()); // what was changed
+        for (const Triangle& triangle : surface.triangles())
+            if (triangle.changed)
+                for (const std::uint32_t corner : triangle.vertices) near[standIn(corner)] = true;
         std::vector<std::array<std::uint32_t, 3>> edges; // and what lies beside them
         for (const Triangle& triangle : surface.triangles()) {
             std::array<std::uint32_t, 3> v = triangle.vertices;
             if (triangle.removed || std::ranges::count_if(v, [&](auto corner) { return isTip(corner); }) > 1) continue;
-            for (std::uint32_t& corner : v)
-                if (isTip(corner)) corner = m_firstTip;
-            for (std::size_t c = 0; c < 3; ++c) edges.push_back({v[c], v[(c + 1) % 3], v[(c + 2) % 3]});
+            for (std::uint32_t& corner : v) corner = standIn(corner);
+            for (std::size_t c = 0; c < 3; ++c)
+                if (near[v[c]] && near[v[(c + 1) % 3]]) edges.push_back({v[c], v[(c + 1) % 3], v[(c + 2) % 3]});
         }
         std::ranges::sort(edges);
         std::vector<std::uint32_t> tangled;
@@ -219,11 +224,11 @@ private:
     bool isBetterFlipped(const std::array<CTriangulation::Index, 4>& corners) const {
         const auto [a, b, near, far] = corners;
         const double now = std::min(qualityOf(a, b, near), qualityOf(b, a, far));
-        const double flipped = std::min(qualityOf(a, far, near), qualityOf(far, b, near));
         const double valley = valleyAt(corners);
-        if (valley > kFlat) return flipped > std::min(now, 0.0);
-        if (valley < -kFlat) return now <= 0 && flipped > 0;
-        return now < kGood && flipped > kBetter * now;
+        const bool isRidge = valley < -kFlat, isValley = valley > kFlat;
+        if (!isValley && now > (isRidge ? 0 : kGood)) return false;
+        const double flipped = std::min(qualityOf(a, far, near), qualityOf(far, b, near));
+        return flipped > (isValley ? std::min(now, 0.0) : isRidge ? 0.0 : kBetter * now);
     }
 
     void write(const CTriangulation& surface) {
