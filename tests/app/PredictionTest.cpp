@@ -3,6 +3,7 @@
 #include "app/SameModel.h"
 #include "mesh/SampleTrees.h"
 #include "stromar/app/Methods.h"
+#include "stromar/mesh/JoinedStems.h"
 #include "stromar/model/JoinedModel.h"
 #include <algorithm>
 #include <cmath>
@@ -14,6 +15,18 @@ namespace stromar::test {
 
 namespace {
 constexpr Caps kCaps{{0, 14, 6, 3}, 0.9, 8, 30, 4};
+
+/// Of the wood that is joined, and the plans it is joined by.
+double bytesOfJoining(const TreeModel& model) {
+    std::vector<StemMesh> stems;
+    for (std::size_t g = 0; g < model.stems.size(); ++g)
+        stems.push_back(planned(model, g, g > 0 ? &stems.back() : nullptr, CProgress(2)));
+    const JoinedStems wood = joinStems(*model.tree, stems, CProgress(2));
+    double bytes = 0;
+    for (std::size_t g = 0; g < stems.size(); ++g)
+        bytes += double(wood.meshes[g]->bytes()) + double(wood.sources[g].size()) * sizeof(VertexSource) + double(stems[g].plan.rings.size()) * sizeof(Ring);
+    return bytes;
+}
 
 /// What is held at once: the structure with the builder's scratch, its largest generation twice; organs; meshes, and
 /// a writer's copy of them; the wood that was joined for the writer, and the plans it was joined by.
@@ -28,14 +41,7 @@ double heldBytes(const TreeModel& model, const SizeBound& scratch) {
     }
     for (const Organ organ : kOrgans) bytes += double(model.tree->grown(organ).size()) * sizeof(CLeaf);
     for (const auto& mesh : model.meshes()) bytes += 2 * double(mesh->bytes());
-    const std::shared_ptr<const TreeModel> borrowed(std::shared_ptr<const TreeModel>(), &model), whole = joined(borrowed, CProgress(2));
-    StemMesh below;
-    for (std::size_t g = 0; whole != borrowed && g < whole->stems.size(); ++g) {
-        bytes += double(whole->stems[g]->bytes()) + double(whole->unjoined->sources[g].size()) * sizeof(VertexSource);
-        below = planned(model, g, g > 0 ? &below : nullptr, CProgress(2));
-        bytes += double(below.plan.rings.size()) * sizeof(Ring);
-    }
-    return bytes + largest;
+    return bytes + largest + (model.detail->collarRings > 0 ? bytesOfJoining(model) : 0);
 }
 
 struct Built {

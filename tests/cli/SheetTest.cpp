@@ -49,7 +49,7 @@ void expectTile(const std::string& preset, unsigned row, unsigned column) {
 std::string nameOf(const ::testing::TestParamInfo<std::string>& info) { return info.param; }
 
 class WholeSheet : public ::testing::TestWithParam<std::string> {};
-INSTANTIATE_TEST_SUITE_P(Few, WholeSheet, ::testing::Values("quaking_aspen", "hazel", "rowan", "coconut_palm"), nameOf);
+INSTANTIATE_TEST_SUITE_P(SlowFew, WholeSheet, ::testing::Values("quaking_aspen", "hazel", "rowan", "coconut_palm"), nameOf);
 
 TEST_P(WholeSheet, ShowsTheTreeAsItIsNow) {
     for (unsigned row = 0; row < kDistances.size(); ++row)
@@ -58,7 +58,7 @@ TEST_P(WholeSheet, ShowsTheTreeAsItIsNow) {
 
 /// One distance in one season of every species: all of them take a quarter of an hour.
 class SheetTile : public ::testing::TestWithParam<std::string> {};
-INSTANTIATE_TEST_SUITE_P(All, SheetTile, ::testing::ValuesIn(speciesNames()), nameOf);
+INSTANTIATE_TEST_SUITE_P(Slow, SheetTile, ::testing::ValuesIn(speciesNames()), nameOf);
 
 TEST_P(SheetTile, ShowsTheTreeAsItIsNow) {
     const std::vector<std::string> names = speciesNames();

@@ -30,10 +30,9 @@ glm::dmat3 frameTo(const glm::dvec3& viewer) {
 }
 
 /// What is seen in a cell.
-struct Cell {
-    float depth = -std::numeric_limits<float>::infinity(); ///< towards the viewer
-    glm::vec3 normal{0};                                   ///< of the side that is seen
-    bool back = false;                                     ///< it is a leaf's under side
+struct Facing {
+    glm::vec3 normal{0}; ///< of the side that is seen
+    bool back = false;   ///< it is a leaf's under side
 };
 
 /// The derivatives of places by a triangle's texture coordinates, unit.
@@ -94,10 +93,10 @@ public:
         forEachTriangle(parts, progress, [this](const CrownPart& part, const std::uint32_t* corners) {
             const CMesh& mesh = *part.mesh;
             const auto at = [&](int i) { return glm::dvec2(seen(mesh.positions[corners[i]])); };
-            rasterise(at(0), at(1), at(2), m_side, m_side, [&](int x, int y, double u, double v) {
-                std::uint8_t& covered = m_covered[cellAt(x, y)];
-                if (!covered) covered = shows(part, corners, u, v) ? 1 : 0;
-            });
+            rasterise(
+                at(0), at(1), at(2), m_side, m_side,
+                [&](int x, int y, double u, double v) { m_covered[cellAt(x, y)] = shows(part, corners, u, v); },
+                [&](int x, int y) { return !m_covered[cellAt(x, y)]; });
         });
     }
 
@@ -113,52 +112,63 @@ private:
     std::vector<std::uint8_t> m_covered;
 };
 
-/// A crown from one side, without perspective.
+/// A crown from one side, without perspective: how near it is, and, where that is wanted, how it faces.
 class CCrownView : CCrownGrid {
 public:
-    CCrownView(const CrownFrame& crown, const glm::dvec3& viewer, int cells) : CCrownGrid(crown, viewer, cells), m_cells(cellCount()) {}
+    CCrownView(const CrownFrame& crown, const glm::dvec3& viewer, int cells, bool facings = true)
+        : CCrownGrid(crown, viewer, cells), m_depths(cellCount(), -std::numeric_limits<float>::infinity()), m_facings(facings ? cellCount() : 0) {}
 
     void draw(const std::vector<CrownPart>& parts, const CProgress& progress) {
         forEachTriangle(parts, progress, [this](const CrownPart& part, const std::uint32_t* corners) { drawTriangle(part, corners); });
     }
 
-    const std::vector<Cell>& cells() const { return m_cells; }
-    glm::dvec3 placeOf(std::size_t cell) const {
-        const auto side = static_cast<std::size_t>(m_side);
-        const glm::dvec3 seen((double(cell % side) + 0.5) / m_perMetre - m_side / (2 * m_perMetre), (double(cell / side) + 0.5) / m_perMetre - m_side / (2 * m_perMetre), m_cells[cell].depth);
-        return m_middle + glm::transpose(m_toView) * seen;
+    /// visit(place, facing) for what is seen.
+    template <typename Visit> void forEachSeen(Visit&& visit) const {
+        for (std::size_t cell = 0; cell < m_depths.size(); ++cell)
+            if (std::isfinite(m_depths[cell])) visit(placeOf(cell), m_facings[cell]);
     }
     /// Whether nothing stands between a place and the viewer.
     bool sees(const glm::dvec3& place) const {
         const glm::dvec3 p = m_toView * (place - m_middle);
         const auto at = [&](double v) { return std::clamp(static_cast<int>(v * m_perMetre + m_side / 2.0), 0, m_side - 1); };
-        return p.z + kBias / m_perMetre >= double(m_cells[static_cast<std::size_t>(at(p.y) * m_side + at(p.x))].depth);
+        return p.z + kBias / m_perMetre >= double(m_depths[cellAt(at(p.x), at(p.y))]);
     }
 
 private:
+    glm::dvec3 placeOf(std::size_t cell) const {
+        const auto side = static_cast<std::size_t>(m_side);
+        const glm::dvec3 seen((double(cell % side) + 0.5) / m_perMetre - m_side / (2 * m_perMetre), (double(cell / side) + 0.5) / m_perMetre - m_side / (2 * m_perMetre), m_depths[cell]);
+        return m_middle + glm::transpose(m_toView) * seen;
+    }
+
     void drawTriangle(const CrownPart& part, const std::uint32_t* corners) {
         const CMesh& mesh = *part.mesh;
         const std::array<glm::dvec3, 3> p = {seen(mesh.positions[corners[0]]), seen(mesh.positions[corners[1]]), seen(mesh.positions[corners[2]])};
+        const auto nearest = static_cast<float>(std::max({p[0].z, p[1].z, p[2].z}));
         std::optional<Axes> axes;
         const int level = part.twig ? levelOf(mesh, corners, p[0], p[1], p[2]) : 0;
-        rasterise(p[0], p[1], p[2], m_side, m_side, [&](int x, int y, double u, double v) {
-            Cell& cell = m_cells[cellAt(x, y)];
-            const auto depth = static_cast<float>((1 - u - v) * p[0].z + u * p[1].z + v * p[2].z);
-            if (depth <= cell.depth) return;
-            if (part.leaf && !part.leaf->covers(mixed(mesh.texCoords, corners, u, v))) return;
-            const glm::vec3 front = mixed(mesh.normals, corners, u, v);
-            const bool behind = glm::dot(glm::dvec3(front), m_viewer) < 0;
-            glm::vec3 normal = behind ? -front : front;
-            bool back = behind;
-            if (part.twig) {
-                const CTwigMask::Texel texel = part.twig->at(mixed(mesh.texCoords, corners, u, v), level);
-                if (texel.normal == glm::vec3(0)) return;
-                if (!axes) axes = axesOf(mesh, corners);
-                normal = texel.normal.x * axes->right + texel.normal.y * axes->along + texel.normal.z * normal;
-                back = behind != texel.back;
-            }
-            cell = {depth, normal / std::max(1e-6f, glm::length(normal)), back};
-        });
+        rasterise(
+            p[0], p[1], p[2], m_side, m_side,
+            [&](int x, int y, double u, double v) {
+                const std::size_t cell = cellAt(x, y);
+                const auto depth = static_cast<float>((1 - u - v) * p[0].z + u * p[1].z + v * p[2].z);
+                if (depth <= m_depths[cell]) return;
+                const glm::vec2 at = mixed(mesh.texCoords, corners, u, v);
+                if ((part.leaf && !part.leaf->covers(at)) || (part.twig && !part.twig->covers(at))) return;
+                m_depths[cell] = depth;
+                if (m_facings.empty()) return;
+                if (part.twig && !axes) axes = axesOf(mesh, corners);
+                m_facings[cell] = facingOf(mixed(mesh.normals, corners, u, v), part.twig ? part.twig->at(at, level) : CTwigMask::Texel{{0, 0, 1}}, axes);
+            },
+            [&](int x, int y) { return m_depths[cellAt(x, y)] < nearest; });
+    }
+
+    /// Of a card's front, what its picture shows there; of a leaf's, itself.
+    Facing facingOf(const glm::vec3& front, const CTwigMask::Texel& shown, const std::optional<Axes>& axes) const {
+        const bool behind = glm::dot(glm::dvec3(front), m_viewer) < 0;
+        glm::vec3 normal = shown.normal.z * (behind ? -front : front);
+        if (axes) normal += shown.normal.x * axes->right + shown.normal.y * axes->along;
+        return {normal / std::max(1e-6f, glm::length(normal)), behind != shown.back};
     }
 
     /// Of the mask, that a card of so many pixels shows.
@@ -169,7 +179,8 @@ private:
         return static_cast<int>(std::lround(std::max(0.0, 0.5 * std::log2(texels / cells) + std::log2(kViewCells / kPixels))));
     }
 
-    std::vector<Cell> m_cells;
+    std::vector<float> m_depths; ///< towards the viewer
+    std::vector<Facing> m_facings;
 };
 
 /// `seen(i, view)` for each of the sides.
@@ -244,21 +255,19 @@ double crownCover(const std::vector<CrownPart>& parts, const CrownFrame& frame, 
 
 CrownLook crownLook(const std::vector<CrownPart>& parts, const CrownFrame& frame, const CProgress& progress) {
     const glm::dvec3 sun = directionTo(0, kSunHeight);
-    CCrownView lit(frame, sun, kSunCells);
+    CCrownView lit(frame, sun, kSunCells, false);
     lit.draw(parts, progress);
     std::array<CrownLook, kViews> looks{};
     fromAllSides<CCrownView>(parts, frame, progress, [&](std::size_t i, const CCrownView& view) {
         CrownLook& look = looks[i];
-        for (std::size_t c = 0; c < view.cells().size(); ++c) {
-            const Cell& cell = view.cells()[c];
-            if (!std::isfinite(cell.depth)) continue;
-            const double facing = lit.sees(view.placeOf(c)) ? glm::dot(glm::dvec3(cell.normal), sun) : 0;
+        view.forEachSeen([&](const glm::dvec3& place, const Facing& seen) {
+            const double facing = lit.sees(place) ? glm::dot(glm::dvec3(seen.normal), sun) : 0;
             look.covered += 1;
             look.sun += std::max(0.0, facing);
             look.through += std::max(0.0, -facing);
-            look.sky += 0.5 + 0.5 * double(cell.normal.z);
-            look.backs += cell.back ? 1 : 0;
-        }
+            look.sky += 0.5 + 0.5 * double(seen.normal.z);
+            look.backs += seen.back ? 1 : 0;
+        });
     });
     CrownLook sum;
     for (const CrownLook& one : looks)
