@@ -99,7 +99,7 @@ struct Bound {
     double colour;
 };
 constexpr Bound kExceptions[] = {
-    {"bamboo", 0.11, kMaxColour},
+    {"bamboo", 0.115, kMaxColour},
     {"black_tupelo", kMaxCoverage, 3.6},
     {"european_larch", kMaxCoverage, 5.4},
     {"horse_chestnut", 0.06, 3.7},

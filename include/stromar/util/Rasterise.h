@@ -9,7 +9,7 @@ namespace stromar {
 namespace detail {
 /// Narrows a row's cells x0..x1 to those where a value that is `start` at x0 and grows by `step` a cell may be 0 or more: rounding may add one.
 inline void clipRow(double start, double step, int& x0, int& x1) {
-    if (step == 0) return;
+    if (!std::isfinite(start / step)) return;
     const double zero = std::clamp(x0 - start / step, x0 - 2.0, x1 + 2.0);
     if (step > 0)
         x0 = std::max(x0, static_cast<int>(std::floor(zero)) - 1);
