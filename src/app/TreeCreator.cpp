@@ -155,15 +155,13 @@ private:
 
     std::shared_ptr<const COrgans> growOrgans(Organ organ) {
         MadeOrgans& made = m_made.organs[static_cast<std::size_t>(organ)];
-        const OrganDemand demand = demandOf(m_mesh, organ, m_detail, m_plans, asCards(organ));
+        const OrganDemand demand = demandOf(m_detail, m_plans, asCards(organ));
         const Meshes bearers = demand.stems ? m_model->stems : Meshes();
-        if (!made.organs || made.growth != m_growth || made.bearers != bearers || made.share != demand.share || made.few != demand.few) {
+        if (!made.organs || made.growth != m_growth || made.bearers != bearers) {
             made = {}; // first the memory of the old ones
             made.organs = m_builder.growOrgans(m_params, m_tree, organ, demand, m_progress);
             made.growth = m_growth;
             made.bearers = bearers;
-            made.share = demand.share;
-            made.few = demand.few;
         }
         return made.organs;
     }
@@ -195,7 +193,7 @@ private:
         const COrgans& leaves = *m_model->tree->organs(Organ::Leaf);
         if (double(leaves.total - leaves.countOn(asCards)) > kMeasuredLeaves) return;
         OrganDemand beside;
-        if (!asCards.empty()) beside.stems = demandOf(m_mesh, Organ::Leaf, m_detail, m_plans, asCards).stems;
+        if (!asCards.empty()) beside.stems = demandOf(m_detail, m_plans, asCards).stems;
         const auto all = m_builder.growOrgans(m_params, m_tree, Organ::Leaf, beside, m_progress);
         meshes = fittingLeaves(meshes, all, m_tree, leafMasksOf(m_params, m_progress), m_mesh, m_progress);
     }

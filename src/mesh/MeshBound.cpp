@@ -160,7 +160,7 @@ OrganBound cardBound(double leaves, const TwigBound& twigs, const MeshParams& pa
 }
 
 OrganBound organBound(const SizeBound& tree, Organ organ, const MeshParams& params, const Detail& detail, bool onCards) {
-    const double count = tree.organs[static_cast<std::size_t>(organ)], demanded = demandOf(params, organ, detail, {}).bound(count);
+    const double count = tree.organs[static_cast<std::size_t>(organ)], demanded = demandOf(detail, {}).bound(count);
     if (organ != Organ::Leaf || !onCards) return drawnBound(demanded, organ, params, detail);
     const OrganBound cards = cardBound(count, tree.twigs, params, detail);
     const OrganBound others = drawnBound(std::min(demanded, tree.twigs.otherLeaves), organ, params, detail);

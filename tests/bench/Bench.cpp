@@ -56,7 +56,7 @@ void buildMeshes(State& state, const CParams& params, const Detail& detail) {
     const auto plans = meshAllStems(*tree, mesh, detail, progress);
     const auto none = std::make_shared<const COrgans>();
     const CTree leafy = tree->withOrgans(
-        {builder->growOrgans(params, *tree, Organ::Leaf, demandOf(mesh, Organ::Leaf, detail, plansOf(plans)), progress), none, none});
+        {builder->growOrgans(params, *tree, Organ::Leaf, demandOf(detail, plansOf(plans)), progress), none, none});
     std::size_t vertices = 0;
     for (auto _ : state) {
         vertices = 0;

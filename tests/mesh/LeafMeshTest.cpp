@@ -72,7 +72,7 @@ TEST(SlowLeafMesh, ThinningKeepsTheAreaAndTheCrown) {
             if (onCards && detail.twigPlanes > 0) continue;
             const auto mesh = leavesOf(*tree, sample.params, detail);
             const std::size_t drawn = mesh->vertexCount() / bladeOf(meshParamsOf(sample.params), Organ::Leaf, detail).points.size();
-            EXPECT_LE(double(drawn), demandOf(meshParamsOf(sample.params), Organ::Leaf, detail, {}).bound(double(tree->leaves().size())));
+            EXPECT_LE(double(drawn), demandOf(detail, {}).bound(double(tree->leaves().size())));
             const double growth = std::sqrt(double(tree->leaves().size()) / double(drawn));
             const double kept = growth <= detail.maxLeafGrowth ? 1 : std::pow(detail.maxLeafGrowth / growth, 2);
             EXPECT_NEAR(mesh->area() / areaOf(tree->leaves()), kept, 0.05 * kept) << sample.name << ", " << detail.name;

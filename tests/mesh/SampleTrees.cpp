@@ -140,7 +140,7 @@ std::shared_ptr<const CMesh> organsOf(const CTree& tree, const CParams& params, 
     OrganArrays organs;
     organs.fill(std::make_shared<const COrgans>());
     organs[static_cast<std::size_t>(organ)] =
-        methodOf(params).makeBuilder(true)->growOrgans(params, tree, organ, demandOf(meshParamsOf(params), organ, detail, plansOf(stems)), progress);
+        methodOf(params).makeBuilder(true)->growOrgans(params, tree, organ, demandOf(detail, plansOf(stems)), progress);
     return meshOfOrgans(tree.withOrgans(organs), organ, plansOf(stems), meshParamsOf(params), detail, progress)[0]
         ->expanded(progress);
 }

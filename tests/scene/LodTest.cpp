@@ -99,10 +99,10 @@ struct Bound {
     double colour;
 };
 constexpr Bound kExceptions[] = {
-    {"bamboo", 0.115, kMaxColour},
+    {"bamboo", 0.10, kMaxColour},
     {"black_tupelo", kMaxCoverage, 3.6},
     {"european_larch", kMaxCoverage, 5.4},
-    {"horse_chestnut", 0.06, 3.7},
+    {"horse_chestnut", kMaxCoverage, 3.5},
     {"japanese_maple", 0.08, 4.6},
     {"lady_fern", kMaxCoverage, 3.4},
     {"lebanon_cedar", kMaxCoverage, 3.9},
@@ -113,7 +113,7 @@ constexpr Bound kExceptions[] = {
     {"silver_fir", kMaxCoverage, 3.1},
     {"umbrella_acacia", kMaxCoverage, 6},
     {"weeping_willow", kMaxCoverage, 3.1},
-    {"wild_cherry", 0.08, kMaxColour},
+    {"wild_cherry", 0.07, kMaxColour},
 };
 
 Bound boundOf(const std::string& preset) {

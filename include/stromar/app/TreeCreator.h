@@ -49,7 +49,6 @@ private:
     struct MadeOrgans {
         std::uint64_t growth = 0; ///< of the tree that bears them
         Meshes bearers;           ///< on which stems they may be, where that matters
-        double share = 1, few = 0; ///< see OrganDemand
         std::shared_ptr<const COrgans> organs;
         OrganMeshes meshes; ///< by kind
         std::optional<CParams> params;

@@ -22,7 +22,6 @@ struct Detail {
     int collarRings;       ///< between a parent's surface and a branch's own rings
     double woodShare;      ///< of the wood's triangles at LOD 0 that is aimed at: see chooseStems()
     double share;          ///< of the leaves, blossoms and fruits that are drawn, and of the twigs at least
-    double organTriangles; ///< how many triangles those have at most, of what all have at LOD 0; likewise the cards of twigs
     std::size_t leafBudget; ///< most leaves that are drawn; a few (kFewOrgans) always are
     double maxLeafGrowth;   ///< thinned leaves grow at most to this times their length, to cover what all would
     int twigPlanes;         ///< of a card that shows a whole twig; 0: every leaf is drawn by itself
@@ -30,7 +29,6 @@ struct Detail {
 };
 
 constexpr std::size_t kFewOrgans = 60; ///< so many leaves, blossoms or fruits are not thinned
-constexpr double kFewOrganTriangles = 900; ///< likewise at the last level of detail, or cards of twigs
 constexpr std::size_t kFewWoodTriangles = 2500; ///< so many are not thinned at the last level of detail
 constexpr double kCoarsestTurn = 2.5; ///< of thin stems, times what is allowed to a trunk
 

@@ -102,11 +102,9 @@ private:
 
 using OrganMeshes = std::vector<std::shared_ptr<const COrganMesh>>;
 
-/// The share that shapes of so many triangles may have of a tree's organs, so that they have no more triangles than Detail::organTriangles allows.
-double shareWithin(const MeshParams& params, Organ organ, const Detail& detail, double triangles);
 /// Which organs of a kind a level of detail shows on the stems that `plans`, by generation, chose: at most its share or
-/// a few (kFewOrgans, kFewOrganTriangles). Not those on stems that cards show.
-OrganDemand demandOf(const MeshParams& params, Organ organ, const Detail& detail, std::span<const MeshPlan* const> plans, const StemSet& asCards = {});
+/// kFewOrgans. Not those on stems that cards show.
+OrganDemand demandOf(const Detail& detail, std::span<const MeshPlan* const> plans, const StemSet& asCards = {});
 
 /// The grown leaves of a tree by their form, seen from above; blossoms as cards, fruits as ellipsoids. As many and as
 /// large as the season has them, on stems that `plans` chose, enlarged to keep the area of all as far as

@@ -32,7 +32,7 @@ struct StemChoice {
 };
 
 /// Of the thin branches that may be left out, at least this part stays.
-constexpr double kLeastShareOfThinBranches = 0.17;
+constexpr double kLeastShareOfThinBranches = 0.25;
 
 /// Chooses so many that all wood has about the detail's share of the triangles of LOD 0. A smaller share keeps of what a larger one does.
 /// Linear in the segments, about as long as planning their rings; nothing where the detail draws all. Throws CCancelled.

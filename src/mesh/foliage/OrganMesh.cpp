@@ -113,31 +113,11 @@ std::shared_ptr<const CMesh> COrganMesh::expanded(const CProgress& progress) con
     return mesh;
 }
 
-namespace {
-/// On the average of the kinds.
-double trianglesOf(const MeshParams& params, Organ organ, const Detail& detail) {
-    double sum = 0;
-    for (std::size_t kind = 0; kind < (organ == Organ::Leaf ? kLeafKinds : 1); ++kind)
-        if (const double share = organ == Organ::Leaf ? params.shareOf(kind) : 1; share > 0)
-            sum += share * double(bladeOf(params, organ, detail, kind).indices.size()) / 3;
-    return std::max(1.0, sum);
-}
-} // namespace
-
-double shareWithin(const MeshParams& params, Organ organ, const Detail& detail, double triangles) {
-    return detail.organTriangles >= 1 ? 1 : detail.organTriangles * trianglesOf(params, organ, detailOf(detail.model, 0)) / triangles;
-}
-
-OrganDemand demandOf(const MeshParams& params, Organ organ, const Detail& detail, std::span<const MeshPlan* const> plans, const StemSet& asCards) {
+OrganDemand demandOf(const Detail& detail, std::span<const MeshPlan* const> plans, const StemSet& asCards) {
     OrganDemand demand;
     demand.share = detail.share;
-    demand.few = double(kFewOrgans);
-    if (detail.organTriangles < 1) {
-        const double each = trianglesOf(params, organ, detail);
-        demand.share = std::min(demand.share, shareWithin(params, organ, detail, each));
-        demand.few = std::max(demand.few, kFewOrganTriangles / each);
-    }
     if (detail.leafBudget != std::numeric_limits<std::size_t>::max()) demand.max = double(detail.leafBudget);
+    demand.few = double(kFewOrgans);
     const auto bearsAll = [](const MeshPlan* plan) {
         return std::ranges::find(plan->stemBears, false) == plan->stemBears.end();
     };

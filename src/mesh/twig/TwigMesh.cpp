@@ -36,17 +36,9 @@ double rowsFor(const Twig& typical, double maxSag) {
     return std::clamp(std::min(wanted, seen), 1.0, double(kMaxRows));
 }
 
-/// Rectangles, for so many leaves.
-double mostCards(double leaves, const MeshParams& params, const Detail& detail) {
-    constexpr double kTriangles = 2;
-    const double few = std::min(leaves * detail.cardShare, kFewOrganTriangles / kTriangles);
-    const double within = leaves * std::min(detail.cardShare, shareWithin(params, Organ::Leaf, detail, kTriangles));
-    return std::min(double(detail.leafBudget), std::ceil(std::max(few, within)));
-}
-
-CardPlan planCards(const std::vector<LeafyTwig>& twigs, const Twig& typical, const MeshParams& params, const Detail& detail, double treeHeight) {
+CardPlan planCards(const std::vector<LeafyTwig>& twigs, const Twig& typical, const Detail& detail, double treeHeight) {
     CardPlan plan{};
-    const double budget = mostCards(leavesOn(twigs), params, detail);
+    const double budget = std::min(double(detail.leafBudget), std::ceil(leavesOn(twigs) * detail.cardShare));
     const double perTwig = budget / std::max(1.0, double(twigs.size()));
     const double planes = typical.flat || perTwig < detail.twigPlanes ? 1 : detail.twigPlanes;
     plan.planes = static_cast<std::uint32_t>(planes);
@@ -189,7 +181,7 @@ private:
 };
 CardPlan planCards(const StemSet& twigs, const CTree& tree, const COrgans& leaves, const Twig& typical,
                    const MeshParams& params, const Detail& detail) {
-    return planCards(leafyTwigs(twigs, tree, leaves, params.seasonOf(Organ::Leaf).share), typical, params, detail, tree.height());
+    return planCards(leafyTwigs(twigs, tree, leaves, params.seasonOf(Organ::Leaf).share), typical, detail, tree.height());
 }
 } // namespace
 
@@ -210,7 +202,7 @@ namespace {
 class CCrown {
 public:
     CCrown(const StemSet& twigs, const CTree& tree, const COrgans& leaves, const MeshParams& params, const Twig& typical, const CProgress& progress)
-        : m_twigs(leafyTwigs(twigs, tree, leaves, params.seasonOf(Organ::Leaf).share)), m_tree(tree), m_params(params), m_twig(typical),
+        : m_twigs(leafyTwigs(twigs, tree, leaves, params.seasonOf(Organ::Leaf).share)), m_tree(tree), m_twig(typical),
           m_rounding(roundingOf(tree, leaves, params.leaf)), m_mask(typical), m_progress(progress) {
         const std::shared_ptr<const CMesh> ends = bases();
         const Bounds box = ends->bounds();
@@ -218,7 +210,7 @@ public:
         m_frame = {glm::dvec3(box.min + box.max) / 2.0, glm::length(glm::dvec3(box.max - box.min)) / 2 + reach};
     }
 
-    CardPlan plan(const Detail& detail) const { return planCards(m_twigs, m_twig, m_params, detail, m_tree.height()); }
+    CardPlan plan(const Detail& detail) const { return planCards(m_twigs, m_twig, detail, m_tree.height()); }
     CrownLook lookOfLeaves(const std::shared_ptr<const COrgans>& leaves, const StemSet& twigs, const MeshParams& params) const {
         return crownLook(leafParts(leaves, &twigs, leavesOn(m_twigs), m_tree, params, m_twig.masks, detailOf(Model::Full, 1), m_progress), m_frame, m_progress);
     }
@@ -265,7 +257,6 @@ private:
 
     std::vector<LeafyTwig> m_twigs;
     const CTree& m_tree;
-    const MeshParams& m_params;
     const Twig& m_twig;
     Rounding m_rounding;
     CTwigMask m_mask;
