@@ -49,7 +49,7 @@ void expectTile(const std::string& preset, unsigned row, unsigned column) {
 std::string nameOf(const ::testing::TestParamInfo<std::string>& info) { return info.param; }
 
 class WholeSheet : public ::testing::TestWithParam<std::string> {};
-INSTANTIATE_TEST_SUITE_P(SlowFew, WholeSheet, ::testing::Values("quaking_aspen", "hazel", "rowan", "coconut_palm"), nameOf);
+INSTANTIATE_TEST_SUITE_P(Slow, WholeSheet, ::testing::Values("quaking_aspen", "hazel", "rowan", "coconut_palm"), nameOf);
 
 TEST_P(WholeSheet, ShowsTheTreeAsItIsNow) {
     for (unsigned row = 0; row < kDistances.size(); ++row)
