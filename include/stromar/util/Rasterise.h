@@ -6,7 +6,6 @@
 
 namespace stromar {
 
-namespace detail {
 /// Narrows a row's cells x0..x1 to those where a value that is `start` at x0 and grows by `step` a cell may be 0 or more: rounding may add one.
 inline void clipRow(double start, double step, int& x0, int& x1) {
     if (!std::isfinite(start / step)) return;
@@ -16,7 +15,6 @@ inline void clipRow(double start, double step, int& x0, int& x1) {
     else
         x1 = std::min(x1, static_cast<int>(std::ceil(zero)) + 1);
 }
-} // namespace detail
 
 /// Calls visit(x, y, u, v) for the cells of a grid, 0..width−1 and 0..height−1, whose middles lie in the triangle a b c and that are
 /// wanted(x, y); u and v are the weights of b and c there. A triangle without an area has none.
@@ -43,7 +41,7 @@ void rasterise(const glm::dvec2& a, const glm::dvec2& b, const glm::dvec2& c, in
             int low = x0, high = x1;
             for (const auto& [value, growth] : {std::pair(start.x, step.x), std::pair(start.y, step.y), std::pair(1 - start.x - start.y, -step.x - step.y)}) {
                 int from = left, to = right;
-                detail::clipRow(value, growth, from, to);
+                clipRow(value, growth, from, to);
                 low = std::max(low, from);
                 high = std::min(high, to);
             }
