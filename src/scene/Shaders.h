@@ -50,6 +50,17 @@ vec3 skyIn(vec3 ray) {
 }
 )";
 
+/// How pictures with gaps are drawn, as `coverOf` does: one of a few pixels covers a part of each.
+inline constexpr const char* kCutOutFunctions = R"(
+uniform float alphaCut;
+uniform vec2 softening;
+float softnessOfPixel() {
+    vec2 footprint = max(abs(dFdx(gl_TexCoord[0].st)), abs(dFdy(gl_TexCoord[0].st)));
+    return clamp(log2(max(footprint.x, footprint.y) / softening.x) / log2(softening.y / softening.x), 0.0, 1.0);
+}
+float cutOf(float soft) { return mix(alphaCut, 0.5, soft); }
+)";
+
 /// In front of the vertices' shaders: a vertex of wood, or of one of many blades that stand in their places, where the wind has it.
 inline constexpr const char* kPlaceFunctions = R"(#version 120
 uniform float instanced;
@@ -173,7 +184,7 @@ void main() {
 inline constexpr const char* kTreeFragmentShader = R"(
 uniform mat4 osg_ViewMatrixInverse;
 uniform sampler2D picture, relief, gloss, under; // albedo; normals; roughness and what goes through; albedo from below
-uniform float leaf, colourVariation, sunAndShade, tinted, generation, reliefDepth, underSide, smoothEdges, alphaCut, softFrom, softTo;
+uniform float leaf, colourVariation, sunAndShade, tinted, generation, reliefDepth, underSide, smoothEdges;
 uniform sampler2D olderPicture, olderRelief, olderGloss, youngerPicture, youngerRelief, youngerGloss;
 uniform vec2 neighbourRate;
 uniform int view; // 0 lit, 1 material, 2 occlusion, 3 normals
@@ -192,15 +203,13 @@ void main() {
     vec4 colour = texture2D(picture, gl_TexCoord[0].st);
     float cover = woodCover;
     if (leaf > 0.5) {
-        // A leaf of a few pixels covers parts of them; what lies behind one another in a pixel covers other parts.
-        vec2 footprint = max(abs(dFdx(gl_TexCoord[0].st)), abs(dFdy(gl_TexCoord[0].st)));
-        float soft = clamp((max(footprint.x, footprint.y) - softFrom) / (softTo - softFrom), 0.0, 1.0);
-        float chance = fract(noiseOfPixel() + 7.31 * shade) - 0.5;
+        // What lies behind one another in a pixel covers other parts of it.
+        float soft = softnessOfPixel(), cut = cutOf(soft), chance = fract(noiseOfPixel() + 7.31 * shade) - 0.5;
         if (smoothEdges > 0.5) {
-            cover = (colour.a - alphaCut) / max(max(fwidth(colour.a), soft), 1e-4) + 0.5;
-            cover = clamp(cover + soft * chance, 0.0, 1.0);
+            cover = clamp((colour.a - cut) / max(max(fwidth(colour.a), soft), 1e-4) + 0.5, 0.0, 1.0);
+            cover = mix(cover, cover > chance + 0.5 ? 1.0 : 0.0, soft); // as much in the mean
             if (cover < 0.02) discard;
-        } else if (colour.a < alphaCut + soft * chance) discard;
+        } else if (colour.a < cut + soft * chance) discard;
         // Leaves let one see the stems that are in hand.
         if (tinted > -0.5 && mod(floor(gl_FragCoord.x) + floor(gl_FragCoord.y), 2.0) > 0.5) discard;
     }
@@ -287,13 +296,16 @@ void main() {
     gl_TexCoord[0] = gl_MultiTexCoord0;
 }
 )";
-inline constexpr const char* kShadowFragmentShader = R"(#version 120
+inline constexpr const char* kShadowFragmentShader = R"(
 uniform sampler2D picture;
-uniform float leaf, alphaCut;
+uniform float leaf;
 varying float woodCover;
 void main() {
     if (woodCover < 0.3) discard; // too thin for a line of shadow
-    if (leaf > 0.5 && texture2D(picture, gl_TexCoord[0].st).a < alphaCut) discard;
+    if (leaf > 0.5) {
+        float soft = softnessOfPixel(), chance = fract(dot(gl_FragCoord.xyz, vec3(0.7548777, 0.5698403, 4096.0))) - 0.5;
+        if (texture2D(picture, gl_TexCoord[0].st).a < cutOf(soft) + soft * chance) discard;
+    }
     gl_FragColor = vec4(1.0);
 }
 )";

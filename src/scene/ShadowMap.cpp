@@ -40,7 +40,7 @@ CShadowMap::CShadowMap(osg::Group* casters)
     m_camera->addChild(casters);
     osg::StateSet* state = m_camera->getOrCreateStateSet();
     constexpr auto kStrong = osg::StateAttribute::ON | osg::StateAttribute::OVERRIDE;
-    state->setAttributeAndModes(makeTreeProgram("shadow", kShadowVertexShader, kShadowFragmentShader), kStrong);
+    state->setAttributeAndModes(makeTreeProgram("shadow", kShadowVertexShader, std::string(kFastLooks) + kCutOutFunctions + kShadowFragmentShader), kStrong);
     state->addUniform(m_thinnest);
     state->setAttributeAndModes(new osg::Depth, kStrong); // thin stems may hide nothing in the picture
     state->setMode(GL_CULL_FACE, osg::StateAttribute::OFF | osg::StateAttribute::OVERRIDE);

@@ -69,10 +69,10 @@ Pixels pixelsOf(const osg::Image& image) {
 }
 
 /// With mip-maps of our own.
-ImageRef cutOutImage(const osg::Image& source) {
+ImageRef cutOutImage(const osg::Image& source, const Softening& softening) {
     Pixels pixels = pixelsOf(source);
     spreadColours(pixels, source.s(), source.t());
-    const std::vector<Pixels> levels = mipmapsKeepingCoverage(pixels, source.s(), source.t());
+    const std::vector<Pixels> levels = mipmapsKeepingCoverage(pixels, source.s(), source.t(), softening);
     std::size_t count = 0;
     osg::Image::MipmapDataType offsets;
     for (const Pixels& level : levels) {
@@ -122,7 +122,7 @@ std::shared_ptr<const SurfaceMaps> readSurface(Surface surface, const std::strin
                    through = albedo ? readMap(file, "_translucency", maps->problem) : nullptr;
     maps->under = albedo && info.cutOut ? readMap(file, "_back", maps->problem) : nullptr;
     if (!albedo) albedo = plainImage({info.colour.x, info.colour.y, info.colour.z, 1});
-    maps->albedo = info.cutOut ? cutOutImage(*albedo) : albedo;
+    maps->albedo = info.cutOut ? cutOutImage(*albedo, softeningOf(info.manyLeaves())) : albedo;
     maps->bumpy = relief.valid();
     maps->relief = relief ? relief : plainImage({0.5f, 0.5f, 1, 1});
     maps->gloss = glossImage(roughness, through, info.cutOut);

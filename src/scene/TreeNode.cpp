@@ -2,6 +2,7 @@
 #include "Uniforms.h"
 #include "stromar/model/Material.h"
 #include "stromar/scene/OsgGeometry.h"
+#include "stromar/texture/Opacity.h"
 #include <algorithm>
 #include <osg/BlendFunc>
 #include <osg/Depth>
@@ -24,7 +25,9 @@ void fadeOverOthers(osg::StateSet& state) {
 CTreeNode::CTreeNode() {
     for (const Surface surface : kSurfaces) {
         m_surfaces[static_cast<std::size_t>(surface)] = new osg::Group;
+        const Softening softening = softeningOf(surfaceOf(surface).manyLeaves());
         setFloat(&stateOf(surface), "leaf", surfaceOf(surface).cutOut);
+        setPair(&stateOf(surface), "softening", softening.from, softening.to);
         if (isBark(surface)) fadeOverOthers(stateOf(surface));
         m_node->addChild(m_surfaces[static_cast<std::size_t>(surface)]);
         setSurface(surface, *readSurface(surface, {}));

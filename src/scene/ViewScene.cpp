@@ -32,7 +32,7 @@ constexpr std::size_t kHides = 2000;         // leaves, the twigs behind them
 constexpr int kBestShadow = 2048, kFastShadow = 1024; // pixels of a side
 
 osg::ref_ptr<osg::Program> makeLitProgram(const char* looks) {
-    return makeTreeProgram("tree", kTreeVertexShader, std::string(looks) + kLightFunctions + kTreeFragmentShader);
+    return makeTreeProgram("tree", kTreeVertexShader, std::string(looks) + kLightFunctions + kCutOutFunctions + kTreeFragmentShader);
 }
 
 void styleWireframe(osg::StateSet* wireframe) {
@@ -85,8 +85,6 @@ CViewScene::CViewScene()
     nameNeighbourPictures(*m_state);
     setNeighbours(*m_state, {});
     setFloat(m_state, "alphaCut", kAlphaCut);
-    setFloat(m_state, "softFrom", kSoftFrom);
-    setFloat(m_state, "softTo", kSoftTo);
     setFloat(m_state, "smoothEdges", 0);
     setFloat(m_state, "instanced", 0);
     setVector(m_state, "pass", {});

@@ -135,11 +135,11 @@ void spreadColours(Pixels& pixels, int width, int height) {
     }
 }
 
-double softnessOf(double footprint) { return std::clamp((footprint - kSoftFrom) / (kSoftTo - kSoftFrom), 0.0, 1.0); }
+double Softening::at(double footprint) const { return std::clamp(std::log2(footprint / from) / std::log2(to / from), 0.0, 1.0); }
 
 double coverOf(double opacity, double cut, double soft) {
     if (soft <= 0) return opacity > cut;
-    return std::clamp((opacity - cut) / soft + 0.5, 0.0, 1.0);
+    return std::clamp((opacity - std::lerp(cut, 0.5, soft)) / soft + 0.5, 0.0, 1.0);
 }
 
 void setCoverage(Pixels& pixels, int width, int height, double wanted, double cut) {
@@ -157,7 +157,7 @@ void setCoverage(Pixels& pixels, int width, int height, double wanted, double cu
     for (auto& p : pixels) p[3] = rounded(255 * map[p[3]]);
 }
 
-std::vector<Pixels> mipmapsKeepingCoverage(const Pixels& pixels, int width, int height, double cut) {
+std::vector<Pixels> mipmapsKeepingCoverage(const Pixels& pixels, int width, int height, const std::optional<Softening>& softening, double cut) {
     const double wanted = coverage(pixels, width, height, scaled(1), cut, 0);
     std::vector<Pixels> levels{pixels};
     Pixels plain = pixels; // unscaled: errors do not add up
@@ -165,7 +165,8 @@ std::vector<Pixels> mipmapsKeepingCoverage(const Pixels& pixels, int width, int 
         plain = halved(plain, width, height);
         width = std::max(1, width / 2);
         height = std::max(1, height / 2);
-        const double scale = scaleFor(plain, width, height, cut, softnessOf(1.0 / std::min(width, height)), wanted);
+        const double soft = softening ? softening->at(1.0 / std::min(width, height)) : 0;
+        const double scale = scaleFor(plain, width, height, cut, soft, wanted);
         levels.push_back(plain);
         for (auto& p : levels.back()) p[3] = rounded(p[3] * scale);
     }

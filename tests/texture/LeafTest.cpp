@@ -108,12 +108,12 @@ TEST(Opacity, SpreadColoursKeepsWhatIsOpaque) {
 TEST(Opacity, MipmapsKeepTheCoverage) {
     for (const char* recipe : {"leaf:spruce", "leaf:ash", "leaf:pine", "leaf:maple"}) {
         const TextureMaps maps = CRecipe(recipe).draw(256, CProgress());
-        const std::vector<Pixels> levels = mipmapsKeepingCoverage(maps.albedo, 256, 256);
+        const std::vector<Pixels> levels = mipmapsKeepingCoverage(maps.albedo, 256, 256, softeningOf(false));
         ASSERT_EQ(levels.size(), 9u);
         EXPECT_EQ(levels.back().size(), 1u);
         const double wanted = coverage(levels[0], 0);
         for (std::size_t i = 1; i < levels.size(); ++i)
-            EXPECT_NEAR(coverage(levels[i], softnessOf(std::exp2(i) / 256)), wanted, 0.1 * wanted) << recipe << " level " << i;
+            EXPECT_NEAR(coverage(levels[i], softeningOf(false).at(std::exp2(i) / 256)), wanted, 0.1 * wanted) << recipe << " level " << i;
     }
 }
 
@@ -138,10 +138,10 @@ TEST(Opacity, ThinLeavesDoNotFade) {
     for (int y = 20; y < 236; ++y)
         for (const int foot : {30, 90, 150}) // three slanting leaves, five pixels wide: 6 % of the picture
             for (int x = 0; x < 5; ++x) pixels[std::size_t(y * kSide + foot + y / 4 + x)][3] = 255;
-    const auto levels = mipmapsKeepingCoverage(pixels, kSide, kSide);
+    const auto levels = mipmapsKeepingCoverage(pixels, kSide, kSide, softeningOf(false));
     const double wanted = drawnCoverage(levels[0], kSide, 0);
     for (std::size_t i = 1; i < 4; ++i)
-        EXPECT_NEAR(drawnCoverage(levels[i], kSide >> i, softnessOf(std::exp2(i) / kSide)), wanted, 0.1 * wanted) << "level " << i;
+        EXPECT_NEAR(drawnCoverage(levels[i], kSide >> i, softeningOf(false).at(std::exp2(i) / kSide)), wanted, 0.1 * wanted) << "level " << i;
 }
 
 TEST(Opacity, HairsAreAsWideAsTheyWere) {

@@ -14,6 +14,9 @@ struct SurfaceInfo {
     std::string TextParams::*texture; ///< what the user chose; null: the picture is made of the tree's own parts
     const char* standard;             ///< what it has else: a file in textures/, or a recipe
     bool (*borne)(const CParams&);    ///< whether the tree may bear some; null: any tree has it
+
+    /// Whether a picture with gaps shows more than one leaf.
+    bool manyLeaves() const { return cutOut && !texture; }
 };
 const SurfaceInfo& surfaceOf(Surface surface);
 /// Whether the tree has a picture for it, which some month or some level of detail shows.

@@ -23,26 +23,26 @@ namespace {
 constexpr int kSamples = 3; // of a pixel, each way
 
 /// Halves until nothing is left, of colours alone.
-std::vector<Pixels> mipmapsOf(const TextureMaps& maps, bool cutOut) {
+std::vector<Pixels> mipmapsOf(const TextureMaps& maps, bool cutOut, const Softening& softening) {
     Pixels pixels = maps.albedo;
     if (cutOut) {
         spreadColours(pixels, maps.width, maps.height);
     } else {
         for (auto& pixel : pixels) pixel[3] = 255;
     }
-    return mipmapsKeepingCoverage(pixels, maps.width, maps.height);
+    return mipmapsKeepingCoverage(pixels, maps.width, maps.height, softening);
 }
 } // namespace
 
 /// A surface's picture and its halves.
 class CImpostorCamera::CTexture {
 public:
-    CTexture(const fs::path& file, bool cutOut) : m_cutOut(cutOut) {
+    CTexture(const fs::path& file, const SurfaceInfo& surface) : m_cutOut(surface.cutOut), m_softening(softeningOf(surface.manyLeaves())) {
         if (lowerCase(file.extension().string()) != ".png")
             throw CError(translated(NC_("stromar", "an impostor can be made of PNG textures only, not of %1"), file.string()));
         const TextureMaps maps = readPng(file);
         m_size = {maps.width, maps.height};
-        m_levels = mipmapsOf(maps, cutOut);
+        m_levels = mipmapsOf(maps, m_cutOut, m_softening);
     }
 
     struct Texel {
@@ -55,7 +55,7 @@ public:
         const auto cell = [](float v, int count) { return std::clamp(static_cast<int>((v - std::floor(v)) * float(count)), 0, count - 1); };
         const auto& pixel = m_levels[static_cast<std::size_t>(level)][static_cast<std::size_t>((size.y - 1 - cell(texCoord.y, size.y)) * size.x + cell(texCoord.x, size.x))];
         const auto channel = [&](std::size_t c) { return linearOf(float(pixel[c]) / 255); };
-        return {{channel(0), channel(1), channel(2)}, m_cutOut ? float(coverOf(pixel[3] / 255.0, kAlphaCut, softnessOf(1.0 / std::min(size.x, size.y)))) : 1.0f};
+        return {{channel(0), channel(1), channel(2)}, m_cutOut ? float(coverOf(pixel[3] / 255.0, kAlphaCut, m_softening.at(1.0 / std::min(size.x, size.y)))) : 1.0f};
     }
     /// For a part of the picture, in its own units, that takes so many samples.
     int levelFor(double part, double samples) const {
@@ -66,6 +66,7 @@ public:
 
 private:
     bool m_cutOut;
+    Softening m_softening;
     glm::ivec2 m_size;
     std::vector<Pixels> m_levels;
 };
@@ -211,7 +212,7 @@ CImpostorCamera::CImpostorCamera(const TreeModel& model, const Meshes& meshes, c
         const Surface surface = shownSurface(model.params, meshes[i]->surface);
         std::shared_ptr<const CTexture>& texture = textures[static_cast<std::size_t>(surface)];
         progress.poll();
-        if (!texture) m_textures.push_back(texture = std::make_shared<CTexture>(textureOf(model, surface, treeFolder), surfaceOf(surface).cutOut));
+        if (!texture) m_textures.push_back(texture = std::make_shared<CTexture>(textureOf(model, surface, treeFolder), surfaceOf(surface)));
         m_parts.push_back({meshes[i], texture.get(), std::move(tints[i])});
     }
 }
