@@ -142,7 +142,7 @@ CHeadlessPainter::CHeadlessPainter(CViewScene& scene, int samples)
     m_context->makeCurrent();
     m_samples = std::clamp(mostSamples(), 1, samples);
     m_passes = std::min((samples + m_samples - 1) / m_samples, CPictureMean::kMost);
-    m_renderer.attach(samples);
+    m_renderer.attach(m_samples, m_passes);
 }
 
 CHeadlessPainter::~CHeadlessPainter() {

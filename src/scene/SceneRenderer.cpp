@@ -19,13 +19,13 @@ CSceneRenderer::CSceneRenderer(CViewScene& scene) : m_scene(scene), m_viewer(new
     m_viewer->setSceneData(scene.root());
 }
 
-void CSceneRenderer::attach(int samples) {
+void CSceneRenderer::attach(int samples, int passes) {
     m_window = new osgViewer::GraphicsWindowEmbedded(0, 0, 16, 16);
     m_viewer->getCamera()->setGraphicsContext(m_window.get());
     m_viewer->getCamera()->setViewport(0, 0, 16, 16);
     m_viewer->realize();
     const unsigned context = m_window->getState()->getContextID();
-    m_scene.startContext(samples, osg::isGLExtensionOrVersionSupported(context, "GL_ARB_instanced_arrays", 3.3f));
+    m_scene.startContext(samples, passes, osg::isGLExtensionOrVersionSupported(context, "GL_ARB_instanced_arrays", 3.3f));
 }
 
 void CSceneRenderer::detach() {

@@ -184,7 +184,8 @@ void main() {
 inline constexpr const char* kTreeFragmentShader = R"(
 uniform mat4 osg_ViewMatrixInverse;
 uniform sampler2D picture, relief, gloss, under; // albedo; normals; roughness and what goes through; albedo from below
-uniform float leaf, colourVariation, sunAndShade, tinted, generation, reliefDepth, underSide, smoothEdges;
+uniform float leaf, colourVariation, sunAndShade, tinted, generation, reliefDepth, underSide;
+uniform float edgeSamples; // of a pixel, which edges cover in part; 0: all or nothing
 uniform sampler2D olderPicture, olderRelief, olderGloss, youngerPicture, youngerRelief, youngerGloss;
 uniform vec2 neighbourRate;
 uniform int view; // 0 lit, 1 material, 2 occlusion, 3 normals
@@ -205,10 +206,11 @@ void main() {
     if (leaf > 0.5) {
         // What lies behind one another in a pixel covers other parts of it.
         float soft = softnessOfPixel(), cut = cutOf(soft), chance = fract(noiseOfPixel() + 7.31 * shade) - 0.5;
-        if (smoothEdges > 0.5) {
+        if (edgeSamples > 0.5) {
             cover = clamp((colour.a - cut) / max(max(fwidth(colour.a), soft), 1e-4) + 0.5, 0.0, 1.0);
             cover = mix(cover, cover > chance + 0.5 ? 1.0 : 0.0, soft); // as much in the mean
-            if (cover < 0.02) discard;
+            cover = floor(cover * edgeSamples + fract(17.3 * chance + 0.5)) / edgeSamples;
+            if (cover <= 0.0) discard;
         } else if (colour.a < cut + soft * chance) discard;
         // Leaves let one see the stems that are in hand.
         if (tinted > -0.5 && mod(floor(gl_FragCoord.x) + floor(gl_FragCoord.y), 2.0) > 0.5) discard;

@@ -85,7 +85,7 @@ CViewScene::CViewScene()
     nameNeighbourPictures(*m_state);
     setNeighbours(*m_state, {});
     setFloat(m_state, "alphaCut", kAlphaCut);
-    setFloat(m_state, "smoothEdges", 0);
+    setFloat(m_state, "edgeSamples", 0);
     setFloat(m_state, "instanced", 0);
     setVector(m_state, "pass", {});
     setFloat(m_state, "thinnestWood", 0);
@@ -95,7 +95,7 @@ CViewScene::CViewScene()
     styleWireframe(m_wireframe->getOrCreateStateSet());
     tint(ViewPart::kNone);
     setLook({});
-    setQuality(1);
+    setQuality(1, 1);
     updateGround();
 }
 
@@ -400,7 +400,7 @@ void CViewScene::setSurface(Surface surface, const SurfaceMaps& maps) {
     m_standIn->setSurface(surface, maps);
 }
 
-void CViewScene::startContext(int samples, bool instancing) {
+void CViewScene::startContext(int samples, int passes, bool instancing) {
     m_shadows->setStale();
     if (instancing != m_instancing) {
         m_instancing = instancing;
@@ -408,17 +408,17 @@ void CViewScene::startContext(int samples, bool instancing) {
         hangParts();
     }
     m_instancesAreNew = true;
-    setQuality(samples);
+    setQuality(samples, passes);
 }
 
-void CViewScene::setQuality(int samples) {
-    const bool best = samples > 1;
+void CViewScene::setQuality(int samples, int passes) {
+    const bool best = samples * passes > 1;
     const char* looks = best ? kBestLooks : kFastLooks;
     m_tree->getOrCreateStateSet()->setAttributeAndModes(makeLitProgram(looks));
     m_background->getOrCreateStateSet()->setAttributeAndModes(makeBackgroundProgram(looks));
     m_grass->setLooks(looks);
     m_shadows->setSize(best ? kBestShadow : kFastShadow);
-    setFloat(m_state, "smoothEdges", best);
+    setFloat(m_state, "edgeSamples", best ? samples : 0);
     m_smooth = best;
     for (CTreeNode* tree : trees()) tree->smoothEdges(best);
 }

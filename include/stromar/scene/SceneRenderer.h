@@ -13,8 +13,8 @@ class CSceneRenderer {
 public:
     explicit CSceneRenderer(CViewScene& scene);
 
-    /// Before the first picture, and after the context was replaced. `samples`: of the frame buffers.
-    void attach(int samples);
+    /// Before the first picture, and after the context was replaced. `samples`: of the frame buffers; of so many pictures the mean will be shown.
+    void attach(int samples, int passes = 1);
     /// Frees what lies on the graphics card.
     void detach();
     bool attached() const { return m_window.valid(); }

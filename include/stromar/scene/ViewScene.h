@@ -109,10 +109,10 @@ public:
     osg::BoundingBox bounds() const; ///< of all trees
     /// Some thousands of points that all trees reach to.
     std::vector<osg::Vec3f> outline() const;
-    /// For who draws: what lay on the graphics card is lost; frame buffers have so many samples. One sample stands for
-    /// drawing by the processor: lesser looks. Without `instancing`, which OpenGL 3.3 has, leaves get vertices of their
+    /// For who draws: what lay on the graphics card is lost; a pixel has so many samples in each of so many passes. One
+    /// sample in all stands for drawing by the processor: lesser looks. Without `instancing`, which OpenGL 3.3 has, leaves get vertices of their
     /// own.
-    void startContext(int samples, bool instancing);
+    void startContext(int samples, int passes, bool instancing);
     /// For who draws: before each frame. `pixel`: its size at a distance of 1 m, metres; the tree is about so far away.
     void setPass(const ViewPass& pass, double pixel, double distance);
     /// After it.
@@ -123,7 +123,7 @@ public:
     std::optional<ViewHit> pick(const osg::Vec3d& from, const osg::Vec3d& direction) const;
 
 private:
-    void setQuality(int samples);
+    void setQuality(int samples, int passes);
     std::vector<CTreeNode*> standing() const;
     std::vector<CTreeNode*> trees() const;
     bool drawsStandIn() const { return m_pass.standIn && hasStandIn() && !m_sway; }

@@ -14,7 +14,8 @@
 namespace stromar {
 
 namespace {
-constexpr int kViews = 4, kViewCells = 512, kSunCells = 1024;
+constexpr int kViewCells = 512, kSunCells = 1024;
+constexpr std::size_t kLookViews = 4, kCoverViews = 8; // sparse crowns cover a twentieth more or less from one side than from another
 constexpr double kHeight = 5 * std::numbers::pi / 180, kSunHeight = 51 * std::numbers::pi / 180;
 constexpr double kPixels = 270; // for what cells of a view show when a coarser level takes over: see kScreenCoverage
 constexpr double kBias = 2;     // cells of the sun's view between a leaf and its own shadow
@@ -183,14 +184,14 @@ private:
     std::vector<Facing> m_facings;
 };
 
-/// `seen(i, view)` for each of the sides.
-template <typename View, typename Seen>
+/// `seen(i, view)` for each of so many sides.
+template <std::size_t Count, typename View, typename Seen>
 void fromAllSides(const std::vector<CrownPart>& parts, const CrownFrame& frame, const CProgress& progress, Seen&& seen) {
     parallelFor(
-        kViews, 1,
+        Count, 1,
         [&](std::size_t begin, std::size_t end) {
             for (std::size_t i = begin; i < end; ++i) {
-                View view(frame, directionTo(2 * std::numbers::pi * (double(i) + 0.5) / kViews, kHeight), kViewCells);
+                View view(frame, directionTo(2 * std::numbers::pi * (double(i) + 0.5) / Count, kHeight), kViewCells);
                 view.draw(parts, progress);
                 seen(i, view);
             }
@@ -246,19 +247,19 @@ CTwigMask::Texel CTwigMask::at(const glm::vec2& texCoord, int level) const {
 }
 
 double crownCover(const std::vector<CrownPart>& parts, const CrownFrame& frame, const CProgress& progress) {
-    std::array<double, kViews> covered{};
-    fromAllSides<CCrownOutline>(parts, frame, progress, [&](std::size_t i, const CCrownOutline& outline) { covered[i] = outline.count(); });
+    std::array<double, kCoverViews> covered{};
+    fromAllSides<kCoverViews, CCrownOutline>(parts, frame, progress, [&](std::size_t i, const CCrownOutline& outline) { covered[i] = outline.count(); });
     double sum = 0;
     for (const double one : covered) sum += one;
-    return sum / (double(kViews) * kViewCells * kViewCells);
+    return sum / (double(kCoverViews) * kViewCells * kViewCells);
 }
 
 CrownLook crownLook(const std::vector<CrownPart>& parts, const CrownFrame& frame, const CProgress& progress) {
     const glm::dvec3 sun = directionTo(0, kSunHeight);
     CCrownView lit(frame, sun, kSunCells, false);
     lit.draw(parts, progress);
-    std::array<CrownLook, kViews> looks{};
-    fromAllSides<CCrownView>(parts, frame, progress, [&](std::size_t i, const CCrownView& view) {
+    std::array<CrownLook, kLookViews> looks{};
+    fromAllSides<kLookViews, CCrownView>(parts, frame, progress, [&](std::size_t i, const CCrownView& view) {
         CrownLook& look = looks[i];
         view.forEachSeen([&](const glm::dvec3& place, const Facing& seen) {
             const double facing = lit.sees(place) ? glm::dot(glm::dvec3(seen.normal), sun) : 0;
@@ -273,7 +274,7 @@ CrownLook crownLook(const std::vector<CrownPart>& parts, const CrownFrame& frame
     for (const CrownLook& one : looks)
         for (double CrownLook::*value : {&CrownLook::covered, &CrownLook::sun, &CrownLook::through, &CrownLook::sky, &CrownLook::backs}) sum.*value += one.*value;
     for (double CrownLook::*value : {&CrownLook::sun, &CrownLook::through, &CrownLook::sky, &CrownLook::backs}) sum.*value /= std::max(1.0, sum.covered);
-    sum.covered /= double(kViews) * kViewCells * kViewCells;
+    sum.covered = crownCover(parts, frame, progress);
     return sum;
 }
 
