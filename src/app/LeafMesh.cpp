@@ -35,7 +35,11 @@ std::shared_ptr<const LeafBlade> meshIn(const fs::path& file) {
 std::shared_ptr<const LeafBlade> leafMeshOf(const CParams& params, std::size_t kind) {
     const std::string& name = params.text.*kLeafMeshes[kind];
     if (name.empty()) return nullptr;
-    if (const BuiltInLeaf* own = builtInLeaf(name)) return std::make_shared<const LeafBlade>(own->make());
+    if (const BuiltInLeaf* own = builtInLeaf(name)) {
+        LeafBlade blade = own->make();
+        blade.flatFar = true;
+        return std::make_shared<const LeafBlade>(std::move(blade));
+    }
     const fs::path file = params.folder / name;
     try {
         return std::make_shared<const LeafBlade>(bladeOf(*meshIn(file), params.common.leafScaleX));

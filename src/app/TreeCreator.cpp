@@ -9,6 +9,7 @@
 #include <algorithm>
 #include <chrono>
 #include <cmath>
+#include <numeric>
 
 namespace stromar {
 
@@ -67,13 +68,14 @@ public:
             makeStems(g, watch);
             m_progress.report(0.5 + 0.4 * double(g + 1) / double(m_tree.generationCount()));
         }
+        m_leafDetail = withLeaves(m_detail, m_model->leafShare = leafShare());
         OrganArrays organs;
         for (const Organ organ : kOrgans) organs[static_cast<std::size_t>(organ)] = growOrgans(organ);
         keepTree(organs);
         m_model->milliseconds.structure += watch.lap();
         for (const Organ organ : kOrgans) std::ranges::copy(meshOrgans(organ), std::back_inserter(m_model->organs));
         if (m_model->twig)
-            m_model->cards = meshOfTwigs(m_model->choice->asCards, m_tree, *m_made.leafCounts, *m_model->twig, m_mesh, m_detail, m_progress,
+            m_model->cards = meshOfTwigs(m_model->choice->asCards, m_tree, *m_made.leafCounts, *m_model->twig, m_mesh, m_leafDetail, m_progress,
                                          meshOrgans(Organ::Leaf));
         auto& ms = m_model->milliseconds;
         ms.mesh += watch.lap();
@@ -153,15 +155,28 @@ private:
         return planRings(m_tree, static_cast<int>(g), m_mesh, m_detail, parents, m_progress, *m_model->choice);
     }
 
+    /// The last level of detail has fewer leaves where wood takes much of its triangles.
+    LeafShare leafShare() const {
+        const StemChoice& choice = *m_model->choice;
+        if (m_detail.lod < kMaxLod || choice.fullTriangles == 0) return {};
+        const double wood = std::accumulate(m_plans.begin(), m_plans.end(), 0.0, [](double sum, const MeshPlan* plan) { return sum + double(plan->indexCount) / 3; });
+        const auto counts = m_made.leafCounts ? m_made.leafCounts : m_builder.growOrgans(m_params, m_tree, Organ::Leaf, OrganDemand::none(), m_progress);
+        const double present = m_mesh.seasonOf(Organ::Leaf).share, onTwigs = double(counts->countOn(choice.asCards));
+        return leafShareOf(m_mesh, m_detail, choice.fullTriangles, wood, {present * (double(counts->total) - onTwigs), present * onTwigs});
+    }
+
+    const Detail& detailOf(Organ organ) const { return organ == Organ::Leaf ? m_leafDetail : m_detail; }
+
     std::shared_ptr<const COrgans> growOrgans(Organ organ) {
         MadeOrgans& made = m_made.organs[static_cast<std::size_t>(organ)];
-        const OrganDemand demand = demandOf(m_detail, m_plans, asCards(organ));
+        const OrganDemand demand = demandOf(detailOf(organ), m_plans, asCards(organ));
         const Meshes bearers = demand.stems ? m_model->stems : Meshes();
-        if (!made.organs || made.growth != m_growth || made.bearers != bearers) {
+        if (!made.organs || made.growth != m_growth || made.bearers != bearers || made.leafShare != m_model->leafShare) {
             made = {}; // first the memory of the old ones
             made.organs = m_builder.growOrgans(m_params, m_tree, organ, demand, m_progress);
             made.growth = m_growth;
             made.bearers = bearers;
+            made.leafShare = m_model->leafShare;
         }
         return made.organs;
     }
@@ -180,7 +195,7 @@ private:
     const OrganMeshes& meshOrgans(Organ organ) {
         MadeOrgans& made = m_made.organs[static_cast<std::size_t>(organ)];
         if (made.meshes.empty() || meshIsStale(made.params, m_params, Invalidation::kLeaves)) {
-            made.meshes = meshOfOrgans(*m_model->tree, organ, m_plans, m_mesh, m_detail, m_progress, asCards(organ));
+            made.meshes = meshOfOrgans(*m_model->tree, organ, m_plans, m_mesh, detailOf(organ), m_progress, asCards(organ));
             if (organ == Organ::Leaf && m_detail.lod > 0) fitLeaves(made.meshes);
             made.params = m_params;
         }
@@ -205,6 +220,7 @@ private:
     const CParams& m_params;
     MeshParams m_mesh;
     const Detail& m_detail;
+    Detail m_leafDetail = m_detail; ///< for leaves and cards
     const CProgress& m_progress;
     std::shared_ptr<TreeModel> m_model;
     std::vector<const MeshPlan*> m_plans;

@@ -33,6 +33,14 @@ const Detail& detailOf(Model model, int lod) {
     return kDetails[0];
 }
 
+Detail withLeaves(const Detail& detail, const LeafShare& share) {
+    Detail own = detail;
+    own.share *= share.leaves;
+    own.cardShare *= share.cards;
+    own.maxLeafGrowth /= std::sqrt(share.leaves);
+    return own;
+}
+
 int roundRingPoints(const Detail& detail, double thickness) {
     const int points = static_cast<int>(std::ceil(detail.ringPoints * thickness - 1e-9));
     return std::max(3, points > 5 ? (points + 1) / 2 * 2 : points);

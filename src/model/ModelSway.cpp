@@ -26,7 +26,7 @@ public:
         if (m_model.cards)
             m_sway.cards = shared(swayOfCards(*m_sway.table,
                                               twigsOfCards(m_cards, *m_model.tree, *m_model.tree->organs(Organ::Leaf),
-                                                           *m_model.twig, m_mesh, *m_model.detail),
+                                                           *m_model.twig, m_mesh, withLeaves(*m_model.detail, m_model.leafShare)),
                                               *m_model.cards, m_progress));
     }
 

@@ -80,14 +80,12 @@ std::size_t expectWithin(CTreeCreator& creator, const CParams& params, const Det
     return model->triangleCount();
 }
 
-/// What the last level of detail has of the triangles of the first, at most, unless it has no more than kFew: a twentieth, but where most are
-/// of leaves that stay as they are, or of the wood of many thin stems that nothing stands for.
+/// What the last level of detail has of the triangles of the first, at most, unless it has no more than kFew: a twentieth, but for bare trees of
+/// many thin stems, which nothing stands for.
 constexpr std::size_t kFew = 5000;
 constexpr double kUsualShare = 0.05;
 constexpr std::pair<const char*, double> kLargerShares[] = {
-    {"abop_2_7d", 0.09},    {"abop_2_8b", 0.065},     {"fan_palm", 0.87},      {"rowan", 0.065},
-    {"strand_acacia", 0.06}, {"strand_bonsai", 0.06}, {"strand_oak", 0.06},   {"strand_poplar", 0.065}, {"strand_spruce", 0.065},
-    {"strand_willow", 0.08}, {"strand_winter", 0.06}, {"weeping_beech", 0.065}, {"weeping_willow", 0.065}};
+    {"abop_2_7d", 0.09}, {"abop_2_8b", 0.065}, {"strand_winter", 0.06}};
 
 void expectFewTriangles(const std::string& name, std::size_t finest, std::size_t coarsest) {
     const auto own = std::ranges::find_if(kLargerShares, [&](const auto& larger) { return name == larger.first; });

@@ -99,21 +99,21 @@ struct Bound {
     double colour;
 };
 constexpr Bound kExceptions[] = {
-    {"bamboo", 0.10, kMaxColour},
     {"black_tupelo", kMaxCoverage, 3.6},
-    {"european_larch", kMaxCoverage, 5.4},
-    {"horse_chestnut", kMaxCoverage, 3.5},
-    {"japanese_maple", 0.08, 4.6},
+    {"european_beech", 0.06, kMaxColour},
+    {"european_larch", 0.07, 5.7},
+    {"fan_palm", kMaxCoverage, 3.3},
+    {"hop", 0.052, kMaxColour},
+    {"japanese_maple", kMaxCoverage, 4.8},
     {"lady_fern", kMaxCoverage, 3.4},
-    {"lebanon_cedar", kMaxCoverage, 3.9},
-    {"lombardy_poplar", 0.08, kMaxColour},
-    {"norway_spruce", 0.08, 3.3},
-    {"quaking_aspen", kMaxCoverage, 3.1},
-    {"rowan", kMaxCoverage, 3.2},
+    {"lebanon_cedar", kMaxCoverage, 4},
+    {"norway_spruce", kMaxCoverage, 3.9},
+    {"sapling", 0.055, kMaxColour},
     {"silver_fir", kMaxCoverage, 3.1},
-    {"umbrella_acacia", kMaxCoverage, 6},
-    {"weeping_willow", kMaxCoverage, 3.1},
-    {"wild_cherry", 0.07, kMaxColour},
+    {"small_leaved_lime", 0.067, kMaxColour},
+    {"strand_poplar", kMaxCoverage, 3.1},
+    {"umbrella_acacia", kMaxCoverage, 5.8},
+    {"wild_cherry", 0.065, kMaxColour},
 };
 
 Bound boundOf(const std::string& preset) {

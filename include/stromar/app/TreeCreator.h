@@ -49,6 +49,7 @@ private:
     struct MadeOrgans {
         std::uint64_t growth = 0; ///< of the tree that bears them
         Meshes bearers;           ///< on which stems they may be, where that matters
+        LeafShare leafShare;      ///< TreeModel's
         std::shared_ptr<const COrgans> organs;
         OrganMeshes meshes; ///< by kind
         std::optional<CParams> params;

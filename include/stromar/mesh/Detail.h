@@ -28,6 +28,15 @@ struct Detail {
     double cardShare;       ///< how many rectangles all cards have at most, for each leaf of the tree
 };
 
+/// Parts of what a detail draws.
+struct LeafShare {
+    double leaves = 1, cards = 1; ///< of twigs
+
+    bool operator==(const LeafShare&) const = default;
+};
+/// The same with those, leaves as much larger as keeps their area.
+Detail withLeaves(const Detail& detail, const LeafShare& share);
+
 constexpr std::size_t kFewOrgans = 60; ///< so many leaves, blossoms or fruits are not thinned
 constexpr std::size_t kFewWoodTriangles = 2500; ///< so many are not thinned at the last level of detail
 constexpr double kCoarsestTurn = 2.5; ///< of thin stems, times what is allowed to a trunk

@@ -21,6 +21,7 @@ struct LeafBlade {
     };
     std::vector<Point> points;
     std::vector<std::uint32_t> indices; ///< three per triangle, counter-clockwise seen from above
+    bool flatFar = false;               ///< a mesh that shows its picture where a card does, which stands for it at the last level of detail
 };
 
 /// What an organ is drawn as; leaves by kind.
@@ -105,6 +106,14 @@ using OrganMeshes = std::vector<std::shared_ptr<const COrganMesh>>;
 /// Which organs of a kind a level of detail shows on the stems that `plans`, by generation, chose: at most its share or
 /// kFewOrgans. Not those on stems that cards show.
 OrganDemand demandOf(const Detail& detail, std::span<const MeshPlan* const> plans, const StemSet& asCards = {});
+
+/// How many leaves a season left on a tree.
+struct LeafCount {
+    double onStems, onTwigs; ///< those that cards show
+};
+/// What the last level of detail draws of its leaves, and if those are not enough of its cards, 0.4 to 1, so that with `wood` triangles the tree has no
+/// more than 5,000 or a twentieth of those at LOD 0, of which wood has `fullWood`.
+LeafShare leafShareOf(const MeshParams& params, const Detail& detail, double fullWood, double wood, const LeafCount& leaves);
 
 /// The grown leaves of a tree by their form, seen from above; blossoms as cards, fruits as ellipsoids. As many and as
 /// large as the season has them, on stems that `plans` chose, enlarged to keep the area of all as far as

@@ -23,6 +23,7 @@ struct StemChoice {
     StemSet leftOut;
     StemSet thicker;
     double growth = 1;       ///< of the radius of those
+    double fullTriangles = 0;  ///< about so many all wood has at LOD 0; 0 where nothing may be left out
     bool organsStay = false;   ///< leaves, blossoms and fruits are drawn where their stem is left out
 
     bool draws(std::size_t generation, std::size_t stem) const { return !asCards.has(generation, stem) && !leftOut.has(generation, stem); }

@@ -28,6 +28,7 @@ struct TreeModel {
     std::shared_ptr<const CTree> grown; ///< the same at the end of its life, bare
     Meshes stems;                      ///< by generation
     std::shared_ptr<const StemChoice> choice; ///< which stems those show
+    LeafShare leafShare;                      ///< that is drawn of the detail's: see leafShareOf()
     std::shared_ptr<const UnjoinedStems> unjoined; ///< null: every stem is closed by itself
     OrganMeshes organs;                ///< leaves by kind, blossoms, fruits; some may be empty
     std::shared_ptr<const Twig> twig;   ///< what cards show in place of last stems with leaves; null: there are none

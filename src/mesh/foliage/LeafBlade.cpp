@@ -162,12 +162,13 @@ LeafBlade onStalk(const LeafBlade& mesh, double stalk) {
 } // namespace
 
 LeafBlade makeBlade(const LeafForm& form, const Detail& detail) {
-    if (form.mesh) return onStalk(*form.mesh, form.stalk);
+    const bool last = detail.model == Model::Full && detail.lod == kMaxLod;
+    if (form.mesh && !(last && form.mesh->flatFar)) return onStalk(*form.mesh, form.stalk);
     const bool close = isClose(detail);
     const bool card = !form.outline || !close;
     CBladeMaker maker(close ? form.fold : 0, form.stalk, card);
     for (const Leaflet& leaflet : card ? std::span<const Leaflet>(kCards) : kShapes[form.shape]) maker.add(leaflet);
-    if (card) maker.addPlanes(detail.model == Model::Full && detail.lod == 3 ? std::min(2, form.planes) : form.planes);
+    if (card) maker.addPlanes(last ? std::min(2, form.planes) : form.planes);
     if (close) maker.addStalk();
     return maker.take();
 }

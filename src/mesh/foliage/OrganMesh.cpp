@@ -130,6 +130,28 @@ OrganDemand demandOf(const Detail& detail, std::span<const MeshPlan* const> plan
     return demand;
 }
 
+namespace {
+/// Of a leaf, on the average of the kinds.
+double trianglesOfLeaf(const MeshParams& params, const Detail& detail) {
+    double sum = 0;
+    for (std::size_t kind = 0; kind < kLeafKinds; ++kind)
+        if (const double share = params.shareOf(kind); share > 0) sum += share * double(bladeOf(params, Organ::Leaf, detail, kind).indices.size()) / 3;
+    return sum;
+}
+} // namespace
+
+LeafShare leafShareOf(const MeshParams& params, const Detail& detail, double fullWood, double wood, const LeafCount& leaves) {
+    constexpr double kFewTriangles = 5000, kShare = 0.048, kLeast = 0.4, kOfCard = 2; // of all triangles: how many wood has is sampled
+    if (detail.lod < kMaxLod || leaves.onStems + leaves.onTwigs == 0) return {};
+    const double full = fullWood + (leaves.onStems + leaves.onTwigs) * trianglesOfLeaf(params, detailOf(detail.model, 0));
+    const double onStems = std::min(leaves.onStems, detail.share * (leaves.onStems + leaves.onTwigs));
+    const double ofLeaves = onStems * trianglesOfLeaf(params, detail), ofCards = leaves.onTwigs * detail.cardShare * kOfCard;
+    const double left = std::max(kFewTriangles, kShare * full) - wood;
+    const auto shareOf = [&](double own, double others) { return std::clamp((left - others) / std::max(1.0, own), kLeast, 1.0); };
+    const double share = shareOf(ofLeaves, ofCards);
+    return {share, shareOf(ofCards, share * ofLeaves)};
+}
+
 OrganMeshes meshOfOrgans(const CTree& tree, Organ organ, std::span<const MeshPlan* const> plans, const MeshParams& params,
                          const Detail& detail, const CProgress& progress, const StemSet& asCards) {
     progress.poll();

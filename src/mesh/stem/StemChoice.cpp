@@ -33,14 +33,28 @@ PerStem<double> costs(const CTree& tree, const MeshParams& params, const Detail&
     return all;
 }
 
-/// Of all stems at LOD 0, by some of them.
-double fullCost(const CTree& tree, const MeshParams& params, const Detail& full, std::size_t sampled, const CProgress& progress) {
-    double sum = 0;
+/// Corners of triangles of all stems at LOD 0, by some of them.
+struct FullCost {
+    double stems = 0, collars = 0;
+};
+
+/// Two triangles for each point of each ring; about half of it, since some branches have none, and thin rings fewer points.
+double cornersOfCollars(const MeshPlan& plan, const Detail& full) {
+    double points = 0;
+    for (std::size_t t = 0; t < plan.tubes.size(); ++t)
+        if (t == 0 || plan.tubes[t].stem != plan.tubes[t - 1].stem) points += double(plan.tubes[t].points);
+    return 3 * full.collarRings * points;
+}
+
+FullCost fullCost(const CTree& tree, const MeshParams& params, const Detail& full, std::size_t sampled, const CProgress& progress) {
+    FullCost sum;
     for (std::size_t g = 0; g < tree.generationCount(); ++g) {
         const std::size_t stems = tree.generation(g).stems.size(), step = std::max<std::size_t>(1, stems / sampled);
         std::vector<bool> drawn(stems);
         for (std::size_t s = 0; s < stems; s += step) drawn[s] = true;
-        sum += double(step) * double(planStems(tree, static_cast<int>(g), params, full, nullptr, drawn, {}, progress).indexCount);
+        const MeshPlan plan = planStems(tree, static_cast<int>(g), params, full, nullptr, drawn, {}, progress);
+        sum.stems += double(step) * double(plan.indexCount);
+        if (g > 0) sum.collars += double(step) * cornersOfCollars(plan, full);
     }
     return sum;
 }
@@ -127,7 +141,9 @@ StemChoice chooseStems(const CTree& tree, const MeshParams& params, const Detail
     if (detail.woodShare >= 1 || tree.generationCount() < 3 || (joined && !choice.asCards.empty())) return choice;
     const std::size_t last = tree.generationCount() - 1;
     const PerStem<double> own = costs(tree, params, detail, choice.asCards, progress);
-    const double wanted = detail.woodShare * fullCost(tree, params, detailOf(detail.model, 0), joined ? kAllStems : kSampled, progress);
+    const FullCost full = fullCost(tree, params, detailOf(detail.model, 0), joined ? kAllStems : kSampled, progress);
+    const double wanted = detail.woodShare * full.stems;
+    choice.fullTriangles = (full.stems + full.collars) / 3;
     const double budget = joined ? wanted : std::max(wanted, 3.0 * kFewWoodTriangles);
     const PerStem<std::size_t> sizes = joined ? PerStem<std::size_t>() : stemsOn(tree);
     const double thin = kMaxRadius * tree.height();
