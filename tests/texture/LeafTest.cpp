@@ -117,19 +117,47 @@ TEST(Opacity, MipmapsKeepTheCoverage) {
     }
 }
 
-/// What a graphics card shows of it, which interpolates between pixels.
-double drawnCoverage(const Pixels& pixels, int side, double soft) {
-    constexpr int kSamples = 5;
-    const auto at = [&](int x, int y) { return pixels[std::size_t(std::clamp(y, 0, side - 1) * side + std::clamp(x, 0, side - 1))][3] / 255.0; };
+/// A level of a square picture.
+struct Level {
+    const Pixels& pixels;
+    int side;
+
+    /// As a graphics card has it, which interpolates between pixels.
+    double opacityAt(double u, double v) const {
+        const auto at = [&](int x, int y) { return pixels[std::size_t(std::clamp(y, 0, side - 1) * side + std::clamp(x, 0, side - 1))][3] / 255.0; };
+        const double x = u * side - 0.5, y = v * side - 0.5;
+        const int left = int(std::floor(x)), top = int(std::floor(y));
+        const double across = x - left, down = y - top;
+        return (1 - down) * ((1 - across) * at(left, top) + across * at(left + 1, top)) + down * ((1 - across) * at(left, top + 1) + across * at(left + 1, top + 1));
+    }
+};
+
+/// What is shown of what has so much opacity at each place.
+template <typename OpacityAt> double drawnCoverage(int side, double soft, OpacityAt&& opacityAt) {
+    const int samples = 5 * side;
     double sum = 0;
-    for (int j = 0; j < kSamples * side; ++j)
-        for (int i = 0; i < kSamples * side; ++i) {
-            const double x = (i + 0.5) / kSamples - 0.5, y = (j + 0.5) / kSamples - 0.5;
-            const int left = int(std::floor(x)), top = int(std::floor(y));
-            const double u = x - left, v = y - top;
-            sum += coverOf((1 - v) * ((1 - u) * at(left, top) + u * at(left + 1, top)) + v * ((1 - u) * at(left, top + 1) + u * at(left + 1, top + 1)), kAlphaCut, soft);
-        }
-    return sum / (double(kSamples * kSamples) * side * side);
+    for (int j = 0; j < samples; ++j)
+        for (int i = 0; i < samples; ++i) sum += coverOf(opacityAt((i + 0.5) / samples, (j + 0.5) / samples), kAlphaCut, soft);
+    return sum / (double(samples) * samples);
+}
+double drawnCoverage(const Pixels& pixels, int side, double soft) {
+    return drawnCoverage(side, soft, [&](double u, double v) { return Level{pixels, side}.opacityAt(u, v); });
+}
+
+TEST(Opacity, ManyLeavesInAPictureCoverTheSameBetweenTwoOfItsHalves) {
+    constexpr int kSide = 128;
+    Pixels pixels(kSide * kSide, {40, 90, 20, 0});
+    for (const auto [x0, y0] : {std::pair{28, 20}, {84, 32}, {30, 76}, {80, 92}}) // four leaves: 11 % of the picture
+        for (int y = 0; y < 24; ++y)
+            for (int x = 0; x < 20; ++x) pixels[std::size_t((y0 + y) * kSide + x0 + x)][3] = 255;
+    const Softening softening = softeningOf(true);
+    const auto levels = mipmapsKeepingCoverage(pixels, kSide, kSide, softening);
+    const double wanted = drawnCoverage(levels[0], kSide, 0);
+    for (std::size_t i = 0; i + 1 < levels.size(); ++i) {
+        const Level large{levels[i], kSide >> i}, small{levels[i + 1], kSide >> (i + 1)};
+        const double covered = drawnCoverage(large.side, softening.at(std::sqrt(0.5) / small.side), [&](double u, double v) { return (large.opacityAt(u, v) + small.opacityAt(u, v)) / 2; });
+        EXPECT_NEAR(covered, wanted, 0.1 * wanted) << "between " << large.side << " and " << small.side << " pixels";
+    }
 }
 
 TEST(Opacity, ThinLeavesDoNotFade) {
