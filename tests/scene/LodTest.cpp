@@ -113,7 +113,7 @@ constexpr Bound kExceptions[] = {
     {"small_leaved_lime", 0.067, kMaxColour},
     {"strand_poplar", kMaxCoverage, 3.1},
     {"umbrella_acacia", kMaxCoverage, 5.8},
-    {"wild_cherry", 0.065, kMaxColour},
+    {"wild_cherry", 0.07, kMaxColour},
 };
 
 Bound boundOf(const std::string& preset) {
