@@ -100,18 +100,12 @@ struct Bound {
 };
 constexpr Bound kExceptions[] = {
     {"black_tupelo", kMaxCoverage, 3.6},
-    {"european_beech", 0.06, kMaxColour},
-    {"european_larch", 0.07, 5.7},
-    {"fan_palm", kMaxCoverage, 3.3},
-    {"hop", 0.052, kMaxColour},
-    {"japanese_maple", kMaxCoverage, 4.8},
+    {"european_larch", kMaxCoverage, 5.4},
+    {"japanese_maple", kMaxCoverage, 4.6},
     {"lady_fern", kMaxCoverage, 3.4},
-    {"lebanon_cedar", kMaxCoverage, 4},
-    {"norway_spruce", kMaxCoverage, 3.9},
-    {"sapling", 0.055, kMaxColour},
+    {"lebanon_cedar", kMaxCoverage, 3.9},
+    {"norway_spruce", kMaxCoverage, 3.3},
     {"silver_fir", kMaxCoverage, 3.1},
-    {"small_leaved_lime", 0.067, kMaxColour},
-    {"strand_poplar", kMaxCoverage, 3.1},
     {"umbrella_acacia", kMaxCoverage, 5.8},
     {"wild_cherry", 0.07, kMaxColour},
 };
