@@ -36,8 +36,8 @@ std::shared_ptr<const LeafBlade> leafMeshOf(const CParams& params, std::size_t k
     const std::string& name = params.text.*kLeafMeshes[kind];
     if (name.empty()) return nullptr;
     if (const BuiltInLeaf* own = builtInLeaf(name)) {
-        LeafBlade blade = own->make();
-        blade.flatFar = true;
+        LeafBlade blade = own->make(false);
+        blade.far = std::make_shared<const LeafBlade>(own->make(true));
         return std::make_shared<const LeafBlade>(std::move(blade));
     }
     const fs::path file = params.folder / name;

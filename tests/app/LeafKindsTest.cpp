@@ -45,7 +45,7 @@ TEST_F(LeafKinds, HaveTheirShares) {
     EXPECT_EQ(double(tree->leafCount()), all) << "each leaf is of one kind";
     for (const auto& [kind, share] : {std::pair{0, 0.6}, {1, 0.3}, {2, 0.1}, {3, 0.0}})
         EXPECT_NEAR(double(tree->leaves(std::size_t(kind))->count()) / all, share, 4 * std::sqrt(0.25 / all)) << kind;
-    EXPECT_EQ(tree->leaves(2)->blade().points.size(), builtInLeaf("mesh:curved")->make().points.size());
+    EXPECT_EQ(tree->leaves(2)->blade().points.size(), builtInLeaf("mesh:curved")->make(false).points.size());
     EXPECT_EQ(tree->leaves(1)->blade().points.size(), tree->leaves(0)->blade().points.size());
     EXPECT_LE(double(tree->vertexCount()), predictSize(m_params, detailOf(Model::Full)).vertices);
 }

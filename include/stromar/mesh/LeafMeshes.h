@@ -9,7 +9,7 @@ namespace stromar {
 struct BuiltInLeaf {
     std::string_view name;  ///< in files, after "mesh:"
     std::string_view label; ///< marked for translation
-    LeafBlade (*make)();
+    LeafBlade (*make)(bool far); ///< as the last level of detail has it, or as all others
 };
 std::span<const BuiltInLeaf> builtInLeaves();
 /// By a name as "mesh:curved"; null for a file's. Throws CError where there is none of such a name.

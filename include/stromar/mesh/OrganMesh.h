@@ -21,7 +21,7 @@ struct LeafBlade {
     };
     std::vector<Point> points;
     std::vector<std::uint32_t> indices; ///< three per triangle, counter-clockwise seen from above
-    bool flatFar = false;               ///< a mesh that shows its picture where a card does, which stands for it at the last level of detail
+    std::shared_ptr<const LeafBlade> far{}; ///< what stands for a mesh at the last level of detail; null: itself
 };
 
 /// What an organ is drawn as; leaves by kind.

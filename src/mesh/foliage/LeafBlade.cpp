@@ -163,7 +163,7 @@ LeafBlade onStalk(const LeafBlade& mesh, double stalk) {
 
 LeafBlade makeBlade(const LeafForm& form, const Detail& detail) {
     const bool last = detail.model == Model::Full && detail.lod == kMaxLod;
-    if (form.mesh && !(last && form.mesh->flatFar)) return onStalk(*form.mesh, form.stalk);
+    if (form.mesh) return onStalk(last && form.mesh->far ? *form.mesh->far : *form.mesh, form.stalk);
     const bool close = isClose(detail);
     const bool card = !form.outline || !close;
     CBladeMaker maker(close ? form.fold : 0, form.stalk, card);

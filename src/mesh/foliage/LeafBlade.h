@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <functional>
 #include <glm/geometric.hpp>
+#include <glm/vec2.hpp>
 
 namespace stromar {
 
@@ -42,7 +43,7 @@ LeafBlade makeBlade(const LeafForm& form, const Detail& detail);
 /// Height over a place of a card: x −0.5 .. 0.5 and y 0 .. 1. In parts of the width.
 using LeafRelief = std::function<double(double x, double y)>;
 /// A card that is bent; its foot stays.
-LeafBlade bentCard(const LeafRelief& relief);
+LeafBlade bentCard(const LeafRelief& relief, const glm::ivec2& cells = {4, 6});
 /// A square for a picture, in so many planes; near ones as domes whose edges lie so many half widths lower.
 LeafBlade makeBlossom(int planes, double dome, const Detail& detail);
 /// An ellipsoid on a stalk of so many of its lengths.

@@ -15,8 +15,6 @@
 namespace stromar {
 
 namespace {
-constexpr int kAcross = 4, kAlong = 6; // cells of a built-in blade
-
 double curved(double, double y) { return 0.9 * y * (0.45 - y); }
 double cupped(double x, double y) { return 1.1 * x * x + 0.25 * (y - 0.5) * (y - 0.5); }
 double wavy(double x, double y) { return 0.35 * std::abs(x) * std::sin(3 * std::numbers::pi * y + (x < 0 ? 1.3 : 0)) - 0.3 * y * y; }
@@ -29,29 +27,30 @@ glm::dvec3 normalOf(const LeafRelief& relief, double x, double y) {
 }
 
 template <double (*relief)(double, double)>
-LeafBlade sheet() {
-    return bentCard(relief);
+LeafBlade sheet(bool far) {
+    return far ? bentCard(relief, {2, 2}) : bentCard(relief);
 }
 
 /// As the texture leaf:fan spreads: rays out of the end of a stalk, folded along their middle, whose tips hang.
 class CFanMaker {
 public:
+    CFanMaker(int rays, int rings) : m_rays(rays), m_rings(rings) {}
+
     LeafBlade make() {
-        for (int half = 0; half < 2 * kRays; ++half) addStrip(half);
+        for (int half = 0; half < 2 * m_rays; ++half) addStrip(half);
         addStrip({point(-kStalkHalf, 0), point(kStalkHalf, 0), point(-kStalkHalf, kPalm), point(kStalkHalf, kPalm)});
         return std::move(m_blade);
     }
 
 private:
-    static constexpr int kRays = 34, kRings = 5;
     static constexpr double kAspect = 1.4, kPalm = 0.3, kSpread = 131 * std::numbers::pi / 180; // of the texture
     static constexpr double kStalkHalf = 0.018, kFold = 0.55, kDroop = 0.55, kRim = 0.985;
 
     /// Between a fold and the edge beside it; strips share no vertices, so that folds stay sharp.
     void addStrip(int half) {
         std::vector<glm::dvec3> places;
-        for (int ring = 0; ring <= kRings; ++ring)
-            for (const int side : {0, 1}) places.push_back(point(half + side, double(ring) / kRings));
+        for (int ring = 0; ring <= m_rings; ++ring)
+            for (const int side : {0, 1}) places.push_back(point(half + side, double(ring) / m_rings));
         addStrip(places);
     }
 
@@ -78,19 +77,20 @@ private:
     static glm::dvec3 point(double x, double y) { return {x / kAspect, y, 0}; }
 
     /// On the edge of a half ray, some part of the way out to the rim of the card.
-    static glm::dvec3 point(int edge, double part) {
-        const double at = double(edge) / kRays - 1, turn = -at * kSpread, c = std::cos(turn), s = -std::sin(turn);
+    glm::dvec3 point(int edge, double part) const {
+        const double at = double(edge) / m_rays - 1, turn = -at * kSpread, c = std::cos(turn), s = -std::sin(turn);
         double reach = kRim * (1 - kPalm);
         if (std::abs(s) > 1e-6) reach = std::min(reach, kRim * kAspect / 2 / std::abs(s));
         if (c < 0) reach = std::min(reach, kRim * kPalm / -c);
-        const double out = part * reach, ray = kSpread / kRays * std::min(out, 0.6 * reach);
+        const double out = part * reach, ray = kSpread / m_rays * std::min(out, 0.6 * reach);
         const double rise = (edge % 2 ? -0.5 : 0.5) * kFold * ray, sink = kDroop * std::pow(std::max(0.0, part - 0.45), 2) + 0.12 * at * at * part;
         return {out * s / kAspect, kPalm + out * c, (rise - sink) / kAspect};
     }
 
+    int m_rays, m_rings;
     LeafBlade m_blade;
 };
-LeafBlade fan() { return CFanMaker().make(); }
+LeafBlade fan(bool far) { return (far ? CFanMaker(8, 2) : CFanMaker(34, 5)).make(); }
 
 constexpr BuiltInLeaf kBuiltIn[] = {{"curved", N_("curved"), &sheet<curved>},
                                     {"cupped", N_("cupped"), &sheet<cupped>},
@@ -130,14 +130,14 @@ glm::dmat3 axesOf(const LeafBlade& mesh, const Box& box) {
 }
 } // namespace
 
-LeafBlade bentCard(const LeafRelief& relief) {
+LeafBlade bentCard(const LeafRelief& relief, const glm::ivec2& cells) {
     LeafBlade blade;
-    for (int row = 0; row <= kAlong; ++row)
-        for (int column = 0; column <= kAcross; ++column) {
-            const double u = double(column) / kAcross, v = double(row) / kAlong, x = u - 0.5;
+    for (int row = 0; row <= cells.y; ++row)
+        for (int column = 0; column <= cells.x; ++column) {
+            const double u = double(column) / cells.x, v = double(row) / cells.y, x = u - 0.5;
             blade.points.push_back({{x, v, relief(x, v) - relief(0, 0)}, normalOf(relief, x, v), {u, v}});
-            if (row == kAlong || column == kAcross) continue;
-            const auto low = static_cast<std::uint32_t>(row * (kAcross + 1) + column), high = low + kAcross + 1;
+            if (row == cells.y || column == cells.x) continue;
+            const auto low = static_cast<std::uint32_t>(row * (cells.x + 1) + column), high = low + static_cast<std::uint32_t>(cells.x) + 1;
             for (const std::uint32_t corner : {low, low + 1, high + 1, low, high + 1, high}) blade.indices.push_back(corner);
         }
     return blade;
