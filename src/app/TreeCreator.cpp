@@ -49,7 +49,7 @@ class CTreeCreator::CModelMaker {
 public:
     CModelMaker(CTreeCreator& creator, const CParams& params, const Detail& detail, const CProgress& progress)
         : m_tree(*creator.m_tree), m_builder(*creator.m_builder), m_growth(creator.m_growth),
-          m_made(creator.m_made[rowOf(detail)]), m_params(params),
+          m_madeTwig(creator.m_madeTwig), m_made(creator.m_made[rowOf(detail)]), m_params(params),
           m_mesh(meshParamsWithLeaf(params)), m_detail(detail), m_progress(progress),
           m_model(std::make_shared<TreeModel>()) {
         m_model->params = params;
@@ -75,7 +75,7 @@ public:
         m_model->milliseconds.structure += watch.lap();
         for (const Organ organ : kOrgans) std::ranges::copy(meshOrgans(organ), std::back_inserter(m_model->organs));
         if (m_model->twig)
-            m_model->cards = meshOfTwigs(m_model->choice->asCards, m_tree, *m_made.leafCounts, *m_model->twig, m_mesh, m_leafDetail, m_progress,
+            m_model->cards = meshOfTwigs(m_model->choice->asCards, m_tree, *m_madeTwig.leafCounts, *m_model->twig, m_mesh, m_leafDetail, m_progress,
                                          meshOrgans(Organ::Leaf));
         auto& ms = m_model->milliseconds;
         ms.mesh += watch.lap();
@@ -86,20 +86,29 @@ public:
 private:
     /// Which stems cards show.
     StemSet chooseTwig() {
-        m_made.leafCounts.reset();
         if (!mayShowCards(m_params, m_detail, m_progress)) return {};
-        m_made.leafCounts = m_builder.growOrgans(m_params, m_tree, Organ::Leaf, OrganDemand::none(), m_progress);
-        StemSet twigs = twigsOf(m_tree, *m_made.leafCounts);
-        const auto typical = typicalOf(twigs, m_tree, *m_made.leafCounts, m_mesh);
-        if (!typical) return {};
+        if (m_madeTwig.growth != m_growth || m_madeTwig.params != m_params) m_madeTwig = makeTwig();
+        m_model->twig = m_madeTwig.typical;
+        return m_model->twig ? m_madeTwig.twigs : StemSet();
+    }
+
+    MadeTwig makeTwig() const {
+        const auto counts = countLeaves();
+        MadeTwig made{m_growth, m_params, counts, twigsOf(m_tree, *counts), nullptr};
+        const auto place = typicalOf(made.twigs, m_tree, *counts, m_mesh);
+        if (!place) return made;
         OrganDemand itsLeaves{.stems = StemSet{}};
-        itsLeaves.stems->stems.resize(typical->generation + 1);
-        itsLeaves.stems->stems.back().resize(typical->stem + 1);
+        itsLeaves.stems->stems.resize(place->generation + 1);
+        itsLeaves.stems->stems.back().resize(place->stem + 1);
         itsLeaves.stems->stems.back().back() = true;
         const auto leaves = m_builder.growOrgans(m_params, m_tree, Organ::Leaf, itsLeaves, m_progress);
         const auto crown = m_builder.growOrgans(m_params, m_tree, Organ::Leaf, {.max = kMeasuredLeaves}, m_progress);
-        m_model->twig = twigAt(*typical, twigs, m_tree, *leaves, crown, leafMasksOf(m_params, m_progress), m_mesh, m_progress);
-        return twigs;
+        made.typical = twigAt(*place, made.twigs, m_tree, *leaves, crown, leafMasksOf(m_params, m_progress), m_mesh, m_progress);
+        return made;
+    }
+
+    std::shared_ptr<const COrgans> countLeaves() const {
+        return m_builder.growOrgans(m_params, m_tree, Organ::Leaf, OrganDemand::none(), m_progress);
     }
 
     void chooseStemsOf(StemSet asCards) {
@@ -160,7 +169,7 @@ private:
         const StemChoice& choice = *m_model->choice;
         if (m_detail.lod < kMaxLod || choice.fullTriangles == 0) return {};
         const double wood = std::accumulate(m_plans.begin(), m_plans.end(), 0.0, [](double sum, const MeshPlan* plan) { return sum + double(plan->indexCount) / 3; });
-        const auto counts = m_made.leafCounts ? m_made.leafCounts : m_builder.growOrgans(m_params, m_tree, Organ::Leaf, OrganDemand::none(), m_progress);
+        const auto counts = m_model->twig ? m_madeTwig.leafCounts : countLeaves();
         const double present = m_mesh.seasonOf(Organ::Leaf).share, onTwigs = double(counts->countOn(choice.asCards));
         return leafShareOf(m_mesh, m_detail, choice.fullTriangles, wood, {present * (double(counts->total) - onTwigs), present * onTwigs});
     }
@@ -216,6 +225,7 @@ private:
     const CTree& m_tree;
     const ITreeBuilder& m_builder;
     std::uint64_t m_growth;
+    MadeTwig& m_madeTwig;
     MadeModel& m_made;
     const CParams& m_params;
     MeshParams m_mesh;
@@ -232,6 +242,7 @@ CTreeCreator::CTreeCreator(bool varied, const SizeLimits& limits)
 void CTreeCreator::forget() {
     m_grown.reset();
     m_tree.reset();
+    m_madeTwig = {};
     m_made.assign(detailTable().size(), {});
 }
 
@@ -280,6 +291,7 @@ void CTreeCreator::chooseBuilder(const CParams& params) {
 /// Frees what shows generations and organs that are gone, so that no level of detail keeps an old tree in memory.
 void CTreeCreator::dropStaleMeshes() {
     const auto& generations = m_tree->generations();
+    if (m_madeTwig.growth != m_growth) m_madeTwig = {};
     for (MadeModel& made : m_made) {
         for (MadeStems& stems : made.stems)
             if (std::ranges::find(generations, stems.source) == generations.end()) stems = {};

@@ -13,6 +13,7 @@ inline std::string modelDifference(const TreeModel& a, const TreeModel& b) {
         if (!sameBytes(*a.stems[g], *b.stems[g])) return a.stems[g]->name;
     for (std::size_t i = 0; i < a.organs.size(); ++i)
         if (!sameBytes(*a.organs[i]->expanded(CProgress()), *b.organs[i]->expanded(CProgress()))) return a.organs[i]->name();
+    if (!a.cards != !b.cards || (a.cards && !sameBytes(*a.cards, *b.cards))) return "the cards of twigs";
     return {};
 }
 

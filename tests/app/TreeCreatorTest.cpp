@@ -104,6 +104,20 @@ TEST(TreeCreator, KeepsTheTreeWhenOnlyTheMeshChanges) {
     EXPECT_EQ(sharedStems(*before, *after), 0);
 }
 
+TEST(TreeCreator, LevelsOfDetailShareTheTwigThatCardsShow) {
+    CTreeCreator creator;
+    CParams params = preset("quaking_aspen");
+    const auto near = creator.create(params, detailOf(Model::Full, 2), CProgress(2));
+    ASSERT_TRUE(near->twig && near->cards);
+    const auto far = creator.create(params, detailOf(Model::Full, 3), CProgress(2));
+    EXPECT_EQ(far->twig, near->twig);
+    EXPECT_EQ(modelDifference(*far, *createAnew(params, detailOf(Model::Full, 3))), "");
+    params.common.leafScale *= 1.5;
+    const auto larger = creator.create(params, detailOf(Model::Full, 3), CProgress(2));
+    EXPECT_NE(larger->twig, near->twig);
+    EXPECT_EQ(modelDifference(*larger, *createAnew(params, detailOf(Model::Full, 3))), "");
+}
+
 TEST(TreeCreator, AnEditOfAnyParameterGivesWhatANewCreatorGives) {
     for (const ParamRef& ref : numberParams())
         for (const Detail* detail : {&detailOf(Model::Simple), &detailOf(Model::Full, 1)}) {

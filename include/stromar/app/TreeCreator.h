@@ -54,13 +54,20 @@ private:
         OrganMeshes meshes; ///< by kind
         std::optional<CParams> params;
     };
+    /// What cards show, at whichever level of detail.
+    struct MadeTwig {
+        std::uint64_t growth = 0; ///< of the tree
+        std::optional<CParams> params;
+        std::shared_ptr<const COrgans> leafCounts; ///< where they may stand; no leaf is grown
+        StemSet twigs;
+        std::shared_ptr<const Twig> typical; ///< none: no twig bears leaves
+    };
     /// What a level of detail shows.
     struct MadeModel {
         MadeChoice choice;
         std::vector<MadeStems> stems; ///< by generation
         std::array<MadeOrgans, kOrgans.size()> organs;
         std::shared_ptr<const CTree> tree; ///< with its organs
-        std::shared_ptr<const COrgans> leafCounts; ///< where cards may stand; no leaf is grown
     };
     class CModelMaker;
 
@@ -79,6 +86,7 @@ private:
     double m_treeAge = 1;
     std::uint64_t m_growth = 0;          ///< rises when stems or organs have to be grown anew
     CParams m_treeParams;
+    MadeTwig m_madeTwig;
     std::vector<MadeModel> m_made; ///< by row of the table of details
 };
 

@@ -5,10 +5,12 @@
 #include "stromar/util/Rasterise.h"
 #include <algorithm>
 #include <array>
+#include <bit>
 #include <cmath>
 #include <glm/geometric.hpp>
 #include <limits>
 #include <numbers>
+#include <numeric>
 #include <optional>
 
 namespace stromar {
@@ -85,10 +87,44 @@ template <typename Values> auto mixed(const Values& values, const std::uint32_t*
     return float(1 - u - v) * values[corners[0]] + float(u) * values[corners[1]] + float(v) * values[corners[2]];
 }
 
+/// Cells of a square grid, a bit for each: those that are covered, most of them many times over, are passed by in words.
+class CCellSet {
+public:
+    explicit CCellSet(int side) : m_words((static_cast<std::size_t>(side) + kBits - 1) / kBits), m_bits(m_words * static_cast<std::size_t>(side)) {}
+
+    void add(int x, int y) { wordAt(x, y) |= std::uint64_t{1} << (static_cast<std::size_t>(x) % kBits); }
+    std::size_t count() const {
+        std::size_t sum = 0;
+        for (const std::uint64_t word : m_bits) sum += static_cast<std::size_t>(std::popcount(word));
+        return sum;
+    }
+    /// visit(x) for the cells x0..x1 of a row that are not in it, each once.
+    template <typename Visit> void forEachMissing(int y, int x0, int x1, Visit&& visit) const {
+        for (int first = x0; first <= x1;) {
+            const auto bit = static_cast<std::size_t>(first) % kBits;
+            const int count = std::min(x1 - first + 1, static_cast<int>(kBits - bit));
+            const std::uint64_t wanted = (~std::uint64_t{0} >> (kBits - static_cast<std::size_t>(count))) << bit;
+            for (std::uint64_t missing = wanted & ~wordAt(first, y); missing; missing &= missing - 1)
+                visit(first - static_cast<int>(bit) + std::countr_zero(missing));
+            first += count;
+        }
+    }
+
+private:
+    static constexpr std::size_t kBits = 64;
+
+    std::size_t placeOf(int x, int y) const { return static_cast<std::size_t>(y) * m_words + static_cast<std::size_t>(x) / kBits; }
+    const std::uint64_t& wordAt(int x, int y) const { return m_bits[placeOf(x, y)]; }
+    std::uint64_t& wordAt(int x, int y) { return m_bits[placeOf(x, y)]; }
+
+    std::size_t m_words; ///< of a row
+    std::vector<std::uint64_t> m_bits;
+};
+
 /// Which cells a crown covers from one side: much cheaper than what is seen there.
 class CCrownOutline : CCrownGrid {
 public:
-    CCrownOutline(const CrownFrame& crown, const glm::dvec3& viewer, int cells) : CCrownGrid(crown, viewer, cells), m_covered(cellCount()) {}
+    CCrownOutline(const CrownFrame& crown, const glm::dvec3& viewer, int cells) : CCrownGrid(crown, viewer, cells), m_covered(cells) {}
 
     void draw(const std::vector<CrownPart>& parts, const CProgress& progress) {
         forEachTriangle(parts, progress, [this](const CrownPart& part, const std::uint32_t* corners) {
@@ -96,12 +132,14 @@ public:
             const auto at = [&](int i) { return glm::dvec2(seen(mesh.positions[corners[i]])); };
             rasterise(
                 at(0), at(1), at(2), m_side, m_side,
-                [&](int x, int y, double u, double v) { m_covered[cellAt(x, y)] = shows(part, corners, u, v); },
-                [&](int x, int y) { return !m_covered[cellAt(x, y)]; });
+                [&](int x, int y, double u, double v) {
+                    if (shows(part, corners, u, v)) m_covered.add(x, y);
+                },
+                [&](int y, int x0, int x1, auto&& look) { m_covered.forEachMissing(y, x0, x1, look); });
         });
     }
 
-    double count() const { return double(std::ranges::count(m_covered, std::uint8_t{1})); }
+    double count() const { return double(m_covered.count()); }
 
 private:
     static bool shows(const CrownPart& part, const std::uint32_t* corners, double u, double v) {
@@ -110,7 +148,7 @@ private:
         return (!part.leaf || part.leaf->covers(at)) && (!part.twig || part.twig->covers(at));
     }
 
-    std::vector<std::uint8_t> m_covered;
+    CCellSet m_covered;
 };
 
 /// A crown from one side, without perspective: how near it is, and, where that is wanted, how it faces.
@@ -161,7 +199,10 @@ private:
                 if (part.twig && !axes) axes = axesOf(mesh, corners);
                 m_facings[cell] = facingOf(mixed(mesh.normals, corners, u, v), part.twig ? part.twig->at(at, level) : CTwigMask::Texel{{0, 0, 1}}, axes);
             },
-            [&](int x, int y) { return m_depths[cellAt(x, y)] < nearest; });
+            [&](int y, int x0, int x1, auto&& look) {
+                for (int x = x0; x <= x1; ++x)
+                    if (m_depths[cellAt(x, y)] < nearest) look(x);
+            });
     }
 
     /// Of a card's front, what its picture shows there; of a leaf's, itself.
@@ -184,17 +225,15 @@ private:
     std::vector<Facing> m_facings;
 };
 
-/// `seen(i, view)` for each of so many sides.
-template <std::size_t Count, typename View, typename Seen>
-void fromAllSides(const std::vector<CrownPart>& parts, const CrownFrame& frame, const CProgress& progress, Seen&& seen) {
+/// To the viewers of so many sides.
+glm::dvec3 sideOf(std::size_t i, std::size_t count) { return directionTo(2 * std::numbers::pi * (double(i) + 0.5) / double(count), kHeight); }
+
+/// work(i) for each, in parallel.
+template <typename Work> void forEachOf(std::size_t count, const CProgress& progress, Work&& work) {
     parallelFor(
-        Count, 1,
+        count, 1,
         [&](std::size_t begin, std::size_t end) {
-            for (std::size_t i = begin; i < end; ++i) {
-                View view(frame, directionTo(2 * std::numbers::pi * (double(i) + 0.5) / Count, kHeight), kViewCells);
-                view.draw(parts, progress);
-                seen(i, view);
-            }
+            for (std::size_t i = begin; i < end; ++i) work(i);
         },
         progress);
 }
@@ -217,7 +256,10 @@ CTwigMask::CTwigMask(const Twig& twig) : m_texels(kSide * kSide) {
             m_texels[i] = {normal.z < 0 ? -normal : normal, normal.z < 0};
         });
     }
-    for (const Texel& texel : m_texels) m_means[0].push_back(texel.normal);
+    for (const Texel& texel : m_texels) {
+        m_means[0].push_back(texel.normal);
+        m_covered.push_back(texel.normal != glm::vec3(0));
+    }
     for (std::size_t level = 1; level < m_means.size(); ++level) {
         const std::size_t side = kSide >> level;
         const std::vector<glm::vec3>& finer = m_means[level - 1];
@@ -236,7 +278,7 @@ std::size_t texelAt(const glm::vec2& texCoord, int side) {
 }
 } // namespace
 
-bool CTwigMask::covers(const glm::vec2& texCoord) const { return m_texels[texelAt(texCoord, kSide)].normal != glm::vec3(0); }
+bool CTwigMask::covers(const glm::vec2& texCoord) const { return m_covered[texelAt(texCoord, kSide)]; }
 
 CTwigMask::Texel CTwigMask::at(const glm::vec2& texCoord, int level) const {
     const Texel& own = m_texels[texelAt(texCoord, kSide)];
@@ -248,21 +290,24 @@ CTwigMask::Texel CTwigMask::at(const glm::vec2& texCoord, int level) const {
 
 double crownCover(const std::vector<CrownPart>& parts, const CrownFrame& frame, const CProgress& progress) {
     std::array<double, kCoverViews> covered{};
-    fromAllSides<kCoverViews, CCrownOutline>(parts, frame, progress, [&](std::size_t i, const CCrownOutline& outline) { covered[i] = outline.count(); });
-    double sum = 0;
-    for (const double one : covered) sum += one;
-    return sum / (double(kCoverViews) * kViewCells * kViewCells);
+    forEachOf(kCoverViews, progress, [&](std::size_t i) {
+        CCrownOutline outline(frame, sideOf(i, kCoverViews), kViewCells);
+        outline.draw(parts, progress);
+        covered[i] = outline.count();
+    });
+    return std::accumulate(covered.begin(), covered.end(), 0.0) / (double(kCoverViews) * kViewCells * kViewCells);
 }
 
-CrownLook crownLook(const std::vector<CrownPart>& parts, const CrownFrame& frame, const CProgress& progress) {
+CrownLook crownLook(const std::vector<CrownPart>& parts, const CrownFrame& frame, double covered, const CProgress& progress) {
     const glm::dvec3 sun = directionTo(0, kSunHeight);
-    CCrownView lit(frame, sun, kSunCells, false);
-    lit.draw(parts, progress);
+    std::vector<CCrownView> views{CCrownView(frame, sun, kSunCells, false)};
+    for (std::size_t i = 0; i < kLookViews; ++i) views.emplace_back(frame, sideOf(i, kLookViews), kViewCells);
+    forEachOf(views.size(), progress, [&](std::size_t i) { views[i].draw(parts, progress); });
     std::array<CrownLook, kLookViews> looks{};
-    fromAllSides<kLookViews, CCrownView>(parts, frame, progress, [&](std::size_t i, const CCrownView& view) {
+    forEachOf(kLookViews, progress, [&](std::size_t i) {
         CrownLook& look = looks[i];
-        view.forEachSeen([&](const glm::dvec3& place, const Facing& seen) {
-            const double facing = lit.sees(place) ? glm::dot(glm::dvec3(seen.normal), sun) : 0;
+        views[i + 1].forEachSeen([&](const glm::dvec3& place, const Facing& seen) {
+            const double facing = views.front().sees(place) ? glm::dot(glm::dvec3(seen.normal), sun) : 0;
             look.covered += 1;
             look.sun += std::max(0.0, facing);
             look.through += std::max(0.0, -facing);
@@ -274,7 +319,7 @@ CrownLook crownLook(const std::vector<CrownPart>& parts, const CrownFrame& frame
     for (const CrownLook& one : looks)
         for (double CrownLook::*value : {&CrownLook::covered, &CrownLook::sun, &CrownLook::through, &CrownLook::sky, &CrownLook::backs}) sum.*value += one.*value;
     for (double CrownLook::*value : {&CrownLook::sun, &CrownLook::through, &CrownLook::sky, &CrownLook::backs}) sum.*value /= std::max(1.0, sum.covered);
-    sum.covered = crownCover(parts, frame, progress);
+    sum.covered = covered;
     return sum;
 }
 
@@ -345,10 +390,10 @@ OrganMeshes fittingLeaves(const OrganMeshes& thinned, const std::shared_ptr<cons
         for (const auto& mesh : thinned) sized.push_back(mesh->resized(std::sqrt(fit)));
         return sized;
     };
-    const double fit = fitTo(crownCover(whole, frame, progress), 1, [&](double areas) {
+    const CrownFit fit = fitTo(crownCover(whole, frame, progress), 1, [&](double areas) {
         return crownCover(partsOf(resized(areas), masks, progress), frame, progress);
     });
-    return resized(fit);
+    return resized(fit.areas);
 }
 
 } // namespace stromar

@@ -28,6 +28,7 @@ public:
 private:
     static constexpr int kLevels = 8;
     std::vector<Texel> m_texels;
+    std::vector<bool> m_covered;
     std::array<std::vector<glm::vec3>, kLevels> m_means; ///< of normals, by level
 };
 
@@ -44,10 +45,10 @@ struct CrownPart {
     const CTwigMask* twig = nullptr;
 };
 
-/// Seen from four sides in the light of one sun; what it covers, from eight. A seventh of a second for a million triangles.
-CrownLook crownLook(const std::vector<CrownPart>& parts, const CrownFrame& frame, const CProgress& progress);
-/// The first of its numbers alone, in a third of the time.
+/// The share of pictures from eight sides that is covered.
 double crownCover(const std::vector<CrownPart>& parts, const CrownFrame& frame, const CProgress& progress);
+/// How what is seen from four sides lies in the light of one sun; crownCover(), which takes as long, is known.
+CrownLook crownLook(const std::vector<CrownPart>& parts, const CrownFrame& frame, double covered, const CProgress& progress);
 
 /// The leaves that a season left on some stems (none: on all), in the form of a level of detail, of `present` leaves. Of a part of them each is
 /// larger.
@@ -57,18 +58,23 @@ std::vector<CrownPart> leafParts(const std::shared_ptr<const COrgans>& leaves, c
 /// None where they have more than two million vertices: those of large trees would take too much memory.
 std::vector<CrownPart> partsOf(const OrganMeshes& leaves, const LeafMasks& masks, const CProgress& progress);
 
-/// By how much areas have to grow for something to cover as much as is wanted: by secants from `start`.
-template <typename CoverAt> double fitTo(double wanted, double start, CoverAt&& coverAt) {
+/// By how much areas have to grow, and what is covered then.
+struct CrownFit {
+    double areas, covered;
+};
+
+/// For something to cover as much as is wanted: by secants from `start`.
+template <typename CoverAt> CrownFit fitTo(double wanted, double start, CoverAt&& coverAt) {
     constexpr int kSteps = 3;
     constexpr double kGood = 0.01, kMin = 0.4, kMax = 2.5, kMinSlope = 0.2;
-    double fit = start, slope = 0.6, covered = coverAt(fit); // slope: by which power of its area a crown covers more
-    for (int i = 0; i < kSteps && covered > 0 && std::abs(covered / wanted - 1) > kGood; ++i) {
-        const double next = std::clamp(fit * std::pow(wanted / covered, 1 / slope), kMin, kMax);
-        if (next == fit) break;
+    CrownFit fit{start, coverAt(start)};
+    double slope = 0.6; // by which power of its area a crown covers more
+    for (int i = 0; i < kSteps && fit.covered > 0 && std::abs(fit.covered / wanted - 1) > kGood; ++i) {
+        const double next = std::clamp(fit.areas * std::pow(wanted / fit.covered, 1 / slope), kMin, kMax);
+        if (next == fit.areas) break;
         const double now = coverAt(next);
-        slope = std::clamp(std::log(now / covered) / std::log(next / fit), kMinSlope, 1.0);
-        fit = next;
-        covered = now;
+        slope = std::clamp(std::log(now / fit.covered) / std::log(next / fit.areas), kMinSlope, 1.0);
+        fit = {next, now};
     }
     return fit;
 }

@@ -212,14 +212,17 @@ public:
 
     CardPlan plan(const Detail& detail) const { return planCards(m_twigs, m_twig, detail, m_tree.height()); }
     CrownLook lookOfLeaves(const std::shared_ptr<const COrgans>& leaves, const StemSet& twigs, const MeshParams& params) const {
-        return crownLook(leafParts(leaves, &twigs, leavesOn(m_twigs), m_tree, params, m_twig.masks, detailOf(Model::Full, 1), m_progress), m_frame, m_progress);
+        const std::vector<CrownPart> parts = leafParts(leaves, &twigs, leavesOn(m_twigs), m_tree, params, m_twig.masks, detailOf(Model::Full, 1), m_progress);
+        return crownLook(parts, m_frame, crownCover(parts, m_frame, m_progress), m_progress);
     }
     double coverOfAll(const std::shared_ptr<const COrgans>& leaves, const StemSet& twigs, const MeshParams& params) const {
         if (leaves->countOn(twigs) == leaves->total) return m_twig.crown.covered;
         const double present = double(leaves->total) * params.seasonOf(Organ::Leaf).share;
         return crownCover(leafParts(leaves, nullptr, present, m_tree, params, m_twig.masks, detailOf(Model::Full, 1), m_progress), m_frame, m_progress);
     }
-    CrownLook lookOf(const std::shared_ptr<const CMesh>& cards) const { return crownLook({{cards, nullptr, &m_mask}}, m_frame, m_progress); }
+    CrownLook lookOf(const CardPlan& plan, const CrownFit& fit) const {
+        return crownLook({{cards(plan, fit.areas), nullptr, &m_mask}}, m_frame, fit.covered, m_progress);
+    }
 
     std::shared_ptr<const CMesh> cards(const CardPlan& plan, double fit) const {
         const std::size_t count = plan.twigs.size();
@@ -235,7 +238,7 @@ public:
     }
 
     /// Of the areas of cards that are right for a single twig: so that they, with what is drawn `beside` them, cover as much as the leaves do.
-    double fitOf(const CardPlan& plan, std::vector<CrownPart> beside = {}) const {
+    CrownFit fitOf(const CardPlan& plan, std::vector<CrownPart> beside = {}) const {
         const double wanted = beside.empty() ? m_twig.crown.covered : m_twig.allCovered;
         beside.emplace_back();
         return fitTo(wanted, m_twig.cardFit, [&](double fit) {
@@ -271,8 +274,9 @@ void measureCrown(Twig& twig, const StemSet& twigs, const CTree& tree, const std
     twig.crown = crown.lookOfLeaves(leaves, twigs, params);
     twig.allCovered = crown.coverOfAll(leaves, twigs, params);
     const CardPlan plan = crown.plan(detailOf(Model::Full, 2));
-    twig.cardFit = crown.fitOf(plan);
-    twig.cards = crown.lookOf(crown.cards(plan, twig.cardFit));
+    const CrownFit fit = crown.fitOf(plan);
+    twig.cardFit = fit.areas;
+    twig.cards = crown.lookOf(plan, fit);
 }
 
 std::shared_ptr<const CMesh> meshOfTwigs(const StemSet& twigs, const CTree& tree, const COrgans& leaves, const Twig& typical,
@@ -280,7 +284,7 @@ std::shared_ptr<const CMesh> meshOfTwigs(const StemSet& twigs, const CTree& tree
                                          const CProgress& progress, const OrganMeshes& beside) {
     const CCrown crown(twigs, tree, leaves, params, typical, progress);
     const CardPlan plan = crown.plan(detail);
-    return crown.cards(plan, crown.fitOf(plan, partsOf(beside, typical.masks, progress)));
+    return crown.cards(plan, crown.fitOf(plan, partsOf(beside, typical.masks, progress)).areas);
 }
 
 } // namespace stromar
