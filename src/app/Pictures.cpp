@@ -89,8 +89,8 @@ std::vector<KeptPicture> keptPictures() {
     return all;
 }
 
-CLeafMask maskOf(TextureMaps picture) {
-    constexpr int kSide = CLeafMask::kSide;
+CCutOut maskOf(TextureMaps picture) {
+    constexpr int kSide = CCutOut::kSide;
     double covered = 0;
     for (const auto& pixel : picture.albedo) covered += pixel[3] / 255.0 / double(picture.albedo.size());
     setCoverage(picture.albedo, picture.width, picture.height, covered); // needles are thinner than a pixel
@@ -100,21 +100,21 @@ CLeafMask maskOf(TextureMaps picture) {
             const int px = (2 * x + 1) * picture.width / (2 * kSide), py = (2 * (kSide - y) - 1) * picture.height / (2 * kSide);
             cells.push_back(picture.albedo[picture.at(px, py)][3] >= 255 * kAlphaCut);
         }
-    return CLeafMask(std::move(cells));
+    return {cells, false};
 }
 
 /// By a recipe, or by a file and when it was written.
-CLeafMask maskOf(const std::string& chosen, const fs::path& file, const CProgress& progress) {
+CCutOut maskOf(const std::string& chosen, const fs::path& file, const CProgress& progress) {
     constexpr std::size_t kKept = 256;
     static std::mutex mutex;
-    static std::map<std::string, CLeafMask> known;
+    static std::map<std::string, CCutOut> known;
     std::error_code problem; // reading says it better
     const std::string key = isRecipe(chosen) ? chosen : file.string() + ' ' + std::to_string(fs::last_write_time(file, problem).time_since_epoch().count());
     {
         const std::lock_guard lock(mutex);
         if (const auto found = known.find(key); found != known.end()) return found->second;
     }
-    CLeafMask mask;
+    CCutOut mask;
     try {
         mask = maskOf(isRecipe(chosen) ? CRecipe(chosen).draw(kMaskSize, progress) : readPng(file));
     } catch (const CError&) { // whoever shows the picture tells of it

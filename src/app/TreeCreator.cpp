@@ -219,7 +219,7 @@ private:
         OrganDemand beside;
         if (!asCards.empty()) beside.stems = demandOf(m_detail, m_plans, asCards).stems;
         const auto all = m_builder.growOrgans(m_params, m_tree, Organ::Leaf, beside, m_progress);
-        meshes = fittingLeaves(meshes, all, m_tree, leafMasksOf(m_params, m_progress), m_mesh, m_progress);
+        meshes = fittingLeaves(meshes, all, m_tree, leafMasksOf(m_params, m_progress), m_mesh, m_detail, m_progress);
     }
 
     const CTree& m_tree;

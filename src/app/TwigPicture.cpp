@@ -237,7 +237,7 @@ public:
 
 private:
     static constexpr double kLeast = 0.3, kMost = 1.6;
-    static constexpr double kFineShade = 0.96; // where leaves touch, finer than the cells of crownLook(): the mean of the presets
+    static constexpr double kFineShade = 0.95; // where leaves touch, finer than the cells of crownLook(): the mean of the presets
     const Twig& m_twig;
     glm::dvec3 m_leaves{0}, m_cards{0};
 };

@@ -135,13 +135,6 @@ void spreadColours(Pixels& pixels, int width, int height) {
     }
 }
 
-double Softening::at(double footprint) const { return std::clamp(std::log2(footprint / from) / std::log2(to / from), 0.0, 1.0); }
-
-double coverOf(double opacity, double cut, double soft) {
-    if (soft <= 0) return opacity > cut;
-    return std::clamp((opacity - std::lerp(cut, 0.5, soft)) / soft + 0.5, 0.0, 1.0);
-}
-
 void setCoverage(Pixels& pixels, int width, int height, double wanted, double cut) {
     const auto mapFor = [&](double edge) { // which becomes the opacity of the cut; what is opaque, or is not there, stays so
         OpacityMap map = scaled(1);

@@ -16,7 +16,7 @@
 namespace stromar::test {
 namespace {
 
-constexpr int kScreenHeight = 1080, kSamples = 4;
+constexpr int kSamples = 4;
 constexpr double kPitch = 5;            // degrees
 constexpr double kMaxCoverage = 0.05;   // of change
 constexpr double kMaxColour = 3;        // ΔE, CIE76

@@ -1,4 +1,5 @@
 #pragma once
+#include <array>
 #include <cstddef>
 #include <span>
 #include <string_view>
@@ -45,6 +46,14 @@ std::span<const Detail> detailTable();
 constexpr int kMaxLod = 3; ///< of the full model
 /// lod 0..3; the simple model has only 0.
 const Detail& detailOf(Model model, int lod = 0);
+
+/// The least part of a screen's height that the tree fills when a level of detail is shown, unless it is the last: that is shown down to
+/// kLeastCoverage.
+constexpr std::array<double, 4> kScreenCoverage{0.5, 0.25, 0.1, 0.03};
+constexpr double kLeastCoverage = 0.01;
+constexpr double screenCoverage(std::size_t lod, std::size_t levels) { return lod + 1 >= levels ? kLeastCoverage : kScreenCoverage[lod]; }
+
+constexpr double kScreenHeight = 1080; ///< pixels, where what is seen is measured
 
 /// Points of a round ring; `thickness` is the root of its radius over the trunk's. Even from 6 on: they can be halved.
 int roundRingPoints(const Detail& detail, double thickness);

@@ -1,4 +1,5 @@
 #pragma once
+#include "stromar/mesh/Detail.h"
 #include "stromar/model/Material.h"
 #include <array>
 #include <glm/vec4.hpp>
@@ -6,12 +7,6 @@
 #include <vector>
 
 namespace stromar {
-
-/// The least part of a screen's height that the tree fills when a level of detail is shown, unless it is the last: that is shown down to
-/// kLeastCoverage.
-constexpr std::array<double, 4> kScreenCoverage{0.5, 0.25, 0.1, 0.03};
-constexpr double kLeastCoverage = 0.01;
-constexpr double screenCoverage(std::size_t lod, std::size_t levels) { return lod + 1 >= levels ? kLeastCoverage : kScreenCoverage[lod]; }
 
 /// More that the vertices of a mesh carry, in formats that hold it.
 struct VertexChannel {

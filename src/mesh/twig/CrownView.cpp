@@ -2,11 +2,13 @@
 #include "foliage/Foliage.h"
 #include "foliage/LeafBlade.h"
 #include "stromar/util/Parallel.h"
+#include "stromar/util/Random.h"
 #include "stromar/util/Rasterise.h"
 #include <algorithm>
 #include <array>
 #include <bit>
 #include <cmath>
+#include <glm/common.hpp>
 #include <glm/geometric.hpp>
 #include <limits>
 #include <numbers>
@@ -19,8 +21,8 @@ namespace {
 constexpr int kViewCells = 512, kSunCells = 1024;
 constexpr std::size_t kLookViews = 4, kCoverViews = 8; // sparse crowns cover a twentieth more or less from one side than from another
 constexpr double kHeight = 5 * std::numbers::pi / 180, kSunHeight = 51 * std::numbers::pi / 180;
-constexpr double kPixels = 270; // for what cells of a view show when a coarser level takes over: see kScreenCoverage
-constexpr double kBias = 2;     // cells of the sun's view between a leaf and its own shadow
+constexpr double kPixels = kScreenHeight * kScreenCoverage[1]; // for what cells of a view show when cards take over
+constexpr double kBias = 1;     // cells of the sun's view between a leaf and its own shadow
 
 glm::dvec3 directionTo(double turn, double height) {
     return {std::cos(height) * std::cos(turn), std::cos(height) * std::sin(turn), std::sin(height)};
@@ -124,16 +126,20 @@ private:
 /// Which cells a crown covers from one side: much cheaper than what is seen there.
 class CCrownOutline : CCrownGrid {
 public:
-    CCrownOutline(const CrownFrame& crown, const glm::dvec3& viewer, int cells) : CCrownGrid(crown, viewer, cells), m_covered(cells) {}
+    CCrownOutline(const CrownFrame& crown, const glm::dvec3& viewer, int cells)
+        : CCrownGrid(crown, viewer, cells), m_covered(cells), m_pixelsPerCell(crown.pixels / cells) {}
 
     void draw(const std::vector<CrownPart>& parts, const CProgress& progress) {
         forEachTriangle(parts, progress, [this](const CrownPart& part, const std::uint32_t* corners) {
             const CMesh& mesh = *part.mesh;
-            const auto at = [&](int i) { return glm::dvec2(seen(mesh.positions[corners[i]])); };
+            const CCutOut* cutOut = part.cutOut();
+            const std::array<glm::dvec2, 3> p = {seen(mesh.positions[corners[0]]), seen(mesh.positions[corners[1]]), seen(mesh.positions[corners[2]])};
+            std::optional<Softness> soft;
             rasterise(
-                at(0), at(1), at(2), m_side, m_side,
+                p[0], p[1], p[2], m_side, m_side,
                 [&](int x, int y, double u, double v) {
-                    if (shows(part, corners, u, v)) m_covered.add(x, y);
+                    if (cutOut && !soft) soft = softnessOf(mesh, corners, p, *cutOut);
+                    if (!cutOut || shows(*cutOut, mixed(mesh.texCoords, corners, u, v), *soft, x, y, corners[0])) m_covered.add(x, y);
                 },
                 [&](int y, int x0, int x1, auto&& look) { m_covered.forEachMissing(y, x0, x1, look); });
         });
@@ -142,13 +148,37 @@ public:
     double count() const { return double(m_covered.count()); }
 
 private:
-    static bool shows(const CrownPart& part, const std::uint32_t* corners, double u, double v) {
-        if (!part.leaf && !part.twig) return true;
-        const glm::vec2 at = mixed(part.mesh->texCoords, corners, u, v);
-        return (!part.leaf || part.leaf->covers(at)) && (!part.twig || part.twig->covers(at));
+    /// How a triangle's picture is drawn.
+    struct Softness {
+        int level;
+        double soft;
+    };
+    Softness softnessOf(const CMesh& mesh, const std::uint32_t* corners, const std::array<glm::dvec2, 3>& p, const CCutOut& cutOut) const {
+        if (m_pixelsPerCell == 0) return {0, 0};
+        const glm::dvec2 t(mesh.texCoords[corners[0]]), ds = glm::dvec2(mesh.texCoords[corners[1]]) - t, dt = glm::dvec2(mesh.texCoords[corners[2]]) - t;
+        const glm::dvec2 ab = p[1] - p[0], ac = p[2] - p[0];
+        const glm::dvec2 across = glm::abs(ac.y * ds - ab.y * dt), up = glm::abs(ab.x * dt - ac.x * ds);
+        const double perCell = std::max({across.x, across.y, up.x, up.y}) / std::abs(ab.x * ac.y - ab.y * ac.x);
+        const double footprint = std::max(1e-9, perCell / m_pixelsPerCell);
+        return {CCutOut::levelOf(footprint), cutOut.softening().at(footprint)};
+    }
+
+    /// A cell is a sample of a pixel; soft pictures cover all of a pixel's or none, as often as they are to cover it. Soft or hard, a picture covers
+    /// as much in the mean.
+    bool shows(const CCutOut& cutOut, const glm::vec2& texCoord, const Softness& softness, int x, int y, std::uint32_t corner) const {
+        const double soft = softness.soft, mean = soft > 0 ? cutOut.meanAt(texCoord, softness.level) : 0;
+        if (soft > 0 && (mean <= 0 || mean >= 1)) return mean > 0;
+        const bool hard = soft < 1 && cutOut.covers(texCoord);
+        if (soft <= 0) return hard;
+        const double cover = soft * mean + (1 - soft) * (hard ? 1 : 0);
+        const auto pixel = [&](int cell) { return static_cast<std::uint64_t>(cell * m_pixelsPerCell); };
+        const std::uint64_t ofPixel = hashCombine(corner, pixel(y) << 32 | pixel(x));
+        const bool whole = cover > unitOf(ofPixel);
+        return soft >= 1 ? whole : soft * (whole ? 1 : 0) + (1 - soft) * cover > unitOf(hashCombine(ofPixel, cellAt(x, y)));
     }
 
     CCellSet m_covered;
+    double m_pixelsPerCell;
 };
 
 /// A crown from one side, without perspective: how near it is, and, where that is wanted, how it faces.
@@ -193,7 +223,7 @@ private:
                 const auto depth = static_cast<float>((1 - u - v) * p[0].z + u * p[1].z + v * p[2].z);
                 if (depth <= m_depths[cell]) return;
                 const glm::vec2 at = mixed(mesh.texCoords, corners, u, v);
-                if ((part.leaf && !part.leaf->covers(at)) || (part.twig && !part.twig->covers(at))) return;
+                if ((part.leaf && !part.leaf->covers(at)) || (part.twig && !part.twig->hasLeaf(at))) return;
                 m_depths[cell] = depth;
                 if (m_facings.empty()) return;
                 if (part.twig && !axes) axes = axesOf(mesh, corners);
@@ -239,63 +269,20 @@ template <typename Work> void forEachOf(std::size_t count, const CProgress& prog
 }
 } // namespace
 
-CTwigMask::CTwigMask(const Twig& twig) : m_texels(kSide * kSide) {
-    std::vector<float> depths(m_texels.size(), -std::numeric_limits<float>::infinity());
-    const CMesh& leaves = *twig.leaves;
-    const auto cell = [&](std::uint32_t corner) { return (glm::dvec2(leaves.positions[corner]) - twig.low) / (twig.high - twig.low) * double(kSide); };
-    for (std::size_t t = 0; t + 2 < leaves.indices.size(); t += 3) {
-        const std::uint32_t* c = &leaves.indices[t];
-        const auto kind = static_cast<std::size_t>(std::ranges::upper_bound(twig.kinds, t) - twig.kinds.begin()) - 1;
-        rasterise(cell(c[0]), cell(c[1]), cell(c[2]), kSide, kSide, [&](int x, int y, double u, double v) {
-            const auto mixed = [&](const auto& values) { return float(1 - u - v) * values[c[0]] + float(u) * values[c[1]] + float(v) * values[c[2]]; };
-            const auto i = static_cast<std::size_t>(y * kSide + x);
-            const float depth = mixed(leaves.positions).z;
-            if (depth <= depths[i] || !twig.masks[kind].covers(mixed(leaves.texCoords))) return;
-            depths[i] = depth;
-            const glm::vec3 normal = glm::normalize(mixed(leaves.normals));
-            m_texels[i] = {normal.z < 0 ? -normal : normal, normal.z < 0};
-        });
-    }
-    for (const Texel& texel : m_texels) {
-        m_means[0].push_back(texel.normal);
-        m_covered.push_back(texel.normal != glm::vec3(0));
-    }
-    for (std::size_t level = 1; level < m_means.size(); ++level) {
-        const std::size_t side = kSide >> level;
-        const std::vector<glm::vec3>& finer = m_means[level - 1];
-        for (std::size_t y = 0; y < side; ++y)
-            for (std::size_t x = 0; x < side; ++x) {
-                const std::size_t i = 4 * y * side + 2 * x;
-                m_means[level].push_back(finer[i] + finer[i + 1] + finer[i + 2 * side] + finer[i + 2 * side + 1]);
-            }
-    }
-}
-
-namespace {
-std::size_t texelAt(const glm::vec2& texCoord, int side) {
-    const auto cell = [side](float v) { return static_cast<std::size_t>(std::clamp(static_cast<int>(v * float(side)), 0, side - 1)); };
-    return cell(texCoord.y) * static_cast<std::size_t>(side) + cell(texCoord.x);
-}
-} // namespace
-
-bool CTwigMask::covers(const glm::vec2& texCoord) const { return m_covered[texelAt(texCoord, kSide)]; }
-
-CTwigMask::Texel CTwigMask::at(const glm::vec2& texCoord, int level) const {
-    const Texel& own = m_texels[texelAt(texCoord, kSide)];
-    if (own.normal == glm::vec3(0)) return own;
-    level = std::min(level, kLevels - 1);
-    const glm::vec3& mean = m_means[static_cast<std::size_t>(level)][texelAt(texCoord, kSide >> level)];
-    return {mean / std::max(1e-6f, glm::length(mean)), own.back};
+double pixelsOf(double radius, double height, const Detail& detail) {
+    return kScreenHeight * kScreenCoverage[static_cast<std::size_t>(detail.lod) - 1] * 2 * radius / std::max(height, 0.01 * radius);
 }
 
 double crownCover(const std::vector<CrownPart>& parts, const CrownFrame& frame, const CProgress& progress) {
+    constexpr double kPerPixel = 1.25;
+    const int cells = frame.pixels > 0 ? static_cast<int>(std::clamp(kPerPixel * frame.pixels, kViewCells / 2.0, double(kViewCells))) : kViewCells;
     std::array<double, kCoverViews> covered{};
     forEachOf(kCoverViews, progress, [&](std::size_t i) {
-        CCrownOutline outline(frame, sideOf(i, kCoverViews), kViewCells);
+        CCrownOutline outline(frame, sideOf(i, kCoverViews), cells);
         outline.draw(parts, progress);
         covered[i] = outline.count();
     });
-    return std::accumulate(covered.begin(), covered.end(), 0.0) / (double(kCoverViews) * kViewCells * kViewCells);
+    return std::accumulate(covered.begin(), covered.end(), 0.0) / (double(kCoverViews) * cells * cells);
 }
 
 CrownLook crownLook(const std::vector<CrownPart>& parts, const CrownFrame& frame, double covered, const CProgress& progress) {
@@ -377,14 +364,15 @@ std::vector<CrownPart> partsOf(const OrganMeshes& leaves, const LeafMasks& masks
 }
 
 OrganMeshes fittingLeaves(const OrganMeshes& thinned, const std::shared_ptr<const COrgans>& all, const CTree& tree, const LeafMasks& masks,
-                          const MeshParams& params, const CProgress& progress) {
+                          const MeshParams& params, const Detail& detail, const CProgress& progress) {
     const double present = double(all->grown.size()) * params.seasonOf(Organ::Leaf).share;
     if (present < 1 || double(all->grown.size()) > kMeasuredLeaves || verticesOf(thinned) > kMaxVertices) return thinned;
     const std::vector<CrownPart> whole = leafParts(all, nullptr, present, tree, params, masks, detailOf(Model::Full), progress);
     if (whole.empty()) return thinned;
     Bounds box = whole.front().mesh->bounds();
     for (const CrownPart& part : whole) box = {glm::min(box.min, part.mesh->bounds().min), glm::max(box.max, part.mesh->bounds().max)};
-    const CrownFrame frame{glm::dvec3(box.min + box.max) / 2.0, 0.55 * glm::length(glm::dvec3(box.max - box.min))}; // with room for larger leaves
+    const double radius = 0.55 * glm::length(glm::dvec3(box.max - box.min)); // with room for larger leaves
+    const CrownFrame frame{glm::dvec3(box.min + box.max) / 2.0, radius, pixelsOf(radius, tree.height(), detail)};
     const auto resized = [&](double fit) {
         OrganMeshes sized;
         for (const auto& mesh : thinned) sized.push_back(mesh->resized(std::sqrt(fit)));

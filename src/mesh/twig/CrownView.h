@@ -1,6 +1,7 @@
 #pragma once
 #include "stromar/mesh/Mesh.h"
 #include "stromar/mesh/twig/Twig.h"
+#include "twig/TwigMask.h"
 #include <algorithm>
 #include <array>
 #include <cmath>
@@ -9,40 +10,23 @@
 
 namespace stromar {
 
-/// What the card of a twig shows at a place: its leaves from the front, as a picture of them does.
-class CTwigMask {
-public:
-    explicit CTwigMask(const Twig& twig);
-
-    static constexpr int kSide = 128;
-
-    struct Texel {
-        glm::vec3 normal{0}; ///< right, along, to the viewer; nothing: there is a gap
-        bool back = false;   ///< of a leaf
-    };
-    /// Normals are the mean over 2^level texels each way, as in smaller pictures.
-    Texel at(const glm::vec2& texCoord, int level) const;
-    /// Whether there is a leaf.
-    bool covers(const glm::vec2& texCoord) const;
-
-private:
-    static constexpr int kLevels = 8;
-    std::vector<Texel> m_texels;
-    std::vector<bool> m_covered;
-    std::array<std::vector<glm::vec3>, kLevels> m_means; ///< of normals, by level
-};
-
 /// Where the crown is that is measured.
 struct CrownFrame {
     glm::dvec3 middle{0};
     double radius = 0; ///< of a ball around it
+    double pixels = 0; ///< that show the ball's diameter, where cut-outs are as soft as the viewport draws them; 0: many, they are hard
 };
 
-/// Triangles that are measured: leaves of a kind, or cards of twigs.
+/// CrownFrame::pixels of a tree so high where a level of detail, 1 or more, takes over.
+double pixelsOf(double radius, double height, const Detail& detail);
+
+/// Triangles that are measured: leaves of a kind, cards of twigs, or wood.
 struct CrownPart {
     std::shared_ptr<const CMesh> mesh;
-    const CLeafMask* leaf = nullptr;
+    const CCutOut* leaf = nullptr;
     const CTwigMask* twig = nullptr;
+
+    const CCutOut* cutOut() const { return twig ? &twig->cutOut() : leaf; } ///< none: all is there
 };
 
 /// The share of pictures from eight sides that is covered.

@@ -16,6 +16,9 @@ struct LeafyTwig {
 std::vector<LeafyTwig> leafyTwigs(const StemSet& twigs, const CTree& tree, const COrgans& leaves, double share);
 double leavesOn(const std::vector<LeafyTwig>& twigs);
 
+/// Their wood, as wide from all sides on the average as it is, but a prism of one or two pieces for each path: to measure what it covers.
+std::shared_ptr<const CMesh> woodOfTwigs(const std::vector<LeafyTwig>& twigs, const CTree& tree, double minRadius);
+
 /// Finds what is seen of the crown and of its cards (Twig::crown, cards, cardFit).
 void measureCrown(Twig& twig, const StemSet& twigs, const CTree& tree, const std::shared_ptr<const COrgans>& leaves, const MeshParams& params,
                   const CProgress& progress);

@@ -185,23 +185,6 @@ void frame(Twig& twig) {
 }
 } // namespace
 
-std::vector<LeafyTwig> leafyTwigs(const StemSet& twigs, const CTree& tree, const COrgans& leaves, double share) {
-    std::vector<LeafyTwig> leafy;
-    for (std::uint32_t g = 0; g < twigs.stems.size(); ++g)
-        for (std::uint32_t s = 0; s < twigs.stems[g].size(); ++s) {
-            if (!twigs.stems[g][s]) continue;
-            const std::uint32_t present = presentOn(tree.generation(g).stems[s], leaves.countOn(g, s), share);
-            if (present > 0) leafy.push_back({g, s, present});
-        }
-    return leafy;
-}
-
-double leavesOn(const std::vector<LeafyTwig>& twigs) {
-    double total = 0;
-    for (const LeafyTwig& twig : twigs) total += twig.leaves;
-    return total;
-}
-
 bool suitsCards(const TwigBound& twigs, const SeasonShare& season) {
     const double leaves = twigs.leaves * season.share;
     const bool toldApart = leaves <= kMostLeaves || leaves * twigs.stems > kDrawable;

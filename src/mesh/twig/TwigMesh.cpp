@@ -203,7 +203,7 @@ class CCrown {
 public:
     CCrown(const StemSet& twigs, const CTree& tree, const COrgans& leaves, const MeshParams& params, const Twig& typical, const CProgress& progress)
         : m_twigs(leafyTwigs(twigs, tree, leaves, params.seasonOf(Organ::Leaf).share)), m_tree(tree), m_twig(typical),
-          m_rounding(roundingOf(tree, leaves, params.leaf)), m_mask(typical), m_progress(progress) {
+          m_rounding(roundingOf(tree, leaves, params.leaf)), m_mask(typical), m_minRadius(params.minRadius), m_progress(progress) {
         const std::shared_ptr<const CMesh> ends = bases();
         const Bounds box = ends->bounds();
         const double reach = glm::length(typical.high - typical.low);
@@ -212,17 +212,16 @@ public:
 
     CardPlan plan(const Detail& detail) const { return planCards(m_twigs, m_twig, detail, m_tree.height()); }
     CrownLook lookOfLeaves(const std::shared_ptr<const COrgans>& leaves, const StemSet& twigs, const MeshParams& params) const {
-        const std::vector<CrownPart> parts = leafParts(leaves, &twigs, leavesOn(m_twigs), m_tree, params, m_twig.masks, detailOf(Model::Full, 1), m_progress);
-        return crownLook(parts, m_frame, crownCover(parts, m_frame, m_progress), m_progress);
+        const std::vector<CrownPart> parts = partsOfLeaves(leaves, &twigs, leavesOn(m_twigs), params);
+        return crownLook(parts, m_frame, coverOf(withWood(parts), 2), m_progress);
     }
-    double coverOfAll(const std::shared_ptr<const COrgans>& leaves, const StemSet& twigs, const MeshParams& params) const {
-        if (leaves->countOn(twigs) == leaves->total) return m_twig.crown.covered;
-        const double present = double(leaves->total) * params.seasonOf(Organ::Leaf).share;
-        return crownCover(leafParts(leaves, nullptr, present, m_tree, params, m_twig.masks, detailOf(Model::Full, 1), m_progress), m_frame, m_progress);
+    TwigCover coverOfAll(const std::shared_ptr<const COrgans>& leaves, const MeshParams& params) const {
+        const auto parts = withWood(partsOfLeaves(leaves, nullptr, double(leaves->total) * params.seasonOf(Organ::Leaf).share, params));
+        return {coverOf(parts, 2), coverOf(parts, 3)};
     }
-    CrownLook lookOf(const CardPlan& plan, const CrownFit& fit) const {
-        return crownLook({{cards(plan, fit.areas), nullptr, &m_mask}}, m_frame, fit.covered, m_progress);
-    }
+    CrownLook lookOf(const CardPlan& plan, const CrownFit& fit) const { return crownLook(cardsAlone(plan, fit.areas), m_frame, fit.covered, m_progress); }
+    /// Where the last level of detail takes over.
+    double farCover(const CardPlan& plan, const CrownFit& fit) const { return coverOf(cardsAlone(plan, fit.areas), 3); }
 
     std::shared_ptr<const CMesh> cards(const CardPlan& plan, double fit) const {
         const std::size_t count = plan.twigs.size();
@@ -238,16 +237,34 @@ public:
     }
 
     /// Of the areas of cards that are right for a single twig: so that they, with what is drawn `beside` them, cover as much as the leaves do.
-    CrownFit fitOf(const CardPlan& plan, std::vector<CrownPart> beside = {}) const {
-        const double wanted = beside.empty() ? m_twig.crown.covered : m_twig.allCovered;
+    CrownFit fitOf(const CardPlan& plan, const Detail& detail, std::vector<CrownPart> beside = {}) const {
+        if (detail.lod == 2 && beside.empty() && m_twig.cards.covered > 0) return {m_twig.cardFit, m_twig.cards.covered}; // as measured
+        const TwigCover& wanted = beside.empty() ? m_twig.twigsCover : m_twig.allCover;
         beside.emplace_back();
-        return fitTo(wanted, m_twig.cardFit, [&](double fit) {
+        return fitTo(detail.lod == 3 ? wanted.far : wanted.near, m_twig.cardFit, [&](double fit) {
             beside.back() = {cards(plan, fit), nullptr, &m_mask};
-            return crownCover(beside, m_frame, m_progress);
+            return coverOf(beside, detail.lod);
         });
     }
 
 private:
+    std::vector<CrownPart> partsOfLeaves(const std::shared_ptr<const COrgans>& leaves, const StemSet* twigs, double present, const MeshParams& params) const {
+        return leafParts(leaves, twigs, present, m_tree, params, m_twig.masks, detailOf(Model::Full, 1), m_progress);
+    }
+    std::vector<CrownPart> cardsAlone(const CardPlan& plan, double fit) const { return {{cards(plan, fit), nullptr, &m_mask}}; }
+
+    /// As it is seen where a level of detail takes over.
+    double coverOf(const std::vector<CrownPart>& parts, int lod) const {
+        CrownFrame frame = m_frame;
+        frame.pixels = pixelsOf(m_frame.radius, m_tree.height(), detailOf(Model::Full, lod));
+        return crownCover(parts, frame, m_progress);
+    }
+
+    /// What cards show of the twigs besides leaves.
+    std::vector<CrownPart> withWood(std::vector<CrownPart> leaves) const {
+        leaves.push_back({woodOfTwigs(m_twigs, m_tree, m_minRadius)});
+        return leaves;
+    }
     /// Of the twigs.
     std::shared_ptr<const CMesh> bases() const {
         auto mesh = allocateMesh("ends", Surface::Bark, 0, 0);
@@ -263,6 +280,7 @@ private:
     const Twig& m_twig;
     Rounding m_rounding;
     CTwigMask m_mask;
+    double m_minRadius;
     CrownFrame m_frame;
     const CProgress& m_progress;
 };
@@ -272,11 +290,14 @@ void measureCrown(Twig& twig, const StemSet& twigs, const CTree& tree, const std
                   const CProgress& progress) {
     const CCrown crown(twigs, tree, *leaves, params, twig, progress);
     twig.crown = crown.lookOfLeaves(leaves, twigs, params);
-    twig.allCovered = crown.coverOfAll(leaves, twigs, params);
-    const CardPlan plan = crown.plan(detailOf(Model::Full, 2));
-    const CrownFit fit = crown.fitOf(plan);
+    const Detail& detail = detailOf(Model::Full, 2);
+    const CardPlan plan = crown.plan(detail);
+    twig.twigsCover.near = twig.crown.covered;
+    const CrownFit fit = crown.fitOf(plan, detail);
     twig.cardFit = fit.areas;
     twig.cards = crown.lookOf(plan, fit);
+    twig.twigsCover.far = crown.farCover(plan, fit);
+    twig.allCover = leaves->countOn(twigs) == leaves->total ? twig.twigsCover : crown.coverOfAll(leaves, params);
 }
 
 std::shared_ptr<const CMesh> meshOfTwigs(const StemSet& twigs, const CTree& tree, const COrgans& leaves, const Twig& typical,
@@ -284,7 +305,7 @@ std::shared_ptr<const CMesh> meshOfTwigs(const StemSet& twigs, const CTree& tree
                                          const CProgress& progress, const OrganMeshes& beside) {
     const CCrown crown(twigs, tree, leaves, params, typical, progress);
     const CardPlan plan = crown.plan(detail);
-    return crown.cards(plan, crown.fitOf(plan, partsOf(beside, typical.masks, progress)).areas);
+    return crown.cards(plan, crown.fitOf(plan, detail, partsOf(beside, typical.masks, progress)).areas);
 }
 
 } // namespace stromar

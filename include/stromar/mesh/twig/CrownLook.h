@@ -2,15 +2,11 @@
 #include "stromar/mesh/Mesh.h"
 #include "stromar/mesh/MeshParams.h"
 #include "stromar/mesh/OrganMesh.h"
+#include "stromar/mesh/twig/CutOut.h"
 #include "stromar/tree/Tree.h"
 #include "stromar/util/Progress.h"
-#include <algorithm>
 #include <array>
-#include <cmath>
-#include <glm/vec2.hpp>
 #include <memory>
-#include <utility>
-#include <vector>
 
 namespace stromar {
 
@@ -23,30 +19,14 @@ struct CrownLook {
     double backs = 0;   ///< share that are the under sides of leaves
 };
 
-/// Where a leaf's picture is not cut out. Without one all of it is there.
-class CLeafMask {
-public:
-    static constexpr int kSide = 128;
-
-    CLeafMask() = default;
-    /// Rows from below.
-    explicit CLeafMask(std::vector<bool> cells) : m_cells(std::move(cells)) {}
-    bool covers(const glm::vec2& texCoord) const {
-        if (m_cells.empty()) return true;
-        const auto cell = [](float v) { return static_cast<std::size_t>(std::clamp(static_cast<int>((v - std::floor(v)) * kSide), 0, kSide - 1)); };
-        return m_cells[cell(texCoord.y) * kSide + cell(texCoord.x)];
-    }
-
-private:
-    std::vector<bool> m_cells;
-};
-using LeafMasks = std::array<CLeafMask, kLeafKinds>;
+using LeafMasks = std::array<CCutOut, kLeafKinds>;
 
 constexpr double kMeasuredLeaves = 250'000; ///< are enough to see how a crown looks
 
-/// Thinned leaves, by kind, in the size in which they cover as much as all leaves of the same stems do (`all`): larger ones hang over the edges of
-/// what smaller ones fill. Some tenths of a second; of more than kMeasuredLeaves it is not worth it: they come back as they are.
+/// Thinned leaves, by kind, in the size in which they cover as much as all leaves of the same stems do (`all`) where the level of detail, 1 or
+/// more, is first seen: larger ones hang over the edges of what smaller ones fill. Some tenths of a second; of more than kMeasuredLeaves it is not
+/// worth it: they come back as they are.
 OrganMeshes fittingLeaves(const OrganMeshes& thinned, const std::shared_ptr<const COrgans>& all, const CTree& tree, const LeafMasks& masks,
-                          const MeshParams& params, const CProgress& progress);
+                          const MeshParams& params, const Detail& detail, const CProgress& progress);
 
 } // namespace stromar

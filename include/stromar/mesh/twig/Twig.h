@@ -13,6 +13,12 @@
 
 namespace stromar {
 
+/// As CrownLook::covered, with soft edges as the viewport draws them.
+struct TwigCover {
+    double near = 0; ///< by leaves and the twigs' wood, where level of detail 2 is first seen
+    double far = 0;  ///< by them, or by what level 2 shows of them, where level 3 is
+};
+
 /// What a card shows instead of a twig (see twigsOf) with its leaves: a typical one of the tree, made straight. x to the
 /// right, y along the stem from its base, z to the viewer; metres.
 struct Twig {
@@ -28,7 +34,7 @@ struct Twig {
     double seenPerLeaf;   ///< m² that are seen of its leaves' cards, on the average from all sides, over their number
     double allLeafArea;   ///< m² of all the tree's leaves that the season left
     LeafMasks masks;        ///< of its leaves
-    double allCovered = 0;  ///< as CrownLook::covered, by all leaves of the tree
+    TwigCover twigsCover, allCover; ///< what cards have to cover; what they do with the leaves beside them
     CrownLook crown, cards; ///< the leaves of all twigs; the cards that stand for them at level of detail 2
     double cardFit = 1;     ///< by how much the area of those differs from what is right for a single twig
 
@@ -58,7 +64,7 @@ std::shared_ptr<const Twig> typicalTwig(const CTree& tree, const MeshParams& par
 /// A card for every twig that bears leaves, bent with it, in the detail's number of planes. No
 /// more rectangles than the detail's share of the leaves: else fewer planes, straight cards, at last fewer cards. Each
 /// is so large that as much is seen of it as of its stem's leaves (Twig::seenPerLeaf), within half and four times the typical one's
-/// area; then all grow or shrink until they cover as much as Twig::crown, or, with the leaves `beside` them, as Twig::allCovered. Throws CCancelled.
+/// area; then all grow or shrink until they cover as much as Twig::twigsCover, or, with the leaves `beside` them, as Twig::allCover. Throws CCancelled.
 /// Of the leaves only the counts are looked at.
 std::shared_ptr<const CMesh> meshOfTwigs(const StemSet& twigs, const CTree& tree, const COrgans& leaves, const Twig& typical,
                                          const MeshParams& params, const Detail& detail, const CProgress& progress,
