@@ -100,10 +100,9 @@ struct Bound {
 };
 constexpr Bound kExceptions[] = {
     {"black_tupelo", kMaxCoverage, 3.6},
-    {"european_larch", kMaxCoverage, 5.4},
+    {"european_larch", kMaxCoverage, 5.2},
     {"japanese_maple", kMaxCoverage, 4.6},
     {"lady_fern", kMaxCoverage, 3.4},
-    {"lebanon_cedar", kMaxCoverage, 3.9},
     {"norway_spruce", kMaxCoverage, 3.3},
     {"silver_fir", kMaxCoverage, 3.1},
     {"umbrella_acacia", kMaxCoverage, 5.8},
