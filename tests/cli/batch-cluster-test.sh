@@ -20,7 +20,7 @@ fail() { echo "batch-cluster: $*" >&2; cat "$work"/slurm/*.log "$work"/*/task*.o
 for way in one parallel slurm; do
   mkdir -p "$work/$way"
   cat >"$work/$way/plan.json" <<PLAN
-{"trees": "$source/presets/quaking_aspen.tree", "seeds": {"from": 1, "to": $trees}, "lods": [3], "set": {"Levels": 2, "1Branches": 12},
+{"trees": "$source/presets/quaking_aspen.tree", "seeds": {"from": 1, "to": $trees}, "lods": [0], "set": {"Levels": 2, "1Branches": 12},
  "formats": ["glb"], "textures": "shared", "output": "out/{seed}.{format}"}
 PLAN
 done
@@ -88,7 +88,7 @@ job=$(sbatch --parsable --array=1-8 --requeue --output="task%a.out" task.sh)
 failed() { scontrol show job "${job}_3" 2>/dev/null | grep -q "JobState=FAILED"; }
 until_true 240 failed
 scontrol requeue "${job}_3"
-# It would wait two minutes, and does so again where it was told not to before the first try was cleaned up.
+# It would wait two minutes; told so too early, it would still.
 restarted() {
   scontrol update JobId="${job}_3" StartTime=now 2>/dev/null || true
   scontrol show job "${job}_3" | grep -qE "JobState=(RUNNING|COMPLETED)"
