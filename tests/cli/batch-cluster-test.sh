@@ -88,12 +88,9 @@ job=$(sbatch --parsable --array=1-8 --requeue --output="task%a.out" task.sh)
 failed() { scontrol show job "${job}_3" 2>/dev/null | grep -q "JobState=FAILED"; }
 until_true 240 failed
 scontrol requeue "${job}_3"
-# It would wait two minutes; told so too early, it would still.
-restarted() {
-  scontrol update JobId="${job}_3" StartTime=now 2>/dev/null || true
-  scontrol show job "${job}_3" | grep -qE "JobState=(RUNNING|COMPLETED)"
-}
-until_true 240 restarted
+pending() { scontrol show job "${job}_3" | grep -q "JobState=PENDING"; }
+until_true 60 pending
+scontrol update JobId="${job}_3" StartTime=now # it would wait two minutes
 over() { [ -z "$(squeue -h -j "$job" -t PENDING,RUNNING,COMPLETING 2>/dev/null)" ]; }
 until_true 600 over
 "$cli" batch "$work/slurm/plan.json" --merge || fail "slurm: models are missing"

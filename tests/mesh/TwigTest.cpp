@@ -50,8 +50,8 @@ TEST_P(PresetTwig, KeepsTheCrown) {
     if (!m_made.twig) return;
     const Twig& twig = *m_made.twig;
     const Bounds all = meshesOf(*m_made.tree, m_sample.params, detailOf(Model::Full)).back()->bounds();
-    EXPECT_GT(twig.crown.covered, 0.005);
-    EXPECT_NEAR(twig.cards.covered, twig.crown.covered, 0.03 * twig.crown.covered);
+    EXPECT_GT(twig.twigsCover, 0.005);
+    EXPECT_NEAR(twig.cardsCover.near, twig.twigsCover, 0.03 * twig.twigsCover);
     for (const int lod : {2, 3}) {
         const Detail& detail = detailOf(Model::Full, lod);
         const auto mesh = cardMesh(*m_made.tree, twig, m_sample.params, detail);

@@ -22,7 +22,7 @@ constexpr int kViewCells = 512, kSunCells = 1024;
 constexpr std::size_t kLookViews = 4, kCoverViews = 8; // sparse crowns cover a twentieth more or less from one side than from another
 constexpr double kHeight = 5 * std::numbers::pi / 180, kSunHeight = 51 * std::numbers::pi / 180;
 constexpr double kPixels = kScreenHeight * kScreenCoverage[1]; // for what cells of a view show when cards take over
-constexpr double kBias = 1;     // cells of the sun's view between a leaf and its own shadow
+constexpr double kBias = 1; // cells of the sun's view between a leaf and its own shadow
 
 glm::dvec3 directionTo(double turn, double height) {
     return {std::cos(height) * std::cos(turn), std::cos(height) * std::sin(turn), std::sin(height)};
@@ -126,8 +126,8 @@ private:
 /// Which cells a crown covers from one side: much cheaper than what is seen there.
 class CCrownOutline : CCrownGrid {
 public:
-    CCrownOutline(const CrownFrame& crown, const glm::dvec3& viewer, int cells)
-        : CCrownGrid(crown, viewer, cells), m_covered(cells), m_pixelsPerCell(crown.pixels / cells) {}
+    CCrownOutline(const CrownFrame& crown, const glm::dvec3& viewer, int cells, double pixels)
+        : CCrownGrid(crown, viewer, cells), m_covered(cells), m_pixelsPerCell(pixels / cells) {}
 
     void draw(const std::vector<CrownPart>& parts, const CProgress& progress) {
         forEachTriangle(parts, progress, [this](const CrownPart& part, const std::uint32_t* corners) {
@@ -154,7 +154,6 @@ private:
         double soft;
     };
     Softness softnessOf(const CMesh& mesh, const std::uint32_t* corners, const std::array<glm::dvec2, 3>& p, const CCutOut& cutOut) const {
-        if (m_pixelsPerCell == 0) return {0, 0};
         const glm::dvec2 t(mesh.texCoords[corners[0]]), ds = glm::dvec2(mesh.texCoords[corners[1]]) - t, dt = glm::dvec2(mesh.texCoords[corners[2]]) - t;
         const glm::dvec2 ab = p[1] - p[0], ac = p[2] - p[0];
         const glm::dvec2 across = glm::abs(ac.y * ds - ab.y * dt), up = glm::abs(ab.x * dt - ac.x * ds);
@@ -269,45 +268,47 @@ template <typename Work> void forEachOf(std::size_t count, const CProgress& prog
 }
 } // namespace
 
-double pixelsOf(double radius, double height, const Detail& detail) {
-    return kScreenHeight * kScreenCoverage[static_cast<std::size_t>(detail.lod) - 1] * 2 * radius / std::max(height, 0.01 * radius);
+double pixelsOf(const CrownFrame& frame, double height, const Detail& detail) {
+    return kScreenHeight * kScreenCoverage[static_cast<std::size_t>(detail.lod) - 1] * 2 * frame.radius / std::max(height, 0.01 * frame.radius);
 }
 
-double crownCover(const std::vector<CrownPart>& parts, const CrownFrame& frame, const CProgress& progress) {
+double crownCover(const std::vector<CrownPart>& parts, const CrownFrame& frame, double pixels, const CProgress& progress) {
     constexpr double kPerPixel = 1.25;
-    const int cells = frame.pixels > 0 ? static_cast<int>(std::clamp(kPerPixel * frame.pixels, kViewCells / 2.0, double(kViewCells))) : kViewCells;
+    const int cells = static_cast<int>(std::clamp(kPerPixel * pixels, kViewCells / 2.0, double(kViewCells)));
     std::array<double, kCoverViews> covered{};
     forEachOf(kCoverViews, progress, [&](std::size_t i) {
-        CCrownOutline outline(frame, sideOf(i, kCoverViews), cells);
+        CCrownOutline outline(frame, sideOf(i, kCoverViews), cells, pixels);
         outline.draw(parts, progress);
         covered[i] = outline.count();
     });
     return std::accumulate(covered.begin(), covered.end(), 0.0) / (double(kCoverViews) * cells * cells);
 }
 
-CrownLook crownLook(const std::vector<CrownPart>& parts, const CrownFrame& frame, double covered, const CProgress& progress) {
+CrownLook crownLook(const std::vector<CrownPart>& parts, const CrownFrame& frame, const CProgress& progress) {
     const glm::dvec3 sun = directionTo(0, kSunHeight);
     std::vector<CCrownView> views{CCrownView(frame, sun, kSunCells, false)};
     for (std::size_t i = 0; i < kLookViews; ++i) views.emplace_back(frame, sideOf(i, kLookViews), kViewCells);
     forEachOf(views.size(), progress, [&](std::size_t i) { views[i].draw(parts, progress); });
     std::array<CrownLook, kLookViews> looks{};
+    std::array<double, kLookViews> covered{};
     forEachOf(kLookViews, progress, [&](std::size_t i) {
         CrownLook& look = looks[i];
         views[i + 1].forEachSeen([&](const glm::dvec3& place, const Facing& seen) {
             const double facing = views.front().sees(place) ? glm::dot(glm::dvec3(seen.normal), sun) : 0;
-            look.covered += 1;
+            covered[i] += 1;
             look.sun += std::max(0.0, facing);
             look.through += std::max(0.0, -facing);
             look.sky += 0.5 + 0.5 * double(seen.normal.z);
             look.backs += seen.back ? 1 : 0;
         });
     });
-    CrownLook sum;
-    for (const CrownLook& one : looks)
-        for (double CrownLook::*value : {&CrownLook::covered, &CrownLook::sun, &CrownLook::through, &CrownLook::sky, &CrownLook::backs}) sum.*value += one.*value;
-    for (double CrownLook::*value : {&CrownLook::sun, &CrownLook::through, &CrownLook::sky, &CrownLook::backs}) sum.*value /= std::max(1.0, sum.covered);
-    sum.covered = covered;
-    return sum;
+    const double cells = std::max(1.0, std::accumulate(covered.begin(), covered.end(), 0.0));
+    CrownLook mean;
+    for (double CrownLook::*value : {&CrownLook::sun, &CrownLook::through, &CrownLook::sky, &CrownLook::backs}) {
+        for (const CrownLook& one : looks) mean.*value += one.*value;
+        mean.*value /= cells;
+    }
+    return mean;
 }
 
 namespace {
@@ -371,15 +372,15 @@ OrganMeshes fittingLeaves(const OrganMeshes& thinned, const std::shared_ptr<cons
     if (whole.empty()) return thinned;
     Bounds box = whole.front().mesh->bounds();
     for (const CrownPart& part : whole) box = {glm::min(box.min, part.mesh->bounds().min), glm::max(box.max, part.mesh->bounds().max)};
-    const double radius = 0.55 * glm::length(glm::dvec3(box.max - box.min)); // with room for larger leaves
-    const CrownFrame frame{glm::dvec3(box.min + box.max) / 2.0, radius, pixelsOf(radius, tree.height(), detail)};
+    const CrownFrame frame{glm::dvec3(box.min + box.max) / 2.0, 0.55 * glm::length(glm::dvec3(box.max - box.min))}; // with room for larger leaves
+    const double pixels = pixelsOf(frame, tree.height(), detail);
     const auto resized = [&](double fit) {
         OrganMeshes sized;
         for (const auto& mesh : thinned) sized.push_back(mesh->resized(std::sqrt(fit)));
         return sized;
     };
-    const CrownFit fit = fitTo(crownCover(whole, frame, progress), 1, [&](double areas) {
-        return crownCover(partsOf(resized(areas), masks, progress), frame, progress);
+    const CrownFit fit = fitTo(crownCover(whole, frame, pixels, progress), 1, [&](double areas) {
+        return crownCover(partsOf(resized(areas), masks, progress), frame, pixels, progress);
     });
     return resized(fit.areas);
 }

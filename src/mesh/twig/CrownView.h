@@ -14,11 +14,10 @@ namespace stromar {
 struct CrownFrame {
     glm::dvec3 middle{0};
     double radius = 0; ///< of a ball around it
-    double pixels = 0; ///< that show the ball's diameter, where cut-outs are as soft as the viewport draws them; 0: many, they are hard
 };
 
-/// CrownFrame::pixels of a tree so high where a level of detail, 1 or more, takes over.
-double pixelsOf(double radius, double height, const Detail& detail);
+/// That show the ball's diameter where a level of detail, 1 or more, of a tree so high takes over.
+double pixelsOf(const CrownFrame& frame, double height, const Detail& detail);
 
 /// Triangles that are measured: leaves of a kind, cards of twigs, or wood.
 struct CrownPart {
@@ -29,10 +28,11 @@ struct CrownPart {
     const CCutOut* cutOut() const { return twig ? &twig->cutOut() : leaf; } ///< none: all is there
 };
 
-/// The share of pictures from eight sides that is covered.
-double crownCover(const std::vector<CrownPart>& parts, const CrownFrame& frame, const CProgress& progress);
-/// How what is seen from four sides lies in the light of one sun; crownCover(), which takes as long, is known.
-CrownLook crownLook(const std::vector<CrownPart>& parts, const CrownFrame& frame, double covered, const CProgress& progress);
+/// The share of pictures from eight sides that is covered, where so many pixels show the ball's diameter: cut-outs are as soft as the viewport
+/// draws them.
+double crownCover(const std::vector<CrownPart>& parts, const CrownFrame& frame, double pixels, const CProgress& progress);
+/// How what is seen from four sides lies in the light of one sun.
+CrownLook crownLook(const std::vector<CrownPart>& parts, const CrownFrame& frame, const CProgress& progress);
 
 /// The leaves that a season left on some stems (none: on all), in the form of a level of detail, of `present` leaves. Of a part of them each is
 /// larger.

@@ -8,15 +8,15 @@
 namespace stromar {
 
 namespace {
-/// From the base of one segment to the end of another.
-void addPrism(const CSegment& first, const CSegment& last, double minRadius, CMesh& mesh) {
+/// From the base of one segment to the end of another, so many times as wide.
+void addPrism(const CSegment& first, const CSegment& last, double minRadius, double wider, CMesh& mesh) {
     constexpr int kSides = 3;
     const auto start = static_cast<std::uint32_t>(mesh.positions.size());
     for (std::uint32_t side = 0; side < kSides; ++side) {
         const double angle = 2 * std::numbers::pi * side / kSides;
         const auto add = [&](const CSegment& segment, double along, double radius) {
             const glm::dvec3 out = std::cos(angle) * segment.frame[0] + std::sin(angle) * segment.frame[1];
-            mesh.positions.push_back(glm::vec3(segment.axisPoint(along) + std::max(radius, minRadius) / outlineShare(kSides) * out));
+            mesh.positions.push_back(glm::vec3(segment.axisPoint(along) + wider * std::max(radius, minRadius) / outlineShare(kSides) * out));
         };
         add(first, 0, first.radiusBase);
         add(last, 1, last.radiusEnd);
@@ -44,15 +44,23 @@ double leavesOn(const std::vector<LeafyTwig>& twigs) {
 }
 
 std::shared_ptr<const CMesh> woodOfTwigs(const std::vector<LeafyTwig>& twigs, const CTree& tree, double minRadius) {
+    constexpr std::size_t kMaxPaths = 100'000;
+    std::size_t total = 0;
+    for (const LeafyTwig& twig : twigs) total += twig.of(tree).pathCount;
+    const std::size_t count = std::min(total, kMaxPaths);
+    const double wider = double(total) / double(std::max<std::size_t>(1, count));
     const auto mesh = allocateMesh("wood", Surface::Bark, 0, 0);
+    std::size_t path = 0, chosen = 0;
     for (const LeafyTwig& twig : twigs) {
         const CGeneration& generation = tree.generation(twig.generation);
         const CStem& stem = twig.of(tree);
-        for (std::size_t i = 0; i < stem.pathCount; ++i) {
+        for (std::size_t i = 0; i < stem.pathCount; ++i, ++path) {
+            if (chosen == count || path != evenly(chosen, count, total)) continue;
+            ++chosen;
             const auto segments = generation.segmentsOf(generation.paths[stem.firstPath + i]);
             const std::size_t middle = segments.size() / 2;
-            if (middle > 0) addPrism(segments.front(), segments[middle - 1], minRadius, *mesh);
-            addPrism(segments[middle], segments.back(), minRadius, *mesh);
+            if (middle > 0) addPrism(segments.front(), segments[middle - 1], minRadius, wider, *mesh);
+            addPrism(segments[middle], segments.back(), minRadius, wider, *mesh);
         }
     }
     return mesh;

@@ -211,17 +211,25 @@ public:
     }
 
     CardPlan plan(const Detail& detail) const { return planCards(m_twigs, m_twig, detail, m_tree.height()); }
-    CrownLook lookOfLeaves(const std::shared_ptr<const COrgans>& leaves, const StemSet& twigs, const MeshParams& params) const {
-        const std::vector<CrownPart> parts = partsOfLeaves(leaves, &twigs, leavesOn(m_twigs), params);
-        return crownLook(parts, m_frame, coverOf(withWood(parts), 2), m_progress);
+    /// Of the leaves of the twigs alone, or of all.
+    std::vector<CrownPart> leavesOfTwigs(const std::shared_ptr<const COrgans>& leaves, const StemSet& twigs, const MeshParams& params) const {
+        return partsOfLeaves(leaves, &twigs, leavesOn(m_twigs), params);
     }
-    TwigCover coverOfAll(const std::shared_ptr<const COrgans>& leaves, const MeshParams& params) const {
-        const auto parts = withWood(partsOfLeaves(leaves, nullptr, double(leaves->total) * params.seasonOf(Organ::Leaf).share, params));
-        return {coverOf(parts, 2), coverOf(parts, 3)};
+    std::vector<CrownPart> allLeaves(const std::shared_ptr<const COrgans>& leaves, const MeshParams& params) const {
+        return partsOfLeaves(leaves, nullptr, double(leaves->total) * params.seasonOf(Organ::Leaf).share, params);
     }
-    CrownLook lookOf(const CardPlan& plan, const CrownFit& fit) const { return crownLook(cardsAlone(plan, fit.areas), m_frame, fit.covered, m_progress); }
-    /// Where the last level of detail takes over.
-    double farCover(const CardPlan& plan, const CrownFit& fit) const { return coverOf(cardsAlone(plan, fit.areas), 3); }
+    /// What cards show of the twigs besides leaves.
+    std::vector<CrownPart> withWood(std::vector<CrownPart> leaves) const {
+        leaves.push_back({woodOfTwigs(m_twigs, m_tree, m_minRadius)});
+        return leaves;
+    }
+    std::vector<CrownPart> cardsAlone(const CardPlan& plan, double fit) const { return {{cards(plan, fit), nullptr, &m_mask}}; }
+
+    CrownLook lookOf(const std::vector<CrownPart>& parts) const { return crownLook(parts, m_frame, m_progress); }
+    /// As it is seen where a level of detail takes over.
+    double coverOf(const std::vector<CrownPart>& parts, const Detail& detail) const {
+        return crownCover(parts, m_frame, pixelsOf(m_frame, m_tree.height(), detail), m_progress);
+    }
 
     std::shared_ptr<const CMesh> cards(const CardPlan& plan, double fit) const {
         const std::size_t count = plan.twigs.size();
@@ -236,14 +244,12 @@ public:
         return mesh;
     }
 
-    /// Of the areas of cards that are right for a single twig: so that they, with what is drawn `beside` them, cover as much as the leaves do.
-    CrownFit fitOf(const CardPlan& plan, const Detail& detail, std::vector<CrownPart> beside = {}) const {
-        if (detail.lod == 2 && beside.empty() && m_twig.cards.covered > 0) return {m_twig.cardFit, m_twig.cards.covered}; // as measured
-        const TwigCover& wanted = beside.empty() ? m_twig.twigsCover : m_twig.allCover;
+    /// Of the areas of cards that are right for a single twig: so that they, with what is drawn `beside` them, cover as much as is wanted.
+    CrownFit fitOf(const CardPlan& plan, const Detail& detail, double wanted, std::vector<CrownPart> beside = {}) const {
         beside.emplace_back();
-        return fitTo(detail.lod == 3 ? wanted.far : wanted.near, m_twig.cardFit, [&](double fit) {
+        return fitTo(wanted, m_twig.cardFit, [&](double fit) {
             beside.back() = {cards(plan, fit), nullptr, &m_mask};
-            return coverOf(beside, detail.lod);
+            return coverOf(beside, detail);
         });
     }
 
@@ -251,20 +257,7 @@ private:
     std::vector<CrownPart> partsOfLeaves(const std::shared_ptr<const COrgans>& leaves, const StemSet* twigs, double present, const MeshParams& params) const {
         return leafParts(leaves, twigs, present, m_tree, params, m_twig.masks, detailOf(Model::Full, 1), m_progress);
     }
-    std::vector<CrownPart> cardsAlone(const CardPlan& plan, double fit) const { return {{cards(plan, fit), nullptr, &m_mask}}; }
 
-    /// As it is seen where a level of detail takes over.
-    double coverOf(const std::vector<CrownPart>& parts, int lod) const {
-        CrownFrame frame = m_frame;
-        frame.pixels = pixelsOf(m_frame.radius, m_tree.height(), detailOf(Model::Full, lod));
-        return crownCover(parts, frame, m_progress);
-    }
-
-    /// What cards show of the twigs besides leaves.
-    std::vector<CrownPart> withWood(std::vector<CrownPart> leaves) const {
-        leaves.push_back({woodOfTwigs(m_twigs, m_tree, m_minRadius)});
-        return leaves;
-    }
     /// Of the twigs.
     std::shared_ptr<const CMesh> bases() const {
         auto mesh = allocateMesh("ends", Surface::Bark, 0, 0);
@@ -289,23 +282,37 @@ private:
 void measureCrown(Twig& twig, const StemSet& twigs, const CTree& tree, const std::shared_ptr<const COrgans>& leaves, const MeshParams& params,
                   const CProgress& progress) {
     const CCrown crown(twigs, tree, *leaves, params, twig, progress);
-    twig.crown = crown.lookOfLeaves(leaves, twigs, params);
-    const Detail& detail = detailOf(Model::Full, 2);
-    const CardPlan plan = crown.plan(detail);
-    twig.twigsCover.near = twig.crown.covered;
-    const CrownFit fit = crown.fitOf(plan, detail);
+    const Detail &near = detailOf(Model::Full, 2), &far = detailOf(Model::Full, 3);
+    const std::vector<CrownPart> own = crown.leavesOfTwigs(leaves, twigs, params);
+    twig.crown = crown.lookOf(own);
+    twig.twigsCover = crown.coverOf(crown.withWood(own), near);
+    const CardPlan plan = crown.plan(near);
+    const CrownFit fit = crown.fitOf(plan, near, twig.twigsCover);
+    const std::vector<CrownPart> cards = crown.cardsAlone(plan, fit.areas);
     twig.cardFit = fit.areas;
-    twig.cards = crown.lookOf(plan, fit);
-    twig.twigsCover.far = crown.farCover(plan, fit);
-    twig.allCover = leaves->countOn(twigs) == leaves->total ? twig.twigsCover : crown.coverOfAll(leaves, params);
+    twig.cards = crown.lookOf(cards);
+    twig.cardsCover = {fit.covered, crown.coverOf(cards, far)};
+    twig.allCover = {twig.twigsCover, twig.cardsCover.far};
+    if (leaves->countOn(twigs) == leaves->total) return;
+    const std::vector<CrownPart> all = crown.withWood(crown.allLeaves(leaves, params));
+    twig.allCover = {crown.coverOf(all, near), crown.coverOf(all, far)};
 }
+
+namespace {
+/// The fit of cards that have leaves `beside` them, or none.
+double fitBeside(const CCrown& crown, const CardPlan& plan, const Twig& typical, const Detail& detail, const std::vector<CrownPart>& beside) {
+    const bool far = detail.lod == kMaxLod;
+    if (!beside.empty()) return crown.fitOf(plan, detail, far ? typical.allCover.far : typical.allCover.near, beside).areas;
+    return far ? crown.fitOf(plan, detail, typical.cardsCover.far).areas : typical.cardFit; // as it was measured
+}
+} // namespace
 
 std::shared_ptr<const CMesh> meshOfTwigs(const StemSet& twigs, const CTree& tree, const COrgans& leaves, const Twig& typical,
                                          const MeshParams& params, const Detail& detail,
                                          const CProgress& progress, const OrganMeshes& beside) {
     const CCrown crown(twigs, tree, leaves, params, typical, progress);
     const CardPlan plan = crown.plan(detail);
-    return crown.cards(plan, crown.fitOf(plan, detail, partsOf(beside, typical.masks, progress)).areas);
+    return crown.cards(plan, fitBeside(crown, plan, typical, detail, partsOf(beside, typical.masks, progress)));
 }
 
 } // namespace stromar

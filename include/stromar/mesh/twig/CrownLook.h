@@ -12,7 +12,6 @@ namespace stromar {
 
 /// What is seen of a crown without its wood: the mean over four sides, with the sun at 51°, as the viewport has it at ten o'clock.
 struct CrownLook {
-    double covered = 0; ///< share of the pictures
     double sun = 0;     ///< cosine between the normal of what is seen and the sun where it shines, else 0
     double through = 0; ///< likewise where it shines on the other side
     double sky = 0;     ///< how much it faces the sky: 0 downwards, 1 upwards

@@ -23,7 +23,7 @@ public:
     double meanAt(const glm::vec2& texCoord, int level) const {
         return m_means[0].empty() ? 1.0 : m_means[static_cast<std::size_t>(level)][cellAt(texCoord, level)] / 255.0;
     }
-    /// Of which a pixel shows one that shows this part of the picture's side.
+    /// The level that a pixel shows which spans this part of the picture's side.
     static int levelOf(double footprint) { return static_cast<int>(std::lround(std::clamp(std::log2(footprint * kSide), 0.0, kLevels - 1.0))); }
     const Softening& softening() const { return m_softening; }
 

@@ -13,10 +13,9 @@
 
 namespace stromar {
 
-/// As CrownLook::covered, with soft edges as the viewport draws them.
+/// The share of pictures from all sides that is covered, with soft edges as the viewport draws them.
 struct TwigCover {
-    double near = 0; ///< by leaves and the twigs' wood, where level of detail 2 is first seen
-    double far = 0;  ///< by them, or by what level 2 shows of them, where level 3 is
+    double near = 0, far = 0; ///< where levels of detail 2 and 3 are first seen
 };
 
 /// What a card shows instead of a twig (see twigsOf) with its leaves: a typical one of the tree, made straight. x to the
@@ -34,7 +33,9 @@ struct Twig {
     double seenPerLeaf;   ///< m² that are seen of its leaves' cards, on the average from all sides, over their number
     double allLeafArea;   ///< m² of all the tree's leaves that the season left
     LeafMasks masks;        ///< of its leaves
-    TwigCover twigsCover, allCover; ///< what cards have to cover; what they do with the leaves beside them
+    double twigsCover = 0;  ///< TwigCover::near of the leaves and wood of all twigs
+    TwigCover allCover;     ///< of all leaves of the tree, with that wood
+    TwigCover cardsCover;   ///< of the cards at level of detail 2
     CrownLook crown, cards; ///< the leaves of all twigs; the cards that stand for them at level of detail 2
     double cardFit = 1;     ///< by how much the area of those differs from what is right for a single twig
 
@@ -64,7 +65,7 @@ std::shared_ptr<const Twig> typicalTwig(const CTree& tree, const MeshParams& par
 /// A card for every twig that bears leaves, bent with it, in the detail's number of planes. No
 /// more rectangles than the detail's share of the leaves: else fewer planes, straight cards, at last fewer cards. Each
 /// is so large that as much is seen of it as of its stem's leaves (Twig::seenPerLeaf), within half and four times the typical one's
-/// area; then all grow or shrink until they cover as much as Twig::twigsCover, or, with the leaves `beside` them, as Twig::allCover. Throws CCancelled.
+/// area; then all grow or shrink until they cover as much as the twigs do, at level 3 as the cards of level 2, or, with the leaves `beside` them, as all leaves. Throws CCancelled.
 /// Of the leaves only the counts are looked at.
 std::shared_ptr<const CMesh> meshOfTwigs(const StemSet& twigs, const CTree& tree, const COrgans& leaves, const Twig& typical,
                                          const MeshParams& params, const Detail& detail, const CProgress& progress,
