@@ -1,4 +1,5 @@
 #include "TwigPicture.h"
+#include "CardLight.h"
 #include "stromar/app/Pictures.h"
 #include "stromar/texture/Opacity.h"
 #include "stromar/texture/Srgb.h"
@@ -17,7 +18,7 @@ namespace fs = std::filesystem;
 namespace {
 constexpr int kSize = 512;
 constexpr int kSamples = 3;               // of a pixel, each way
-constexpr std::uint64_t kLookVersion = 12; // rises when the same twig is drawn differently
+constexpr std::uint64_t kLookVersion = 14; // rises when the same twig is drawn differently
 constexpr float kWoodRoughness = 0.85f, kLeafRoughness = 0.6f, kLeafThrough = 0.6f;
 
 /// What one surface shows at a place.
@@ -58,19 +59,21 @@ public:
     int height() const { return m_maps.height; }
 
     /// The mean of what is not cut out.
-    Look mean() const {
-        Look sum{.front = glm::vec4(0), .back = glm::vec4(0)};
-        float count = 0;
+    MeanLook mean() const {
+        MeanLook sum;
+        double count = 0;
         const TextureMaps& m = m_maps;
+        const auto light = [](const auto& pixel) { return glm::dvec3(linear(colour(pixel))); };
         for (std::size_t i = 0; i < m.albedo.size(); ++i) {
             if (colour(m.albedo[i]).w < float(kAlphaCut)) continue;
-            sum.front += linear(colour(m.albedo[i]));
-            sum.back += linear(colour(m.back.empty() ? m.albedo[i] : m.back[i]));
+            sum.front += light(m.albedo[i]);
+            sum.back += light(m.back.empty() ? m.albedo[i] : m.back[i]);
             sum.through += m.translucency.empty() ? kLeafThrough : float(m.translucency[i]) / 255;
+            sum.roughness += m.roughness.empty() ? kLeafRoughness : float(m.roughness[i]) / 255;
             ++count;
         }
-        const float share = 1 / std::max(1.0f, count);
-        return {.front = sum.front * share, .back = sum.back * share, .through = sum.through * share};
+        const double share = 1 / std::max(1.0, count);
+        return {share * sum.front, share * sum.back, share * sum.roughness, share * sum.through};
     }
 
 private:
@@ -208,40 +211,6 @@ TextureMaps CTwigCamera::picture() const {
     return maps;
 }
 
-/// The light that a crown throws back on a clear day, as the viewport has it.
-glm::dvec3 lightOf(const CrownLook& crown, const Look& leaf) {
-    constexpr glm::dvec3 kSun(2.9, 2.75, 2.5), kSky(0.47, 0.62, 0.88), kGround(0.27, 0.30, 0.18), kPassed(1.3, 1.25, 0.6);
-    constexpr double kOpen = 0.6, kPassedSky = 0.35; // of the sky, inside a crown; what of it comes through a leaf
-    const glm::dvec3 colour = glm::mix(glm::dvec3(leaf.front), glm::dvec3(leaf.back), crown.backs);
-    const glm::dvec3 around = kOpen * glm::mix(kGround, kSky, crown.sky), behind = kOpen * glm::mix(kSky, kGround, crown.sky);
-    return colour * (around + crown.sun * kSun + double(leaf.through) * kPassed * (crown.through * kSun + kPassedSky * behind));
-}
-
-/// Makes up for what cards lack: leaves that shade each other, look upwards, and turn their upper sides to whoever looks.
-class CCardLight {
-public:
-    explicit CCardLight(const Twig& twig) : m_twig(twig) {}
-
-    void add(const Look& leaf, double weight) {
-        m_leaves += weight * lightOf(m_twig.crown, leaf);
-        m_cards += weight * lightOf(m_twig.cards, leaf);
-    }
-    void applyTo(TextureMaps& maps) const {
-        const glm::dvec3 share = glm::clamp(kFineShade * m_leaves / glm::max(m_cards, glm::dvec3(1e-9)), kLeast, kMost);
-        for (auto* pixels : {&maps.albedo, &maps.back})
-            for (auto& pixel : *pixels) {
-                const glm::vec4 light = linear(colour(pixel));
-                for (int c = 0; c < 3; ++c) pixel[static_cast<std::size_t>(c)] = byteOf(encodedOf(light[c] * float(share[c])));
-            }
-    }
-
-private:
-    static constexpr double kLeast = 0.3, kMost = 1.6;
-    static constexpr double kFineShade = 0.95; // where leaves touch, finer than the cells of crownLook(): the mean of the presets
-    const Twig& m_twig;
-    glm::dvec3 m_leaves{0}, m_cards{0};
-};
-
 bool isPng(const fs::path& file) { return lowerCase(file.extension().string()) == ".png"; }
 
 Look barkLook(const TwigSource& source) {
@@ -275,7 +244,10 @@ std::uint64_t twigHash(const Twig& twig, const TwigSource& source) {
     std::uint64_t hash = hashCombine(kLookVersion, kSize);
     for (const auto& mesh : {twig.wood, twig.leaves}) hash = hashOf(hashOf(hash, mesh->positions), mesh->texCoords);
     hash = hashOf(hash, twig.kinds);
-    for (const CrownLook& look : {twig.crown, twig.cards}) hash = hashOf(hash, std::array{look.sun, look.through, look.sky, look.backs});
+    for (const CrownLook* look : {&twig.crown, &twig.cards})
+        for (const SeenPixel& pixel : look->pixels)
+            for (const LitPlace& p : pixel)
+                hash = hashOf(hash, std::array{p.normal.x, p.normal.y, p.normal.z, p.open, p.sunny, p.back ? 1.0f : 0.0f, p.behind ? 1.0f : 0.0f, p.wood ? 1.0f : 0.0f});
     for (std::size_t kind = 0; kind < kLeafKinds; ++kind)
         if (twig.kinds[kind] < twig.kinds[kind + 1]) hash = hashOfFile(hash, source.leaves[kind]);
     return hashOfFile(hash, source.bark);
@@ -284,8 +256,10 @@ std::uint64_t twigHash(const Twig& twig, const TwigSource& source) {
 TextureMaps drawTwig(const Twig& twig, const TwigSource& source, const CProgress& progress) {
     CTwigCamera camera(twig);
     const double samples = std::sqrt(twig.leafArea) * camera.perMetre(); // that a leaf is long
-    camera.draw(*twig.wood, 0, twig.wood->indices.size(), [look = barkLook(source)](const glm::vec2&) { return look; });
-    CCardLight light(twig);
+    const Look bark = barkLook(source);
+    const glm::dvec3 barkColour(linear(bark.front));
+    camera.draw(*twig.wood, 0, twig.wood->indices.size(), [&](const glm::vec2&) { return bark; });
+    CCardLight light(twig, {barkColour, barkColour, bark.roughness, 0});
     for (std::size_t kind = 0; kind < kLeafKinds; ++kind) {
         progress.poll();
         if (twig.kinds[kind] == twig.kinds[kind + 1]) continue;

@@ -100,12 +100,10 @@ struct Bound {
 };
 constexpr Bound kExceptions[] = {
     {"black_tupelo", kMaxCoverage, 3.6},
-    {"european_larch", kMaxCoverage, 5.2},
-    {"japanese_maple", kMaxCoverage, 4.6},
+    {"european_larch", kMaxCoverage, 4.4},
     {"lady_fern", kMaxCoverage, 3.4},
     {"norway_spruce", kMaxCoverage, 3.3},
-    {"silver_fir", kMaxCoverage, 3.1},
-    {"umbrella_acacia", kMaxCoverage, 5.8},
+    {"umbrella_acacia", kMaxCoverage, 3.4},
     {"wild_cherry", 0.07, kMaxColour},
 };
 

@@ -18,11 +18,10 @@
 namespace stromar {
 
 namespace {
-constexpr int kViewCells = 512, kSunCells = 1024;
-constexpr std::size_t kLookViews = 4, kCoverViews = 8; // sparse crowns cover a twentieth more or less from one side than from another
+constexpr int kViewCells = 512, kSunCells = 2048;
+constexpr std::size_t kSeenPixels = 1024, kLookViews = 4, kCoverViews = 8; // sparse crowns cover a twentieth more or less from one side than from another
 constexpr double kHeight = 5 * std::numbers::pi / 180, kSunHeight = 51 * std::numbers::pi / 180;
-constexpr double kPixels = kScreenHeight * kScreenCoverage[1]; // for what cells of a view show when cards take over
-constexpr double kBias = 1; // cells of the sun's view between a leaf and its own shadow
+constexpr double kLift = 1.5, kDisc = 2.5; // cells of the sun's view: by which a leaf is lifted out of its own shadow; that shadows are soft over, a radius
 
 glm::dvec3 directionTo(double turn, double height) {
     return {std::cos(height) * std::cos(turn), std::cos(height) * std::sin(turn), std::sin(height)};
@@ -38,6 +37,8 @@ glm::dmat3 frameTo(const glm::dvec3& viewer) {
 struct Facing {
     glm::vec3 normal{0}; ///< of the side that is seen
     bool back = false;   ///< it is a leaf's under side
+    bool behind = false; ///< of the leaf or the card
+    bool wood = false;
 };
 
 /// The derivatives of places by a triangle's texture coordinates, unit.
@@ -190,19 +191,47 @@ public:
         forEachTriangle(parts, progress, [this](const CrownPart& part, const std::uint32_t* corners) { drawTriangle(part, corners); });
     }
 
-    /// visit(place, facing) for what is seen.
-    template <typename Visit> void forEachSeen(Visit&& visit) const {
-        for (std::size_t cell = 0; cell < m_depths.size(); ++cell)
-            if (std::isfinite(m_depths[cell])) visit(placeOf(cell), m_facings[cell]);
+    /// visit(pixel, place, facing) for what is seen in at most so many pixels, evenly chosen.
+    template <typename Visit> void forEachSeen(std::size_t max, Visit&& visit) const {
+        std::vector<std::pair<int, int>> pixels;
+        for (int y = 0; y + kSamples <= m_side; y += kSamples)
+            for (int x = 0; x + kSamples <= m_side; x += kSamples)
+                if (forEachSample(x, y, [](std::size_t) {})) pixels.emplace_back(x, y);
+        const std::size_t count = std::min(max, pixels.size());
+        for (std::size_t i = 0; i < count; ++i) {
+            const auto& [x, y] = pixels[evenly(i, count, pixels.size())];
+            forEachSample(x, y, [&](std::size_t cell) { visit(i, placeOf(cell), m_facings[cell]); });
+        }
     }
-    /// Whether nothing stands between a place and the viewer.
-    bool sees(const glm::dvec3& place) const {
-        const glm::dvec3 p = m_toView * (place - m_middle);
-        const auto at = [&](double v) { return std::clamp(static_cast<int>(v * m_perMetre + m_side / 2.0), 0, m_side - 1); };
-        return p.z + kBias / m_perMetre >= double(m_depths[cellAt(at(p.x), at(p.y))]);
+    /// What part of a disc around a place nothing hides from the viewer, as viewports look up their shadows.
+    float seenOf(const glm::dvec3& place, const glm::dvec3& normal) const {
+        constexpr int kPoints = 8;
+        const glm::dvec3 lift = kLift / m_perMetre * (m_viewer + (glm::dot(normal, m_viewer) < 0 ? -normal : normal)), p = m_toView * (place + lift - m_middle);
+        const auto at = [&](double v) { return std::clamp(static_cast<int>(v), 0, m_side - 1); };
+        int count = 0;
+        for (int i = 0; i < kPoints; ++i) {
+            const double out = std::sqrt((i + 0.5) / kPoints) * kDisc, turn = 2.3999632 * i; // a spiral
+            const glm::dvec2 cell = glm::dvec2(p) * m_perMetre + m_side / 2.0 + out * glm::dvec2(std::cos(turn), std::sin(turn));
+            count += p.z >= double(m_depths[cellAt(at(cell.x), at(cell.y))]);
+        }
+        return float(count) / kPoints;
     }
 
+    static constexpr int kSamples = 2; ///< cells of a pixel, each way
+
 private:
+    /// visit(cell) for those of a pixel where something is seen; whether there are any.
+    template <typename Visit> bool forEachSample(int x, int y, Visit&& visit) const {
+        bool any = false;
+        for (int i = 0; i < kSamples * kSamples; ++i) {
+            const std::size_t cell = cellAt(x + i % kSamples, y + i / kSamples);
+            if (!std::isfinite(m_depths[cell])) continue;
+            any = true;
+            visit(cell);
+        }
+        return any;
+    }
+
     glm::dvec3 placeOf(std::size_t cell) const {
         const auto side = static_cast<std::size_t>(m_side);
         const glm::dvec3 seen((double(cell % side) + 0.5) / m_perMetre - m_side / (2 * m_perMetre), (double(cell / side) + 0.5) / m_perMetre - m_side / (2 * m_perMetre), m_depths[cell]);
@@ -221,12 +250,12 @@ private:
                 const std::size_t cell = cellAt(x, y);
                 const auto depth = static_cast<float>((1 - u - v) * p[0].z + u * p[1].z + v * p[2].z);
                 if (depth <= m_depths[cell]) return;
-                const glm::vec2 at = mixed(mesh.texCoords, corners, u, v);
-                if ((part.leaf && !part.leaf->covers(at)) || (part.twig && !part.twig->hasLeaf(at))) return;
+                const glm::vec2 at = part.isWood() ? glm::vec2(0) : mixed(mesh.texCoords, corners, u, v);
+                if ((part.leaf && !part.leaf->covers(at)) || (part.twig && !part.twig->shows(at))) return;
                 m_depths[cell] = depth;
                 if (m_facings.empty()) return;
                 if (part.twig && !axes) axes = axesOf(mesh, corners);
-                m_facings[cell] = facingOf(mixed(mesh.normals, corners, u, v), part.twig ? part.twig->at(at, level) : CTwigMask::Texel{{0, 0, 1}}, axes);
+                m_facings[cell] = facingOf(mixed(mesh.normals, corners, u, v), part.twig ? part.twig->at(at, level) : CTwigMask::Texel{{0, 0, 1}, false, part.isWood()}, axes);
             },
             [&](int y, int x0, int x1, auto&& look) {
                 for (int x = x0; x <= x1; ++x)
@@ -239,7 +268,7 @@ private:
         const bool behind = glm::dot(glm::dvec3(front), m_viewer) < 0;
         glm::vec3 normal = shown.normal.z * (behind ? -front : front);
         if (axes) normal += shown.normal.x * axes->right + shown.normal.y * axes->along;
-        return {normal / std::max(1e-6f, glm::length(normal)), behind != shown.back};
+        return {normal / std::max(1e-6f, glm::length(normal)), !shown.wood && behind != shown.back, behind, shown.wood};
     }
 
     /// Of the mask, that a card of so many pixels shows.
@@ -247,7 +276,7 @@ private:
         const auto twice = [](const glm::dvec2& p, const glm::dvec2& q) { return std::abs(p.x * q.y - p.y * q.x); };
         const glm::dvec2 s = mesh.texCoords[corners[0]], t = mesh.texCoords[corners[1]], u = mesh.texCoords[corners[2]];
         const double cells = std::max(1e-9, twice(b - a, c - a)), texels = twice(t - s, u - s) * CTwigMask::kSide * CTwigMask::kSide;
-        return static_cast<int>(std::lround(std::max(0.0, 0.5 * std::log2(texels / cells) + std::log2(kViewCells / kPixels))));
+        return static_cast<int>(std::lround(std::max(0.0, 0.5 * std::log2(texels / cells) + std::log2(double(kSamples)))));
     }
 
     std::vector<float> m_depths; ///< towards the viewer
@@ -284,31 +313,44 @@ double crownCover(const std::vector<CrownPart>& parts, const CrownFrame& frame, 
     return std::accumulate(covered.begin(), covered.end(), 0.0) / (double(kCoverViews) * cells * cells);
 }
 
-CrownLook crownLook(const std::vector<CrownPart>& parts, const CrownFrame& frame, const CProgress& progress) {
+namespace {
+/// The box around a tree: towards its middle less of the sky is seen, as in the viewport.
+class CRoom {
+public:
+    explicit CRoom(const std::vector<CrownPart>& parts) {
+        Bounds box{glm::vec3(0), glm::vec3(0)};
+        for (const CrownPart& part : parts) box = {glm::min(box.min, part.mesh->bounds().min), glm::max(box.max, part.mesh->bounds().max)};
+        m_middle = (box.min + box.max) / 2.0f;
+        m_half = glm::max((box.max - box.min) / 2.0f, 1e-3f);
+    }
+
+    float openAt(const glm::dvec3& place) const {
+        const glm::vec3 out = (glm::vec3(place) - m_middle) / m_half;
+        return 0.35f + 0.65f * glm::smoothstep(0.05f, 1.0f, 0.8f * glm::length(out) + 0.25f * out.z);
+    }
+
+private:
+    glm::vec3 m_middle, m_half;
+};
+} // namespace
+
+CrownLook crownLook(const std::vector<CrownPart>& parts, const CrownFrame& frame, double pixels, const CProgress& progress) {
     const glm::dvec3 sun = directionTo(0, kSunHeight);
+    const int cells = static_cast<int>(std::clamp(CCrownView::kSamples * pixels, kViewCells / 2.0, 2.0 * kViewCells));
     std::vector<CCrownView> views{CCrownView(frame, sun, kSunCells, false)};
-    for (std::size_t i = 0; i < kLookViews; ++i) views.emplace_back(frame, sideOf(i, kLookViews), kViewCells);
+    for (std::size_t i = 0; i < kLookViews; ++i) views.emplace_back(frame, sideOf(i, kLookViews), cells);
     forEachOf(views.size(), progress, [&](std::size_t i) { views[i].draw(parts, progress); });
-    std::array<CrownLook, kLookViews> looks{};
-    std::array<double, kLookViews> covered{};
+    const CRoom room(parts);
+    constexpr std::size_t kOfSide = kSeenPixels / kLookViews;
+    CrownLook look{glm::vec3(sun), std::vector<SeenPixel>(kSeenPixels)};
     forEachOf(kLookViews, progress, [&](std::size_t i) {
-        CrownLook& look = looks[i];
-        views[i + 1].forEachSeen([&](const glm::dvec3& place, const Facing& seen) {
-            const double facing = views.front().sees(place) ? glm::dot(glm::dvec3(seen.normal), sun) : 0;
-            covered[i] += 1;
-            look.sun += std::max(0.0, facing);
-            look.through += std::max(0.0, -facing);
-            look.sky += 0.5 + 0.5 * double(seen.normal.z);
-            look.backs += seen.back ? 1 : 0;
+        const glm::vec3 toViewer(sideOf(i, kLookViews));
+        views[i + 1].forEachSeen(kOfSide, [&](std::size_t pixel, const glm::dvec3& place, const Facing& facing) {
+            const float sunny = views.front().seenOf(place, glm::dvec3(facing.normal));
+            look.pixels[i * kOfSide + pixel].push_back({facing.normal, toViewer, sunny, room.openAt(place), facing.back, facing.behind, facing.wood});
         });
     });
-    const double cells = std::max(1.0, std::accumulate(covered.begin(), covered.end(), 0.0));
-    CrownLook mean;
-    for (double CrownLook::*value : {&CrownLook::sun, &CrownLook::through, &CrownLook::sky, &CrownLook::backs}) {
-        for (const CrownLook& one : looks) mean.*value += one.*value;
-        mean.*value /= cells;
-    }
-    return mean;
+    return look;
 }
 
 namespace {

@@ -25,14 +25,15 @@ struct CrownPart {
     const CCutOut* leaf = nullptr;
     const CTwigMask* twig = nullptr;
 
+    bool isWood() const { return !leaf && !twig; }
     const CCutOut* cutOut() const { return twig ? &twig->cutOut() : leaf; } ///< none: all is there
 };
 
 /// The share of pictures from eight sides that is covered, where so many pixels show the ball's diameter: cut-outs are as soft as the viewport
 /// draws them.
 double crownCover(const std::vector<CrownPart>& parts, const CrownFrame& frame, double pixels, const CProgress& progress);
-/// How what is seen from four sides lies in the light of one sun.
-CrownLook crownLook(const std::vector<CrownPart>& parts, const CrownFrame& frame, const CProgress& progress);
+/// How what is seen from four sides lies in the light of one sun, where so many pixels show the ball's diameter.
+CrownLook crownLook(const std::vector<CrownPart>& parts, const CrownFrame& frame, double pixels, const CProgress& progress);
 
 /// The leaves that a season left on some stems (none: on all), in the form of a level of detail, of `present` leaves. Of a part of them each is
 /// larger.

@@ -16,6 +16,7 @@ void addPrism(const CSegment& first, const CSegment& last, double minRadius, dou
         const double angle = 2 * std::numbers::pi * side / kSides;
         const auto add = [&](const CSegment& segment, double along, double radius) {
             const glm::dvec3 out = std::cos(angle) * segment.frame[0] + std::sin(angle) * segment.frame[1];
+            mesh.normals.push_back(glm::vec3(out));
             mesh.positions.push_back(glm::vec3(segment.axisPoint(along) + wider * std::max(radius, minRadius) / outlineShare(kSides) * out));
         };
         add(first, 0, first.radiusBase);

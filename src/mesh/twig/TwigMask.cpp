@@ -15,8 +15,10 @@ std::size_t texelAt(const glm::vec2& texCoord, int side) {
 } // namespace
 
 CTwigMask::CTwigMask(const Twig& twig) : m_texels(kSide * kSide) {
-    drawLeaves(twig);
-    drawOutline(twig);
+    std::vector<float> depths(m_texels.size(), -std::numeric_limits<float>::infinity());
+    drawLeaves(twig, depths);
+    drawWood(twig, depths);
+    drawOutline();
     averageNormals();
 }
 
@@ -31,8 +33,7 @@ template <typename Visit> void CTwigMask::draw(const CMesh& mesh, const Twig& tw
     }
 }
 
-void CTwigMask::drawLeaves(const Twig& twig) {
-    std::vector<float> depths(m_texels.size(), -std::numeric_limits<float>::infinity());
+void CTwigMask::drawLeaves(const Twig& twig, std::vector<float>& depths) {
     const CMesh& leaves = *twig.leaves;
     draw(leaves, twig, [&](std::size_t index, std::size_t texel, const auto& mixed) {
         const auto kind = static_cast<std::size_t>(std::ranges::upper_bound(twig.kinds, index) - twig.kinds.begin()) - 1;
@@ -44,10 +45,19 @@ void CTwigMask::drawLeaves(const Twig& twig) {
     });
 }
 
-void CTwigMask::drawOutline(const Twig& twig) {
+void CTwigMask::drawWood(const Twig& twig, std::vector<float>& depths) {
+    const CMesh& wood = *twig.wood;
+    draw(wood, twig, [&](std::size_t, std::size_t texel, const auto& mixed) {
+        const float depth = mixed(wood.positions).z;
+        if (depth <= depths[texel]) return;
+        depths[texel] = depth;
+        m_texels[texel] = {glm::normalize(mixed(wood.normals)), false, true};
+    });
+}
+
+void CTwigMask::drawOutline() {
     std::vector<bool> covered;
     for (const Texel& texel : m_texels) covered.push_back(texel.normal != glm::vec3(0));
-    draw(*twig.wood, twig, [&](std::size_t, std::size_t texel, const auto&) { covered[texel] = true; });
     m_cutOut = CCutOut(covered, true);
 }
 
@@ -64,14 +74,14 @@ void CTwigMask::averageNormals() {
     }
 }
 
-bool CTwigMask::hasLeaf(const glm::vec2& texCoord) const { return m_texels[texelAt(texCoord, kSide)].normal != glm::vec3(0); }
+bool CTwigMask::shows(const glm::vec2& texCoord) const { return m_texels[texelAt(texCoord, kSide)].normal != glm::vec3(0); }
 
 CTwigMask::Texel CTwigMask::at(const glm::vec2& texCoord, int level) const {
     const Texel& own = m_texels[texelAt(texCoord, kSide)];
     if (own.normal == glm::vec3(0)) return own;
     level = std::min(level, kLevels - 1);
     const glm::vec3& mean = m_means[static_cast<std::size_t>(level)][texelAt(texCoord, kSide >> level)];
-    return {mean / std::max(1e-6f, glm::length(mean)), own.back};
+    return {mean / std::max(1e-6f, glm::length(mean)), own.back, own.wood};
 }
 
 } // namespace stromar

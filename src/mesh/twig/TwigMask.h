@@ -17,20 +17,22 @@ public:
     struct Texel {
         glm::vec3 normal{0}; ///< right, along, to the viewer; nothing: there is a gap
         bool back = false;   ///< of a leaf
+        bool wood = false;
     };
     /// Normals are the mean over 2^level texels each way, as in smaller pictures.
     Texel at(const glm::vec2& texCoord, int level) const;
-    /// Whether there is a leaf.
-    bool hasLeaf(const glm::vec2& texCoord) const;
-    /// Where there are leaves or wood.
+    /// Whether there is a leaf or wood.
+    bool shows(const glm::vec2& texCoord) const;
+    /// Where there is, softer in smaller pictures.
     const CCutOut& cutOut() const { return m_cutOut; }
 
 private:
     static constexpr int kLevels = 8;
 
     template <typename Visit> static void draw(const CMesh& mesh, const Twig& twig, Visit&& visit);
-    void drawLeaves(const Twig& twig);
-    void drawOutline(const Twig& twig);
+    void drawLeaves(const Twig& twig, std::vector<float>& depths);
+    void drawWood(const Twig& twig, std::vector<float>& depths);
+    void drawOutline();
     void averageNormals();
 
     std::vector<Texel> m_texels;

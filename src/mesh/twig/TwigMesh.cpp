@@ -225,11 +225,9 @@ public:
     }
     std::vector<CrownPart> cardsAlone(const CardPlan& plan, double fit) const { return {{cards(plan, fit), nullptr, &m_mask}}; }
 
-    CrownLook lookOf(const std::vector<CrownPart>& parts) const { return crownLook(parts, m_frame, m_progress); }
     /// As it is seen where a level of detail takes over.
-    double coverOf(const std::vector<CrownPart>& parts, const Detail& detail) const {
-        return crownCover(parts, m_frame, pixelsOf(m_frame, m_tree.height(), detail), m_progress);
-    }
+    CrownLook lookOf(const std::vector<CrownPart>& parts, const Detail& detail) const { return crownLook(parts, m_frame, pixelsAt(detail), m_progress); }
+    double coverOf(const std::vector<CrownPart>& parts, const Detail& detail) const { return crownCover(parts, m_frame, pixelsAt(detail), m_progress); }
 
     std::shared_ptr<const CMesh> cards(const CardPlan& plan, double fit) const {
         const std::size_t count = plan.twigs.size();
@@ -254,6 +252,7 @@ public:
     }
 
 private:
+    double pixelsAt(const Detail& detail) const { return pixelsOf(m_frame, m_tree.height(), detail); }
     std::vector<CrownPart> partsOfLeaves(const std::shared_ptr<const COrgans>& leaves, const StemSet* twigs, double present, const MeshParams& params) const {
         return leafParts(leaves, twigs, present, m_tree, params, m_twig.masks, detailOf(Model::Full, 1), m_progress);
     }
@@ -283,14 +282,14 @@ void measureCrown(Twig& twig, const StemSet& twigs, const CTree& tree, const std
                   const CProgress& progress) {
     const CCrown crown(twigs, tree, *leaves, params, twig, progress);
     const Detail &near = detailOf(Model::Full, 2), &far = detailOf(Model::Full, 3);
-    const std::vector<CrownPart> own = crown.leavesOfTwigs(leaves, twigs, params);
-    twig.crown = crown.lookOf(own);
-    twig.twigsCover = crown.coverOf(crown.withWood(own), near);
+    const std::vector<CrownPart> own = crown.withWood(crown.leavesOfTwigs(leaves, twigs, params));
+    twig.crown = crown.lookOf(own, near);
+    twig.twigsCover = crown.coverOf(own, near);
     const CardPlan plan = crown.plan(near);
     const CrownFit fit = crown.fitOf(plan, near, twig.twigsCover);
     const std::vector<CrownPart> cards = crown.cardsAlone(plan, fit.areas);
     twig.cardFit = fit.areas;
-    twig.cards = crown.lookOf(cards);
+    twig.cards = crown.lookOf(cards, near);
     twig.cardsCover = {fit.covered, crown.coverOf(cards, far)};
     twig.allCover = {twig.twigsCover, twig.cardsCover.far};
     if (leaves->countOn(twigs) == leaves->total) return;

@@ -6,16 +6,30 @@
 #include "stromar/tree/Tree.h"
 #include "stromar/util/Progress.h"
 #include <array>
+#include <glm/vec3.hpp>
 #include <memory>
+#include <vector>
 
 namespace stromar {
 
-/// What is seen of a crown without its wood: the mean over four sides, with the sun at 51°, as the viewport has it at ten o'clock.
+/// A place of a crown, on a leaf or a twig, that is seen.
+struct LitPlace {
+    glm::vec3 normal;    ///< of the side that is seen
+    glm::vec3 toViewer;
+    float sunny;         ///< how much of the sun it sees
+    float open;          ///< how much of the sky the crown lets it see
+    bool back;           ///< it is the under side of a leaf
+    bool behind;         ///< of a card that is seen from behind; of a leaf the same as `back`
+    bool wood;
+};
+
+/// What shows in a pixel: up to four places.
+using SeenPixel = std::vector<LitPlace>;
+
+/// What is seen of a crown from four sides where cards take over, in the light of a sun that stands as the viewport's does at ten o'clock.
 struct CrownLook {
-    double sun = 0;     ///< cosine between the normal of what is seen and the sun where it shines, else 0
-    double through = 0; ///< likewise where it shines on the other side
-    double sky = 0;     ///< how much it faces the sky: 0 downwards, 1 upwards
-    double backs = 0;   ///< share that are the under sides of leaves
+    glm::vec3 sun{0, 0, 1};       ///< towards it
+    std::vector<SeenPixel> pixels; ///< about a thousand, evenly chosen
 };
 
 using LeafMasks = std::array<CCutOut, kLeafKinds>;

@@ -1,0 +1,48 @@
+#pragma once
+#include "stromar/mesh/twig/Twig.h"
+#include "stromar/texture/TextureMaps.h"
+#include <glm/vec3.hpp>
+#include <utility>
+#include <vector>
+
+namespace stromar {
+
+/// What a picture of leaves or of bark shows on the average, as light.
+struct MeanLook {
+    glm::dvec3 front{0}, back{0}; ///< without light: albedo
+    double roughness = 0, through = 0;
+};
+
+/// Makes up for what cards lack: leaves that shade each other, look upwards, and turn their upper sides to whoever looks. The cards' colours become
+/// such that a crown of them is shown as bright as its twigs are, where the viewport changes from one to the other: with the viewport's light, its
+/// film, and pixels that mix what is shown at their samples.
+class CCardLight {
+public:
+    CCardLight(const Twig& twig, const MeanLook& bark) : m_twig(twig), m_bark(bark) {}
+
+    /// One kind of leaf; `weight`: how much of all.
+    void add(const MeanLook& leaf, double weight) { m_leaves.emplace_back(leaf, weight); }
+    void applyTo(TextureMaps& maps) const;
+
+private:
+    /// What is drawn of leaves' and cards' under sides.
+    enum class UnderSides {
+        Faded,   ///< the picture of the upper side, as the processor draws them, and nearly as most readers of files do
+        Pictured ///< a picture of their own, as graphics cards draw them
+    };
+    /// By which cards' colours are multiplied.
+    struct Shares {
+        glm::dvec3 front{1}, behind{1};
+    };
+
+    static glm::dvec3 colourOf(const LitPlace& place, const MeanLook& look, UnderSides how);
+    glm::dvec3 shownOf(const SeenPixel& pixel, const glm::dvec3& sun, const MeanLook& leaf, UnderSides how, const Shares& shares) const;
+    glm::dvec3 meanOf(const CrownLook& crown, UnderSides how, const Shares& shares) const;
+    template <typename SharesOf> glm::dvec3 shareOfLight(UnderSides how, SharesOf&& sharesOf) const;
+
+    const Twig& m_twig;
+    MeanLook m_bark;
+    std::vector<std::pair<MeanLook, double>> m_leaves; ///< of each kind, and how many
+};
+
+} // namespace stromar

@@ -1,0 +1,95 @@
+// What cards' pictures are multiplied by, so that they are shown as bright as what they stand for.
+#include "CardLight.h"
+#include "stromar/texture/Srgb.h"
+#include <cmath>
+#include <gtest/gtest.h>
+
+namespace stromar::test {
+namespace {
+
+const MeanLook kLeaf{glm::dvec3(0.1, 0.25, 0.05), glm::dvec3(0.3, 0.35, 0.3), 0.6, 0.3}, kBark{glm::dvec3(0.02), glm::dvec3(0.02), 0.85, 0};
+const LitPlace kFront{.normal = {0, 0, 1}, .toViewer = {0, 1, 0}, .sunny = 1, .open = 1, .back = false, .behind = false, .wood = false};
+
+LitPlace shaded() {
+    LitPlace place = kFront;
+    place.sunny = 0;
+    return place;
+}
+LitPlace under() {
+    LitPlace place = kFront;
+    place.back = place.behind = true;
+    return place;
+}
+LitPlace wood() {
+    LitPlace place = kFront;
+    place.wood = true;
+    return place;
+}
+
+CrownLook crownOf(const std::vector<LitPlace>& places) {
+    CrownLook look{glm::vec3(0, std::sqrt(0.5f), std::sqrt(0.5f)), {}};
+    for (const LitPlace& place : places) look.pixels.push_back({place});
+    look.pixels.emplace_back(); // of a side from which little is seen
+    return look;
+}
+
+/// Of green in the pictures of cards' fronts and backs.
+struct Factors {
+    double front, back;
+};
+
+Factors factorsOf(const std::vector<LitPlace>& crown, const std::vector<LitPlace>& cards) {
+    constexpr std::uint8_t kBefore = 128;
+    Twig twig{};
+    twig.crown = crownOf(crown);
+    twig.cards = crownOf(cards);
+    CCardLight light(twig, kBark);
+    light.add(kLeaf, 1);
+    TextureMaps maps;
+    maps.albedo = {{kBefore, kBefore, kBefore, 255}};
+    maps.back = maps.albedo;
+    light.applyTo(maps);
+    const auto factor = [](std::uint8_t after) { return double(linearOf(float(after) / 255) / linearOf(float(kBefore) / 255)); };
+    return {factor(maps.albedo[0][1]), factor(maps.back[0][1])};
+}
+
+TEST(CardLight, CardsThatAreSeenAsTheirTwigsAreKeepTheirColours) {
+    for (const std::vector<LitPlace>& places : {std::vector{kFront}, std::vector{shaded()}, std::vector{kFront, shaded(), under()}}) {
+        const Factors factors = factorsOf(places, places);
+        EXPECT_NEAR(factors.front, 0.94, 0.02) << "a little shade is too fine to be seen";
+        EXPECT_NEAR(factors.back, places.size() > 1 ? 0.94 : factors.back, 0.02);
+    }
+}
+
+TEST(CardLight, LeavesInTheShadeMakeCardsDarker) {
+    const double all = factorsOf({shaded()}, {kFront}).front, half = factorsOf({shaded(), kFront}, {kFront}).front;
+    EXPECT_LT(all, 0.4);
+    EXPECT_LT(half, 0.8);
+    EXPECT_GT(half, all);
+}
+
+TEST(CardLight, WoodMakesThemDarkerToo) { EXPECT_LT(factorsOf({kFront, wood()}, {kFront}).front, 0.75); }
+
+TEST(CardLight, UnderSidesThatAreSeldomSeenShowLessOnCards) {
+    const Factors factors = factorsOf({kFront, kFront, kFront, under()}, {kFront, under()});
+    EXPECT_GT(factors.front, 0.85) << "it shows upper sides from behind as well";
+    EXPECT_LT(factors.back, 0.9) << "they are paler";
+}
+
+TEST(CardLight, APixelOfLightAndShadeIsDarkerThanTheTwoBesideEachOther) {
+    Twig twig{};
+    twig.crown = crownOf({});
+    twig.crown.pixels = {{kFront, shaded()}};
+    twig.cards = crownOf({kFront, shaded()});
+    CCardLight light(twig, kBark);
+    light.add(kLeaf, 1);
+    TextureMaps maps;
+    maps.albedo = {{128, 128, 128, 255}};
+    maps.back = maps.albedo;
+    const auto apart = factorsOf({kFront, shaded()}, {kFront, shaded()}).front;
+    light.applyTo(maps);
+    EXPECT_LT(linearOf(float(maps.albedo[0][1]) / 255) / linearOf(128 / 255.0f), 0.97 * apart);
+}
+
+} // namespace
+} // namespace stromar::test
