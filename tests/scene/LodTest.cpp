@@ -100,9 +100,8 @@ struct Bound {
 };
 constexpr Bound kExceptions[] = {
     {"black_tupelo", kMaxCoverage, 3.6},
-    {"european_larch", kMaxCoverage, 4.4},
+    {"european_larch", kMaxCoverage, 4.2},
     {"lady_fern", kMaxCoverage, 3.4},
-    {"norway_spruce", kMaxCoverage, 3.3},
     {"umbrella_acacia", kMaxCoverage, 3.4},
     {"wild_cherry", 0.07, kMaxColour},
 };
