@@ -4,7 +4,7 @@ target_compile_options(stromar_options INTERFACE -Wall -Wextra -Wpedantic -Wconv
   $<$<CXX_COMPILER_ID:GNU>:-Wno-restrict $<$<NOT:$<BOOL:${CMAKE_DISABLE_PRECOMPILE_HEADERS}>>:-Wno-array-bounds -Wno-stringop-overflow>>
   $<$<BOOL:${STROMAR_WERROR}>:-Werror>
   -ffp-contract=off # contraction changes results from processor to processor
-  $<$<CONFIG:Release>:$<IF:$<BOOL:$<TARGET_PROPERTY:STROMAR_IS_COLD>>,-O1,-O3>>) # compiled for longer than it runs: tests, the window
+  $<$<CONFIG:Release>:$<IF:$<BOOL:$<TARGET_PROPERTY:STROMAR_IS_TEST>>,-O1,-O3>>) # a test is compiled for longer than it runs
 if(CMAKE_SYSTEM_PROCESSOR STREQUAL "x86_64")
   target_compile_options(stromar_options INTERFACE -march=x86-64-v2)
 endif()

@@ -22,40 +22,40 @@ glm::dvec3 skyIn(const glm::dvec3& ray, const glm::dvec3& sun) {
     return glm::mix(kHaze, kZenith, high) + 0.1 * std::pow(std::max(0.0, glm::dot(ray, sun)), 8) * kSunlight;
 }
 
-/// More of what comes from behind is thrown back (Schlick 1994).
-double grazing(double cosine) { return std::pow(1 - std::max(0.0, cosine), 5); }
+/// Fresnel's part of what is reflected (Schlick 1994).
+double fresnel(double cosine) { return std::pow(1 - std::max(0.0, cosine), 5); }
 
-/// What shines on a place, as on the viewport's fragments.
+/// The light that a place reflects to the viewer, as the viewport's fragments do (kTreeFragmentShader).
 class CFragment {
 public:
     CFragment(const LitPlace& place, const glm::dvec3& sun, const MeanLook& look)
-        : m_normal(place.normal), m_toViewer(place.toViewer), m_sun(sun), m_direct(double(place.sunny) * kSunlight), m_open(place.open),
+        : m_normal(place.normal), m_toViewer(place.toViewer), m_sun(sun), m_direct(double(place.sunVisibility) * kSunlight), m_open(place.skyVisibility),
           m_facing(glm::dot(m_normal, sun)), m_rough(std::clamp(look.roughness + (place.behind ? 0.2 : 0), 0.15, 1.0)), m_through(look.through) {}
 
-    glm::dvec3 lightOf(const glm::dvec3& colour) const { return colour * (front() + m_through * glm::dvec3(1.3, 1.25, 0.6) * behind()) + gloss() + rim(); }
+    glm::dvec3 lightOf(const glm::dvec3& colour) const { return colour * (front() + m_through * glm::dvec3(1.3, 1.25, 0.6) * behind()) + specular() + rim(); }
 
 private:
     /// Of the sky and the ground, on a side that looks up so much.
     static glm::dvec3 around(double up) { return glm::mix(kBounce, 1.05 * glm::mix(kHaze, kZenith, 0.35), 0.5 + 0.5 * up); }
     glm::dvec3 front() const { return m_open * around(m_normal.z) + std::max(0.0, m_facing) * m_direct; }
     glm::dvec3 behind() const { return 0.35 * m_open * around(-m_normal.z) + std::max(0.0, -m_facing) * m_direct; }
-    glm::dvec3 gloss() const {
+    glm::dvec3 specular() const {
         const glm::dvec3 half = glm::normalize(m_sun + m_toViewer);
-        const double sharp = 2 / std::pow(m_rough, 4) - 2 + 1e-3, mirror = 0.04 + 0.96 * grazing(glm::dot(m_toViewer, half));
+        const double sharp = 2 / std::pow(m_rough, 4) - 2 + 1e-3, mirror = 0.04 + 0.96 * fresnel(glm::dot(m_toViewer, half));
         return std::max(0.0, m_facing) * mirror * (sharp + 8) / 25 * std::pow(std::max(0.0, glm::dot(m_normal, half)), sharp) * m_direct;
     }
     glm::dvec3 rim() const {
         const double cosine = glm::dot(m_normal, m_toViewer);
         const glm::dvec3 ray = 2 * cosine * m_normal - m_toViewer;
-        return ray.z < 0 ? glm::dvec3(0) : (0.04 + 0.5 * grazing(cosine)) * (1 - m_rough) * m_open * skyIn(ray, m_sun);
+        return ray.z < 0 ? glm::dvec3(0) : (0.04 + 0.5 * fresnel(cosine)) * (1 - m_rough) * m_open * skyIn(ray, m_sun);
     }
 
     glm::dvec3 m_normal, m_toViewer, m_sun, m_direct;
     double m_open, m_facing, m_rough, m_through;
 };
 
-/// On the screen, encoded: colours are faded a little, and the brightest most (Narkowicz 2015).
-glm::dvec3 shown(const glm::dvec3& light) {
+/// Tone mapping (Narkowicz 2015), of colours that are faded a little; sRGB.
+glm::dvec3 toneMapped(const glm::dvec3& light) {
     const glm::dvec3 c = 0.82 * glm::mix(glm::dvec3(glm::dot(light, glm::dvec3(0.25, 0.65, 0.1))), light, 0.86);
     return each((c * (2.51 * c + 0.03)) / (c * (2.43 * c + 0.59) + 0.14), encodedOf);
 }
@@ -73,12 +73,12 @@ glm::dvec3 CCardLight::colourOf(const LitPlace& place, const MeanLook& look, Und
     return pictured || !place.behind ? colour : 1.15 * glm::mix(colour, glm::dvec3(glm::dot(colour, glm::dvec3(0.3, 0.6, 0.1))), 0.25);
 }
 
-/// Encoded.
+/// sRGB.
 glm::dvec3 CCardLight::shownOf(const SeenPixel& pixel, const glm::dvec3& sun, const MeanLook& leaf, UnderSides how, const Shares& shares) const {
     glm::dvec3 sum(0);
     for (const LitPlace& place : pixel) {
         const MeanLook& look = place.wood ? m_bark : leaf;
-        sum += shown(CFragment(place, sun, look).lightOf((place.behind ? shares.behind : shares.front) * colourOf(place, look, how)));
+        sum += toneMapped(CFragment(place, sun, look).lightOf((place.behind ? shares.behind : shares.front) * colourOf(place, look, how)));
     }
     return sum / double(pixel.size());
 }
@@ -103,6 +103,7 @@ template <typename SharesOf> glm::dvec3 CCardLight::shareOfLight(UnderSides how,
     constexpr double kPower = 0.9; // of what is wanted over what is shown: light is nearly in proportion to it
     const glm::dvec3 fine(kFineShade), wanted = meanOf(m_twig.crown, how, {fine, fine});
     glm::dvec3 share(1);
+    if (wanted == glm::dvec3(0) || meanOf(m_twig.cards, how, sharesOf(share)) == glm::dvec3(0)) return share; // nothing is seen of them
     for (int i = 0; i < kSteps; ++i) {
         const glm::dvec3 now = glm::max(meanOf(m_twig.cards, how, sharesOf(share)), glm::dvec3(1e-9));
         share = glm::clamp(share * glm::pow(wanted / now, glm::dvec3(kPower)), kLeast, kMost);

@@ -9,13 +9,13 @@ namespace stromar {
 
 /// What a picture of leaves or of bark shows on the average, as light.
 struct MeanLook {
-    glm::dvec3 front{0}, back{0}; ///< without light: albedo
+    glm::dvec3 front{0}, back{0}; ///< albedo
     double roughness = 0, through = 0;
 };
 
 /// Makes up for what cards lack: leaves that shade each other, look upwards, and turn their upper sides to whoever looks. The cards' colours become
-/// such that a crown of them is shown as bright as its twigs are, where the viewport changes from one to the other: with the viewport's light, its
-/// film, and pixels that mix what is shown at their samples.
+/// such that a crown of them is shown as bright as its twigs are, where the viewport changes from one to the other: in the viewport's light, tone
+/// mapped, in pixels that mix what is shown at their samples.
 class CCardLight {
 public:
     CCardLight(const Twig& twig, const MeanLook& bark) : m_twig(twig), m_bark(bark) {}

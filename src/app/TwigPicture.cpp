@@ -247,7 +247,7 @@ std::uint64_t twigHash(const Twig& twig, const TwigSource& source) {
     for (const CrownLook* look : {&twig.crown, &twig.cards})
         for (const SeenPixel& pixel : look->pixels)
             for (const LitPlace& p : pixel)
-                hash = hashOf(hash, std::array{p.normal.x, p.normal.y, p.normal.z, p.open, p.sunny, p.back ? 1.0f : 0.0f, p.behind ? 1.0f : 0.0f, p.wood ? 1.0f : 0.0f});
+                hash = hashOf(hash, std::array{p.normal.x, p.normal.y, p.normal.z, p.skyVisibility, p.sunVisibility, p.back ? 1.0f : 0.0f, p.behind ? 1.0f : 0.0f, p.wood ? 1.0f : 0.0f});
     for (std::size_t kind = 0; kind < kLeafKinds; ++kind)
         if (twig.kinds[kind] < twig.kinds[kind + 1]) hash = hashOfFile(hash, source.leaves[kind]);
     return hashOfFile(hash, source.bark);

@@ -181,6 +181,7 @@ void main() {
 }
 )";
 
+/// CCardLight lights the cards of twigs as it does.
 inline constexpr const char* kTreeFragmentShader = R"(
 uniform mat4 osg_ViewMatrixInverse;
 uniform sampler2D picture, relief, gloss, under; // albedo; normals; roughness and what goes through; albedo from below

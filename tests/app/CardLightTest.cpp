@@ -8,11 +8,11 @@ namespace stromar::test {
 namespace {
 
 const MeanLook kLeaf{glm::dvec3(0.1, 0.25, 0.05), glm::dvec3(0.3, 0.35, 0.3), 0.6, 0.3}, kBark{glm::dvec3(0.02), glm::dvec3(0.02), 0.85, 0};
-const LitPlace kFront{.normal = {0, 0, 1}, .toViewer = {0, 1, 0}, .sunny = 1, .open = 1, .back = false, .behind = false, .wood = false};
+const LitPlace kFront{.normal = {0, 0, 1}, .toViewer = {0, 1, 0}, .sunVisibility = 1, .skyVisibility = 1, .back = false, .behind = false, .wood = false};
 
 LitPlace shaded() {
     LitPlace place = kFront;
-    place.sunny = 0;
+    place.sunVisibility = 0;
     return place;
 }
 LitPlace under() {
@@ -74,6 +74,13 @@ TEST(CardLight, UnderSidesThatAreSeldomSeenShowLessOnCards) {
     const Factors factors = factorsOf({kFront, kFront, kFront, under()}, {kFront, under()});
     EXPECT_GT(factors.front, 0.85) << "it shows upper sides from behind as well";
     EXPECT_LT(factors.back, 0.9) << "they are paler";
+}
+
+TEST(CardLight, WhatIsNotSeenChangesNothing) {
+    for (const Factors& factors : {factorsOf({}, {kFront}), factorsOf({kFront}, {}), factorsOf({}, {})}) {
+        EXPECT_NEAR(factors.front, 1, 0.01);
+        EXPECT_NEAR(factors.back, 1, 0.01);
+    }
 }
 
 TEST(CardLight, APixelOfLightAndShadeIsDarkerThanTheTwoBesideEachOther) {

@@ -33,6 +33,7 @@ struct CrownPart {
 /// draws them.
 double crownCover(const std::vector<CrownPart>& parts, const CrownFrame& frame, double pixels, const CProgress& progress);
 /// How what is seen from four sides lies in the light of one sun, where so many pixels show the ball's diameter.
+/// Takes 100 MB at most while it looks.
 CrownLook crownLook(const std::vector<CrownPart>& parts, const CrownFrame& frame, double pixels, const CProgress& progress);
 
 /// The leaves that a season left on some stems (none: on all), in the form of a level of detail, of `present` leaves. Of a part of them each is

@@ -17,7 +17,7 @@ std::vector<LeafyTwig> leafyTwigs(const StemSet& twigs, const CTree& tree, const
 double leavesOn(const std::vector<LeafyTwig>& twigs);
 
 /// Their wood, as wide from all sides on the average as it is, but a prism of one or two pieces for each path: to measure what it covers.
-/// Of more than 100,000 paths some, which are wider, stand for all: less than 100 MB.
+/// It has no texture coordinates. Of more than 100,000 paths some, which are wider, stand for all: less than 100 MB.
 std::shared_ptr<const CMesh> woodOfTwigs(const std::vector<LeafyTwig>& twigs, const CTree& tree, double minRadius);
 
 /// Finds what is seen of the crown and of its cards (Twig::crown, cards, cardFit).

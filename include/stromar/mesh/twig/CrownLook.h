@@ -14,12 +14,11 @@ namespace stromar {
 
 /// A place of a crown, on a leaf or a twig, that is seen.
 struct LitPlace {
-    glm::vec3 normal;    ///< of the side that is seen
+    glm::vec3 normal; ///< of the side that is seen
     glm::vec3 toViewer;
-    float sunny;         ///< how much of the sun it sees
-    float open;          ///< how much of the sky the crown lets it see
-    bool back;           ///< it is the under side of a leaf
-    bool behind;         ///< of a card that is seen from behind; of a leaf the same as `back`
+    float sunVisibility, skyVisibility; ///< 0..1: how much of them the rest of the crown leaves
+    bool back;                          ///< it is the under side of a leaf
+    bool behind;                        ///< of a card that is seen from behind; of a leaf the same as `back`
     bool wood;
 };
 
@@ -28,7 +27,7 @@ using SeenPixel = std::vector<LitPlace>;
 
 /// What is seen of a crown from four sides where cards take over, in the light of a sun that stands as the viewport's does at ten o'clock.
 struct CrownLook {
-    glm::vec3 sun{0, 0, 1};       ///< towards it
+    glm::vec3 sun{0, 0, 1};        ///< towards it
     std::vector<SeenPixel> pixels; ///< about a thousand, evenly chosen
 };
 

@@ -36,7 +36,7 @@ struct Twig {
     double twigsCover = 0;  ///< TwigCover::near of the leaves and wood of all twigs
     TwigCover allCover;     ///< of all leaves of the tree, with that wood
     TwigCover cardsCover;   ///< of the cards at level of detail 2
-    CrownLook crown, cards; ///< the leaves of all twigs; the cards that stand for them at level of detail 2
+    CrownLook crown, cards; ///< all twigs with their leaves; the cards that stand for them at level of detail 2
     double cardFit = 1;     ///< by how much the area of those differs from what is right for a single twig
 
     double cardArea() const { return (high.x - low.x) * (high.y - low.y); }

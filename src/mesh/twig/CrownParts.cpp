@@ -1,0 +1,86 @@
+#include "foliage/Foliage.h"
+#include "foliage/LeafBlade.h"
+#include "twig/CrownView.h"
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <glm/common.hpp>
+#include <glm/geometric.hpp>
+
+namespace stromar {
+
+namespace {
+constexpr std::size_t kMaxVertices = 2'000'000; // of leaves: those of a file may have 20,000 each
+
+/// Keeps at most so many, evenly chosen; which part of them.
+double thin(std::vector<std::uint32_t>& all, std::size_t max) {
+    const std::size_t total = all.size(), count = std::clamp<std::size_t>(max, 1, total);
+    for (std::size_t i = 0; i < count; ++i) all[i] = all[evenly(i, count, total)];
+    all.resize(count);
+    return double(count) / double(total);
+}
+
+std::size_t verticesOf(const OrganMeshes& meshes) {
+    std::size_t sum = 0;
+    for (const auto& mesh : meshes) sum += mesh->vertexCount();
+    return sum;
+}
+} // namespace
+
+std::vector<CrownPart> leafParts(const std::shared_ptr<const COrgans>& leaves, const StemSet* stems, double present, const CTree& tree,
+                                 const MeshParams& params, const LeafMasks& masks, const Detail& detail, const CProgress& progress) {
+    const SeasonShare season = params.seasonOf(Organ::Leaf);
+    std::array<std::vector<std::uint32_t>, kLeafKinds> shown;
+    std::size_t count = 0;
+    for (std::uint32_t i = 0; i < leaves->grown.size(); ++i) {
+        const CLeaf& leaf = leaves->grown[i];
+        const CStem& stem = tree.generation(leaf.generation).stems[leaf.stem];
+        if ((stems && !stems->has(leaf.generation, leaf.stem)) || hasFallen(stem, leaf.number, season.share)) continue;
+        shown[params.kindOf(stem, leaf.number)].push_back(i);
+        ++count;
+    }
+    const Rounding rounding = roundingOf(tree, *leaves, params.leaf);
+    const CrownShade shade = shadeOf(tree, *leaves, params.sunAndShade);
+    const auto kinds = static_cast<std::size_t>(std::ranges::count_if(shown, [](const auto& own) { return !own.empty(); }));
+    std::vector<CrownPart> parts;
+    for (std::size_t kind = 0; kind < kLeafKinds; ++kind) {
+        if (shown[kind].empty()) continue;
+        LeafBlade blade = makeBlade(params.formOf(kind), detail);
+        const double part = thin(shown[kind], kMaxVertices / kinds / blade.points.size());
+        const double growth = season.size * std::sqrt(present / std::max(1.0, double(count)) / part);
+        const COrganMesh own(Organ::Leaf, kind, std::move(blade), leaves, std::move(shown[kind]), growth, rounding, shade);
+        parts.push_back({own.expanded(progress), &masks[kind]});
+    }
+    return parts;
+}
+
+std::vector<CrownPart> partsOf(const OrganMeshes& leaves, const LeafMasks& masks, const CProgress& progress) {
+    std::vector<CrownPart> parts;
+    if (verticesOf(leaves) > kMaxVertices) return parts;
+    for (const auto& mesh : leaves)
+        if (mesh->count() > 0) parts.push_back({mesh->expanded(progress), &masks[mesh->kind()]});
+    return parts;
+}
+
+OrganMeshes fittingLeaves(const OrganMeshes& thinned, const std::shared_ptr<const COrgans>& all, const CTree& tree, const LeafMasks& masks,
+                          const MeshParams& params, const Detail& detail, const CProgress& progress) {
+    const double present = double(all->grown.size()) * params.seasonOf(Organ::Leaf).share;
+    if (present < 1 || double(all->grown.size()) > kMeasuredLeaves || verticesOf(thinned) > kMaxVertices) return thinned;
+    const std::vector<CrownPart> whole = leafParts(all, nullptr, present, tree, params, masks, detailOf(Model::Full), progress);
+    if (whole.empty()) return thinned;
+    Bounds box = whole.front().mesh->bounds();
+    for (const CrownPart& part : whole) box = {glm::min(box.min, part.mesh->bounds().min), glm::max(box.max, part.mesh->bounds().max)};
+    const CrownFrame frame{glm::dvec3(box.min + box.max) / 2.0, 0.55 * glm::length(glm::dvec3(box.max - box.min))}; // with room for larger leaves
+    const double pixels = pixelsOf(frame, tree.height(), detail);
+    const auto resized = [&](double fit) {
+        OrganMeshes sized;
+        for (const auto& mesh : thinned) sized.push_back(mesh->resized(std::sqrt(fit)));
+        return sized;
+    };
+    const CrownFit fit = fitTo(crownCover(whole, frame, pixels, progress), 1, [&](double areas) {
+        return crownCover(partsOf(resized(areas), masks, progress), frame, pixels, progress);
+    });
+    return resized(fit.areas);
+}
+
+} // namespace stromar
