@@ -17,11 +17,9 @@ namespace stromar {
 namespace fs = std::filesystem;
 
 namespace {
-constexpr int kVersion = 1;        // rises when the same is drawn differently
+constexpr int kAtlasVersion = 1;        // rises when the same is drawn differently
 constexpr int kMarginsOfCell = 64; // a margin is one of so many parts of a cell
 constexpr float kBeyond = 1e-3f;   // rounding of texture coordinates
-
-bool isPng(const fs::path& file) { return lowerCase(file.extension().string()) == ".png"; }
 
 std::string stateOf(const fs::path& file) {
     std::error_code problem; // reading says it better
@@ -121,7 +119,7 @@ private:
 } // namespace
 
 CAtlas::CAtlas(std::vector<SurfacePicture> pictures, const CProgress& progress) : m_pictures(std::move(pictures)) {
-    std::string state = std::to_string(kVersion);
+    std::string state = std::to_string(kAtlasVersion);
     for (const SurfacePicture& one : m_pictures) {
         if (!isPng(one.file)) throw CError(translated(NC_("stromar", "only PNG textures can go into an atlas, not %1"), one.file.string()));
         state += '\n' + stateOf(one.file);

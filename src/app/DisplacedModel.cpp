@@ -3,6 +3,7 @@
 #include "stromar/mesh/Displacement.h"
 #include "stromar/model/JoinedModel.h"
 #include "stromar/texture/Draw.h"
+#include "stromar/texture/TextureMaps.h"
 #include "stromar/util/Error.h"
 #include "stromar/util/Text.h"
 #include "stromar/util/Translatable.h"
@@ -26,7 +27,7 @@ std::shared_ptr<const CBarkRelief> reliefOf(const CParams& params, Surface bark,
     const Surface shown = shownSurface(params, bark);
     const std::string picture = pictureOf(params, shown);
     const fs::path file = textureOf(params, shown, folder);
-    if (lowerCase(file.extension().string()) != ".png") return nullptr;
+    if (!isPng(file)) return nullptr;
     TextureMaps maps = readPngs(file);
     if (maps.height01.empty()) return nullptr;
     const double depth = strength * (isRecipe(picture) ? CRecipe(picture).relief() : kBarkRelief);

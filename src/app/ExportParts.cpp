@@ -235,7 +235,7 @@ void addMaps(Material& material, const fs::path& whole, const Format& format, co
         return;
     }
     material.packed = options.packedMaps == static_cast<int>(ExportedPackedMaps::Orm) &&
-                      lowerCase(rough->extension().string()) == ".png";
+                      isPng(*rough);
     material.roughness =
         place(preparedPicture(*rough, PictureUse::Roughness, options), material.packed ? "_orm" : "_roughness");
 }
@@ -293,7 +293,7 @@ Material materialOf(const SurfacePicture& shown, const std::string& name, const 
         return PictureRef{placed(picture, mapBeside(copy, suffix), textures, options, to, files), picture};
     };
     material.texture = placed(material.picture, pictureBeside(to.named, name, material.picture), textures, options, to, files);
-    if (format.opacity && info.cutOut && lowerCase(whole.extension().string()) == ".png" &&
+    if (format.opacity && info.cutOut && isPng(whole) &&
         textures != ExportedTextures::Refer)
         material.opacity = place(preparedPicture(whole, PictureUse::Opacity, options), "_opacity");
     addMaps(material, whole, format, options, place);

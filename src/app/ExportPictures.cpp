@@ -14,8 +14,8 @@ namespace stromar {
 namespace fs = std::filesystem;
 
 namespace {
-constexpr std::size_t kKept = 256; // pictures whose grey is known
-constexpr int kVersion = 2; // rises when the same is made differently
+constexpr std::size_t kKnownGreys = 256; // pictures whose grey is known
+constexpr int kPictureVersion = 2; // rises when the same is made differently
 
 struct Picture {
     Pixels pixels;
@@ -95,7 +95,7 @@ bool changes(const Picture& picture, PictureUse use, const ExportOptions& option
 /// By the file, when it was written, and what is made of it.
 fs::path keptFile(const fs::path& source, PictureUse use, const ExportOptions& options) {
     std::string all = fs::absolute(source).string() + ' ' + std::to_string(fs::last_write_time(source).time_since_epoch().count()) + ' ' +
-                      std::to_string(fs::file_size(source)) + ' ' + std::to_string(kVersion);
+                      std::to_string(fs::file_size(source)) + ' ' + std::to_string(kPictureVersion);
     for (const int choice : {static_cast<int>(use), options.textureSize, options.normalMaps, options.packedMaps}) all += ' ' + std::to_string(choice);
     return pictureCache() / "exports" / (nameOfHash(hashOfText(all)) + (isJpeg(use, options) ? ".jpg" : ".png"));
 }
@@ -111,17 +111,17 @@ std::optional<int> readUniformGrey(const fs::path& picture) {
 std::optional<int> uniformGrey(const fs::path& picture) {
     static std::mutex mutex;
     static std::map<std::pair<fs::path, fs::file_time_type>, std::optional<int>> known;
-    if (lowerCase(picture.extension().string()) != ".png") return {};
+    if (!isPng(picture)) return {};
     std::error_code problem; // reading says it better
     const std::pair key(picture, fs::last_write_time(picture, problem));
     const std::lock_guard lock(mutex);
-    if (known.size() > kKept) known.clear();
+    if (known.size() > kKnownGreys) known.clear();
     const auto found = known.find(key);
     return found != known.end() ? found->second : known[key] = readUniformGrey(picture);
 }
 
 fs::path preparedPicture(const fs::path& source, PictureUse use, const ExportOptions& options) {
-    if (lowerCase(source.extension().string()) != ".png") return source;
+    if (!isPng(source)) return source;
     const bool mayChange = options.textureSize > 0 || isJpeg(use, options) || use == PictureUse::Normal || use == PictureUse::Roughness || use == PictureUse::Opacity ||
                            use == PictureUse::UnityMask;
     if (!mayChange) return source;

@@ -11,7 +11,7 @@ namespace stromar {
 namespace fs = std::filesystem;
 
 namespace {
-constexpr std::size_t kKept = 16; // files
+constexpr std::size_t kKnownMeshes = 16; // files
 
 /// What was read of a file, and when that was written.
 struct ReadMesh {
@@ -25,7 +25,7 @@ std::shared_ptr<const LeafBlade> meshIn(const fs::path& file) {
     std::error_code problem; // reading says it better
     const fs::file_time_type written = fs::last_write_time(file, problem);
     const std::lock_guard lock(mutex);
-    if (known.size() > kKept) known.clear();
+    if (known.size() > kKnownMeshes) known.clear();
     ReadMesh& own = known[file];
     if (!own.mesh || own.written != written) own = {written, std::make_shared<const LeafBlade>(readLeafMesh(file))};
     return own.mesh;

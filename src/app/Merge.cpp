@@ -6,16 +6,16 @@ namespace stromar {
 
 namespace {
 /// Meshes that become one.
-struct Group {
+struct MaterialGroup {
     std::size_t material;
     std::vector<std::size_t> members;
 };
 
-std::vector<Group> groupsOf(const ExportModel& model, const Meshes& meshes, bool finest) {
-    std::vector<Group> groups;
+std::vector<MaterialGroup> groupsOf(const ExportModel& model, const Meshes& meshes, bool finest) {
+    std::vector<MaterialGroup> groups;
     for (std::size_t i = 0; i < meshes.size(); ++i) {
         const std::size_t material = model.materialIndex(*meshes[i]);
-        const auto known = std::ranges::find(groups, material, &Group::material);
+        const auto known = std::ranges::find(groups, material, &MaterialGroup::material);
         const bool apart = finest && model.isInstanced(i);
         if (apart || known == groups.end())
             groups.push_back({apart ? SIZE_MAX : material, {i}}); // SIZE_MAX: none joins it
@@ -27,7 +27,7 @@ std::vector<Group> groupsOf(const ExportModel& model, const Meshes& meshes, bool
 
 template <typename Values> void append(Values& all, const Values& own) { all.insert(all.end(), own.begin(), own.end()); }
 
-std::shared_ptr<const CMesh> merged(const Meshes& meshes, const Group& group, const Material& look) {
+std::shared_ptr<const CMesh> merged(const Meshes& meshes, const MaterialGroup& group, const Material& look) {
     auto mesh = std::make_shared<CMesh>();
     mesh->name = look.name;
     mesh->surface = look.surface;
@@ -49,7 +49,7 @@ std::size_t bytesOf(const VertexChannel& channel) {
 }
 
 /// Vertices of a mesh that has no such channel are white, or nothing.
-VertexChannels merged(const std::vector<VertexChannels>& channels, const Meshes& meshes, const Group& group) {
+VertexChannels merged(const std::vector<VertexChannels>& channels, const Meshes& meshes, const MaterialGroup& group) {
     VertexChannels all;
     std::size_t before = 0;
     const auto fill = [&](VertexChannel& channel, std::size_t vertices) {
@@ -76,7 +76,7 @@ void merge(const ExportModel& model, Meshes& meshes, std::vector<VertexChannels>
     Meshes newMeshes;
     std::vector<VertexChannels> newChannels;
     std::vector<Instances> newInstances;
-    for (const Group& group : groupsOf(model, meshes, instances != nullptr)) {
+    for (const MaterialGroup& group : groupsOf(model, meshes, instances != nullptr)) {
         const std::size_t first = group.members.front();
         const bool apart = group.material == SIZE_MAX;
         newMeshes.push_back(apart ? meshes[first] : merged(meshes, group, model.materials[group.material]));

@@ -4,6 +4,7 @@
 #include "stromar/params/ParamTable.h"
 #include "stromar/texture/Draw.h"
 #include "stromar/texture/Opacity.h"
+#include "stromar/texture/TextureMaps.h"
 #include "stromar/util/Random.h"
 #include "stromar/util/Text.h"
 #include <algorithm>
@@ -24,7 +25,7 @@ namespace {
 constexpr int kTileSize = 1024, kPreviewTileSize = 192, kCutOutSize = 512, kPreviewSize = 96, kMaskSize = 256;
 constexpr std::int64_t kSecond = 1'000'000'000, kInUse = 600 * kSecond;
 constexpr double kSeasonSteps = 0.2;      // of a month: the picture follows the slider in so many
-constexpr std::uint64_t kLookVersion = 3; // rises when the same recipe is drawn differently
+constexpr std::uint64_t kRecipeVersion = 3; // rises when the same recipe is drawn differently
 
 int sizeOf(Surface surface, PictureQuality quality) {
     if (!surfaceOf(surface).cutOut) return quality == PictureQuality::Preview ? kPreviewTileSize : kTileSize;
@@ -43,7 +44,7 @@ std::string nameOf(std::uint64_t hash) { return nameOfHash(hash) + ".png"; }
 
 /// By the recipe's letters: the same recipe written otherwise is drawn again.
 fs::path recipeFile(std::string_view recipe, int size) {
-    std::uint64_t hash = hashCombine(kLookVersion, static_cast<std::uint64_t>(size));
+    std::uint64_t hash = hashCombine(kRecipeVersion, static_cast<std::uint64_t>(size));
     for (const char c : recipe) hash = hashCombine(hash, static_cast<unsigned char>(c));
     return recipePictures() / nameOf(hash);
 }
@@ -187,7 +188,7 @@ fs::path textureOf(const CParams& params, Surface surface, const fs::path& folde
 bool isBakeable(const CParams& params) {
     return std::ranges::all_of(kLeafSurfaces, [&](Surface surface) {
         const std::string leaf = pictureOf(params, shownSurface(params, surface));
-        return isRecipe(leaf) || lowerCase(fs::path(leaf).extension().string()) == ".png";
+        return isRecipe(leaf) || isPng(leaf);
     });
 }
 

@@ -3,6 +3,7 @@
 #include "stromar/app/Pictures.h"
 #include "stromar/texture/Opacity.h"
 #include "stromar/texture/Srgb.h"
+#include "stromar/texture/TextureMaps.h"
 #include "stromar/util/Rasterise.h"
 #include "stromar/util/Random.h"
 #include "stromar/util/Text.h"
@@ -18,7 +19,7 @@ namespace fs = std::filesystem;
 namespace {
 constexpr int kSize = 512;
 constexpr int kSamples = 3;               // of a pixel, each way
-constexpr std::uint64_t kLookVersion = 15; // rises when the same twig is drawn differently
+constexpr std::uint64_t kTwigVersion = 15; // rises when the same twig is drawn differently
 constexpr float kWoodRoughness = 0.85f, kLeafRoughness = 0.6f, kLeafThrough = 0.6f;
 
 /// What one surface shows at a place.
@@ -211,8 +212,6 @@ TextureMaps CTwigCamera::picture() const {
     return maps;
 }
 
-bool isPng(const fs::path& file) { return lowerCase(file.extension().string()) == ".png"; }
-
 Look barkLook(const TwigSource& source) {
     Look look{.front = glm::vec4(source.plainBark, 1), .back = glm::vec4(source.plainBark, 1), .roughness = kWoodRoughness};
     if (!isPng(source.bark)) return look;
@@ -241,7 +240,7 @@ std::uint64_t hashOfFile(std::uint64_t hash, const fs::path& file) {
 } // namespace
 
 std::uint64_t twigHash(const Twig& twig, const TwigSource& source) {
-    std::uint64_t hash = hashCombine(kLookVersion, kSize);
+    std::uint64_t hash = hashCombine(kTwigVersion, kSize);
     for (const auto& mesh : {twig.wood, twig.leaves}) hash = hashOf(hashOf(hash, mesh->positions), mesh->texCoords);
     hash = hashOf(hash, twig.kinds);
     for (const CrownLook* look : {&twig.crown, &twig.cards})

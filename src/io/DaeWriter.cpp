@@ -22,7 +22,7 @@ std::string uri(const std::string& path) {
 }
 
 /// A picture that a material's file refers to.
-struct Picture {
+struct DaePicture {
     std::string id;
     std::string file;
 };
@@ -62,15 +62,15 @@ private:
     static std::string idOf(const Material& look) { return identifier(look.name); }
     std::string idOf(std::size_t mesh) const { return "mesh" + std::to_string(mesh); }
 
-    static std::vector<Picture> picturesOf(const Material& look) {
-        std::vector<Picture> pictures;
+    static std::vector<DaePicture> picturesOf(const Material& look) {
+        std::vector<DaePicture> pictures;
         if (!look.texture.empty()) pictures.push_back({idOf(look) + "-colour", look.texture});
         if (!look.normal.texture.empty()) pictures.push_back({idOf(look) + "-normal", look.normal.texture});
         return pictures;
     }
 
     void writeImages(const Material& look) {
-        for (const Picture& picture : picturesOf(look))
+        for (const DaePicture& picture : picturesOf(look))
             m_out << "<image id=\"" << picture.id << "\" name=\"" << picture.id << "\"><init_from>" << uri(picture.file) << "</init_from></image>\n";
     }
 
@@ -80,7 +80,7 @@ private:
         const std::string id = idOf(look);
         const bool hasPicture = !look.texture.empty(), hasRelief = !look.normal.texture.empty();
         m_out << "<effect id=\"" << id << "-effect\"><profile_COMMON>\n";
-        for (const Picture& picture : picturesOf(look))
+        for (const DaePicture& picture : picturesOf(look))
             m_out << "<newparam sid=\"" << picture.id << "-surface\"><surface type=\"2D\"><init_from>" << picture.id << "</init_from></surface></newparam>\n"
                   << "<newparam sid=\"" << picture.id << "-sampler\"><sampler2D><source>" << picture.id << "-surface</source></sampler2D></newparam>\n";
         m_out << "<technique sid=\"common\"><lambert><diffuse>";

@@ -4,15 +4,15 @@
 namespace stromar {
 
 namespace {
-using Out = CByteOut<std::endian::big>;
+using BigOut = CByteOut<std::endian::big>;
 
 constexpr const char* kUvMap = "UV";
 constexpr std::uint32_t kMaxPoints = 0xFFFFFF; // indices have 24 bits
 
 /// A chunk or, with a 16-bit length, a sub-chunk; padded to an even length.
-class CChunk {
+class CLwoChunk {
 public:
-    CChunk(Out& out, const char* id, bool sub = false) : m_out(out), m_sub(sub) {
+    CLwoChunk(BigOut& out, const char* id, bool sub = false) : m_out(out), m_sub(sub) {
         out.text(id);
         m_length = out.size();
         if (sub)
@@ -21,7 +21,7 @@ public:
             out.u32(0);
         m_start = out.size();
     }
-    ~CChunk() {
+    ~CLwoChunk() {
         const auto length = static_cast<std::uint32_t>(m_out.size() - m_start);
         if (m_sub)
             m_out.patch16(m_length, static_cast<std::uint16_t>(length));
@@ -29,31 +29,31 @@ public:
             m_out.patch32(m_length, length);
         if (length % 2 == 1) m_out.u8(0);
     }
-    CChunk(const CChunk&) = delete;
-    CChunk& operator=(const CChunk&) = delete;
+    CLwoChunk(const CLwoChunk&) = delete;
+    CLwoChunk& operator=(const CLwoChunk&) = delete;
 
 private:
-    Out& m_out;
+    BigOut& m_out;
     bool m_sub;
     std::size_t m_length, m_start;
 };
 
 /// Text with a zero behind it, padded to an even length.
-void putName(Out& out, const std::string& text) {
+void putName(BigOut& out, const std::string& text) {
     out.zeroText(text);
     if (text.size() % 2 == 0) out.u8(0);
 }
 
 /// An index: two bytes when small, else four with the first 0xFF.
-void putIndex(Out& out, std::size_t index) {
+void putIndex(BigOut& out, std::size_t index) {
     if (index < 0xFF00)
         out.u16(static_cast<std::uint16_t>(index));
     else
         out.u32(0xFF000000u | static_cast<std::uint32_t>(index));
 }
 
-void addPoints(Out& out, const ExportModel& model) {
-    const CChunk chunk(out, "PNTS");
+void addPoints(BigOut& out, const ExportModel& model) {
+    const CLwoChunk chunk(out, "PNTS");
     for (const auto& mesh : model.meshes)
         for (const glm::vec3& p : mesh->positions) {
             out.f32(p.x);
@@ -62,8 +62,8 @@ void addPoints(Out& out, const ExportModel& model) {
         }
 }
 
-void addTexCoords(Out& out, const ExportModel& model) {
-    const CChunk chunk(out, "VMAP");
+void addTexCoords(BigOut& out, const ExportModel& model) {
+    const CLwoChunk chunk(out, "VMAP");
     out.text("TXUV");
     out.u16(2);
     putName(out, kUvMap);
@@ -77,8 +77,8 @@ void addTexCoords(Out& out, const ExportModel& model) {
 }
 
 /// Front faces are clockwise here.
-void addPolygons(Out& out, const ExportModel& model) {
-    const CChunk chunk(out, "POLS");
+void addPolygons(BigOut& out, const ExportModel& model) {
+    const CLwoChunk chunk(out, "POLS");
     out.text("FACE");
     std::size_t first = 0;
     for (const auto& mesh : model.meshes) {
@@ -90,8 +90,8 @@ void addPolygons(Out& out, const ExportModel& model) {
     }
 }
 
-void addPolygonTags(Out& out, const ExportModel& model) {
-    const CChunk chunk(out, "PTAG");
+void addPolygonTags(BigOut& out, const ExportModel& model) {
+    const CLwoChunk chunk(out, "PTAG");
     out.text("SURF");
     std::size_t polygon = 0;
     for (const auto& mesh : model.meshes)
@@ -101,59 +101,59 @@ void addPolygonTags(Out& out, const ExportModel& model) {
         }
 }
 
-void addImage(Out& out, std::uint32_t number, const std::string& file) {
-    const CChunk clip(out, "CLIP");
+void addImage(BigOut& out, std::uint32_t number, const std::string& file) {
+    const CLwoChunk clip(out, "CLIP");
     out.u32(number);
-    const CChunk still(out, "STIL", true);
+    const CLwoChunk still(out, "STIL", true);
     putName(out, file);
 }
 
-void addValue(Out& out, const char* id, float value) {
-    const CChunk chunk(out, id, true);
+void addValue(BigOut& out, const char* id, float value) {
+    const CLwoChunk chunk(out, id, true);
     out.f32(value);
     out.u16(0); // no envelope
 }
 
-void addTextureBlock(Out& out, std::uint32_t image) {
-    const CChunk block(out, "BLOK", true);
+void addTextureBlock(BigOut& out, std::uint32_t image) {
+    const CLwoChunk block(out, "BLOK", true);
     {
-        const CChunk header(out, "IMAP", true);
+        const CLwoChunk header(out, "IMAP", true);
         putName(out, "\x80");
         {
-            const CChunk channel(out, "CHAN", true);
+            const CLwoChunk channel(out, "CHAN", true);
             out.text("COLR");
         }
-        const CChunk enabled(out, "ENAB", true);
+        const CLwoChunk enabled(out, "ENAB", true);
         out.u16(1);
     }
     {
-        const CChunk projection(out, "PROJ", true);
+        const CLwoChunk projection(out, "PROJ", true);
         out.u16(5); // by texture coordinates
     }
     {
-        const CChunk map(out, "VMAP", true);
+        const CLwoChunk map(out, "VMAP", true);
         putName(out, kUvMap);
     }
-    const CChunk picture(out, "IMAG", true);
+    const CLwoChunk picture(out, "IMAG", true);
     putIndex(out, image);
 }
 
-void addSurface(Out& out, const Material& look, std::uint32_t image) {
-    const CChunk surface(out, "SURF");
+void addSurface(BigOut& out, const Material& look, std::uint32_t image) {
+    const CLwoChunk surface(out, "SURF");
     putName(out, look.name);
     putName(out, "");
     {
-        const CChunk colour(out, "COLR", true);
+        const CLwoChunk colour(out, "COLR", true);
         for (int i = 0; i < 3; ++i) out.f32(look.texture.empty() ? look.colour[i] : 1.f);
         out.u16(0);
     }
     addValue(out, "DIFF", 1);
     {
-        const CChunk smooth(out, "SMAN", true);
+        const CLwoChunk smooth(out, "SMAN", true);
         out.f32(1.56f); // smooth up to this angle, radians
     }
     {
-        const CChunk sides(out, "SIDE", true);
+        const CLwoChunk sides(out, "SIDE", true);
         out.u16(look.cutOut ? 3 : 1);
     }
     if (!look.texture.empty()) addTextureBlock(out, image);
@@ -163,16 +163,16 @@ void addSurface(Out& out, const Material& look, std::uint32_t image) {
 void writeLwo(const ExportModel& model, const std::filesystem::path& path, CFileSet& files) {
     if (model.vertexCount() > kMaxPoints || model.triangleCount() > kMaxPoints)
         throw CError("a LightWave object holds at most 16,777,215 points and polygons; choose a lower level of detail");
-    Out out;
+    BigOut out;
     {
-        const CChunk form(out, "FORM");
+        const CLwoChunk form(out, "FORM");
         out.text("LWO2");
         {
-            const CChunk tags(out, "TAGS");
+            const CLwoChunk tags(out, "TAGS");
             for (const Material& look : model.materials) putName(out, look.name);
         }
         {
-            const CChunk layer(out, "LAYR");
+            const CLwoChunk layer(out, "LAYR");
             out.u16(0);
             out.u16(0);
             for (int i = 0; i < 3; ++i) out.f32(0);

@@ -4,7 +4,7 @@
 namespace stromar {
 
 namespace {
-using Out = CByteOut<std::endian::little>;
+using LittleOut = CByteOut<std::endian::little>;
 
 constexpr std::size_t kMaxPerChunk = 65000; // vertices and faces are counted in 16 bits
 
@@ -36,87 +36,87 @@ enum ChunkId : std::uint16_t {
 constexpr std::uint16_t kUseAlpha = 0x40;
 
 /// A chunk: its length is known when the object dies.
-class CChunk {
+class CThreeDsChunk {
 public:
-    CChunk(Out& out, ChunkId id) : m_out(out), m_start(out.size()) {
+    CThreeDsChunk(LittleOut& out, ChunkId id) : m_out(out), m_start(out.size()) {
         out.u16(id);
         out.u32(0);
     }
-    ~CChunk() { m_out.patch32(m_start + 2, static_cast<std::uint32_t>(m_out.size() - m_start)); }
-    CChunk(const CChunk&) = delete;
-    CChunk& operator=(const CChunk&) = delete;
+    ~CThreeDsChunk() { m_out.patch32(m_start + 2, static_cast<std::uint32_t>(m_out.size() - m_start)); }
+    CThreeDsChunk(const CThreeDsChunk&) = delete;
+    CThreeDsChunk& operator=(const CThreeDsChunk&) = delete;
 
 private:
-    Out& m_out;
+    LittleOut& m_out;
     std::size_t m_start;
 };
 
-void addColour(Out& out, ChunkId id, const glm::vec3& colour) {
-    const CChunk chunk(out, id);
-    const CChunk bytes(out, kColour);
+void addColour(LittleOut& out, ChunkId id, const glm::vec3& colour) {
+    const CThreeDsChunk chunk(out, id);
+    const CThreeDsChunk bytes(out, kColour);
     for (int i = 0; i < 3; ++i) out.u8(static_cast<std::uint8_t>(255 * colour[i] + 0.5f));
 }
 
-void addMap(Out& out, ChunkId id, const std::string& file, std::uint16_t flags) {
-    const CChunk map(out, id);
+void addMap(LittleOut& out, ChunkId id, const std::string& file, std::uint16_t flags) {
+    const CThreeDsChunk map(out, id);
     {
-        const CChunk percent(out, kPercent);
+        const CThreeDsChunk percent(out, kPercent);
         out.u16(100);
     }
     {
-        const CChunk name(out, kMapFile);
+        const CThreeDsChunk name(out, kMapFile);
         out.zeroText(file);
     }
-    const CChunk tiling(out, kMapFlags);
+    const CThreeDsChunk tiling(out, kMapFlags);
     out.u16(flags);
 }
 
-void addMaterial(Out& out, const Material& look) {
-    const CChunk material(out, kMaterial);
+void addMaterial(LittleOut& out, const Material& look) {
+    const CThreeDsChunk material(out, kMaterial);
     {
-        const CChunk name(out, kMaterialName);
+        const CThreeDsChunk name(out, kMaterialName);
         out.zeroText(look.name);
     }
     addColour(out, kAmbient, look.colour);
     addColour(out, kDiffuse, look.texture.empty() ? look.colour : glm::vec3(1));
-    if (look.cutOut) const CChunk twoSided(out, kTwoSided);
+    if (look.cutOut) const CThreeDsChunk twoSided(out, kTwoSided);
     if (look.texture.empty()) return;
     addMap(out, kTexture, look.texture, 0);
     if (look.cutOut) addMap(out, kOpacity, look.texture, kUseAlpha);
 }
 
-void addFaces(Out& out, const MeshChunk& chunk, const std::string& material) {
+void addFaces(LittleOut& out, const MeshChunk& chunk, const std::string& material) {
     const auto count = static_cast<std::uint16_t>(chunk.indices.size() / 3);
-    const CChunk faces(out, kFaces);
+    const CThreeDsChunk faces(out, kFaces);
     out.u16(count);
     for (std::size_t i = 0; i < chunk.indices.size(); ++i) {
         out.u16(static_cast<std::uint16_t>(chunk.indices[i]));
         if (i % 3 == 2) out.u16(7); // all three edges are visible
     }
     {
-        const CChunk faceMaterial(out, kFaceMaterial);
+        const CThreeDsChunk faceMaterial(out, kFaceMaterial);
         out.zeroText(material);
         out.u16(count);
         for (std::uint16_t i = 0; i < count; ++i) out.u16(i);
     }
-    const CChunk smoothing(out, kSmoothing);
+    const CThreeDsChunk smoothing(out, kSmoothing);
     for (std::uint16_t i = 0; i < count; ++i) out.u32(1);
 }
 
-void addObject(Out& out, const CMesh& mesh, const MeshChunk& part, const std::string& name,
+void addObject(LittleOut& out, const CMesh& mesh, const MeshChunk& part, const std::string& name,
                const std::string& material) {
-    const CChunk object(out, kObject);
+    const CThreeDsChunk object(out, kObject);
     out.zeroText(name);
-    const CChunk triangles(out, kTriangles);
+    const CThreeDsChunk triangles(out, kTriangles);
     const auto count = static_cast<std::uint16_t>(part.vertices.size());
     {
-        const CChunk vertices(out, kVertices);
+        const CThreeDsChunk vertices(out, kVertices);
         out.u16(count);
         for (const std::uint32_t v : part.vertices)
             for (int i = 0; i < 3; ++i) out.f32(mesh.positions[v][i]);
     }
     {
-        const CChunk texCoords(out, kTexCoords);
+        const CThreeDsChunk texCoords(out, kTexCoords);
         out.u16(count);
         for (const std::uint32_t v : part.vertices) {
             out.f32(mesh.texCoords[v].x);
@@ -124,7 +124,7 @@ void addObject(Out& out, const CMesh& mesh, const MeshChunk& part, const std::st
         }
     }
     {
-        const CChunk axes(out, kAxes);
+        const CThreeDsChunk axes(out, kAxes);
         for (int i = 0; i < 12; ++i) out.f32(i % 4 == 0 && i < 9 ? 1.f : 0.f);
     }
     addFaces(out, part, material);
@@ -140,16 +140,16 @@ std::string objectName(std::size_t mesh, const CMesh& whole, std::size_t part) {
 } // namespace
 
 void write3ds(const ExportModel& model, const std::filesystem::path& path, CFileSet& files) {
-    Out out;
+    LittleOut out;
     {
-        const CChunk main(out, kMain);
+        const CThreeDsChunk main(out, kMain);
         {
-            const CChunk version(out, kVersion);
+            const CThreeDsChunk version(out, kVersion);
             out.u32(3);
         }
-        const CChunk editor(out, kEditor);
+        const CThreeDsChunk editor(out, kEditor);
         {
-            const CChunk version(out, kMeshVersion);
+            const CThreeDsChunk version(out, kMeshVersion);
             out.u32(3);
         }
         for (const Material& look : model.materials) addMaterial(out, look);

@@ -20,7 +20,7 @@ struct Quaternion {
 CTextOut& operator<<(CTextOut& out, const Quaternion& q) { return out << "(" << q.real << ", " << q.rest.x << ", " << q.rest.y << ", " << q.rest.z << ")"; }
 
 /// A picture that the file refers to.
-struct Picture {
+struct UsdPicture {
     std::string name; ///< of its shader
     std::string file; ///< as the file names it
     std::filesystem::path source;
@@ -49,10 +49,10 @@ public:
         out.flush();
     }
 
-    std::vector<Picture> pictures() const {
-        std::vector<Picture> all;
+    std::vector<UsdPicture> pictures() const {
+        std::vector<UsdPicture> all;
         for (const Material& look : m_model.materials)
-            for (const Picture& picture : picturesOf(look)) all.push_back(picture);
+            for (const UsdPicture& picture : picturesOf(look)) all.push_back(picture);
         return all;
     }
 
@@ -171,8 +171,8 @@ private:
         out << "        rel material:binding = <" << place(look) << ">\n        uniform token subdivisionScheme = \"none\"\n    }\n\n";
     }
 
-    std::vector<Picture> picturesOf(const Material& look) const {
-        std::vector<Picture> all;
+    std::vector<UsdPicture> picturesOf(const Material& look) const {
+        std::vector<UsdPicture> all;
         const auto add = [&](const char* name, const PictureRef& ref) {
             if (ref.picture.empty()) return;
             const std::string inside = "textures/" + look.name + "_" + name + ref.picture.extension().string();
@@ -184,13 +184,13 @@ private:
         return all;
     }
 
-    static bool has(const std::vector<Picture>& pictures, std::string_view name) {
-        return std::ranges::find(pictures, name, &Picture::name) != pictures.end();
+    static bool has(const std::vector<UsdPicture>& pictures, std::string_view name) {
+        return std::ranges::find(pictures, name, &UsdPicture::name) != pictures.end();
     }
 
     void writeMaterial(const Material& look, CTextOut& out) const {
         const std::string own = place(look);
-        const std::vector<Picture> pictures = picturesOf(look);
+        const std::vector<UsdPicture> pictures = picturesOf(look);
         const auto connected = [&](const char* input, const char* picture, const char* output) {
             out << "                " << input << ".connect = <" << own << "/" << picture << ".outputs:" << output << ">\n";
         };
@@ -221,11 +221,11 @@ private:
         if (!pictures.empty())
             out << "            def Shader \"st\"\n            {\n                uniform token info:id = \"UsdPrimvarReader_float2\"\n"
                 << "                string inputs:varname = \"st\"\n                float2 outputs:result\n            }\n\n";
-        for (const Picture& picture : pictures) writePicture(picture, own, out);
+        for (const UsdPicture& picture : pictures) writePicture(picture, own, out);
         out << "        }\n\n";
     }
 
-    static void writePicture(const Picture& picture, const std::string& material, CTextOut& out) {
+    static void writePicture(const UsdPicture& picture, const std::string& material, CTextOut& out) {
         out << "            def Shader \"" << picture.name << "\"\n            {\n                uniform token info:id = \"UsdUVTexture\"\n"
             << "                asset inputs:file = @" << picture.file << "@\n                float2 inputs:st.connect = <" << material
             << "/st.outputs:result>\n                token inputs:sourceColorSpace = \"" << (picture.name == "diffuse" ? "sRGB" : "raw") << "\"\n"
@@ -254,7 +254,7 @@ void writeUsdz(const ExportModel& model, const std::filesystem::path& path, CFil
     const CUsdWriter writer(model, true);
     CZipOut package(files.create(path));
     package.add(model.name + ".usda", [&](std::ostream& stream) { writer.write(stream); });
-    for (const Picture& picture : writer.pictures())
+    for (const UsdPicture& picture : writer.pictures())
         package.add(picture.file, [&](std::ostream& stream) { stream << readFile(picture.source); });
     package.finish();
 }

@@ -40,8 +40,6 @@ std::optional<double> wordValue(const ParamInfo& info, std::string_view value) {
     return static_cast<double>(word - info.words.begin());
 }
 
-constexpr std::string_view kBlockMark = "\"\"\"";
-
 std::string notANumber(const ParamRef& ref, std::string_view value) {
     const ParamInfo& info = *ref.info;
     if (value.empty()) return translated(NC_("stromar", "%1 has no value"), ref.key());

@@ -13,7 +13,6 @@ namespace stromar {
 namespace {
 constexpr std::string_view kByteOrderMark = "\xEF\xBB\xBF";
 constexpr std::string_view kFormatKey = "Format", kMethodKey = "Method";
-constexpr std::string_view kBlockMark = "\"\"\"";
 constexpr std::string_view kBlanks = " \t\r"; // what trimmed() takes away
 constexpr std::size_t kMaxBytes = 16u << 20;
 

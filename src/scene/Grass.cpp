@@ -11,7 +11,7 @@ namespace stromar {
 
 namespace {
 constexpr int kTufts = 2600, kBlades = 5;
-constexpr double kFarthest = 9;                   // metres
+constexpr double kFarthestTuft = 9;                   // metres
 constexpr double kTallEnough = 6;                 // metres: smaller trees stand in smaller grass
 constexpr double kShortest = 0.06, kLongest = 0.22, kWide = 0.007; // metres
 
@@ -51,7 +51,7 @@ CGrass::CGrass() : m_node(new osg::Geometry), m_size(new osg::Uniform("grassSize
 
 void CGrass::setTree(const osg::BoundingBox& tree) {
     const float reach = std::min({tree.xMax(), -tree.xMin(), tree.yMax(), -tree.yMin()});
-    m_size->set(osg::Vec2(std::clamp(reach, 0.f, static_cast<float>(kFarthest)),
+    m_size->set(osg::Vec2(std::clamp(reach, 0.f, static_cast<float>(kFarthestTuft)),
                           static_cast<float>(std::clamp(tree.zMax() / kTallEnough, 0.0, 1.0))));
 }
 

@@ -1,4 +1,5 @@
 #include "stromar/texture/Bark.h"
+#include "stromar/util/Turn.h"
 #include "Relief.h"
 #include "TileNoise.h"
 #include <algorithm>
@@ -9,7 +10,6 @@
 namespace stromar {
 
 namespace {
-constexpr double kTurn = 6.283185307179586;
 
 /// One place of a bark.
 struct Sample {
@@ -17,9 +17,6 @@ struct Sample {
     glm::dvec3 colour;
     double roughness;
 };
-
-glm::dvec3 mixed(const glm::dvec3& a, const glm::dvec3& b, double t) { return a + (b - a) * std::clamp(t, 0.0, 1.0); }
-glm::dvec3 rgb(const Colour& c) { return {c[0], c[1], c[2]}; }
 
 /// All kinds as functions of a place in the tile, 0..1 in both directions, v up the stem.
 class CBarkMaker {

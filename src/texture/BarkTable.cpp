@@ -7,7 +7,7 @@ namespace stromar {
 namespace {
 using std::string_view;
 using B = BarkParams;
-constexpr string_view kKinds[] = {N_("furrowed"), N_("plated"), N_("smooth"), N_("birch"),
+constexpr string_view kBarkKinds[] = {N_("furrowed"), N_("plated"), N_("smooth"), N_("birch"),
                                   N_("willow"),   N_("cherry"), N_("palm")};
 
 /// Values that suit each kind.
@@ -83,7 +83,7 @@ constexpr BarkParams kBarks[] = {
      .dark = {76, 64, 50}},
 };
 
-constexpr RecipeParam<B> kTable[] = {
+constexpr RecipeParam<B> kBarkTable[] = {
     {"seed", N_("Seed"), N_("Another bark of the same kind."), &B::seed, 0, 2147483647},
     {"ridges", N_("Ridges"), N_("How many ridges or plates stand side by side in the picture."), &B::ridges, 1, 64},
     {"stretch", N_("Length of ridges"), N_("How many times longer than wide they are."), &B::stretch, 0.1, 20},
@@ -96,11 +96,11 @@ constexpr RecipeParam<B> kTable[] = {
     {"light", N_("Light colour"), N_("The colour of what stands out."), &B::light, 0, 255},
     {"dark", N_("Dark colour"), N_("The colour of what lies deep."), &B::dark, 0, 255},
 };
-constexpr RecipeBook<B> kBook{"bark", kKinds, kBarks, kTable};
-static_assert(std::size(kKinds) == std::size(kBarks));
+constexpr RecipeBook<B> kBarkBook{"bark", kBarkKinds, kBarks, kBarkTable};
+static_assert(std::size(kBarkKinds) == std::size(kBarks));
 } // namespace
 
-const RecipeBook<BarkParams>& barkBook() { return kBook; }
+const RecipeBook<BarkParams>& barkBook() { return kBarkBook; }
 
 template struct RecipeBook<BarkParams>;
 

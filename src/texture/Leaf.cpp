@@ -16,9 +16,6 @@ namespace {
 constexpr int kCells = 24;       // a side of the card has, where blades are looked up
 using Tissue = Blade::Tissue;
 
-glm::dvec3 rgb(const Colour& c) { return {c[0], c[1], c[2]}; }
-glm::dvec3 mixed(const glm::dvec3& a, const glm::dvec3& b, double t) { return a + (b - a) * std::clamp(t, 0.0, 1.0); }
-
 /// What is known of one pixel while blades are laid upon each other.
 struct Layered {
     int layer = -1;

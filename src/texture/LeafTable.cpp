@@ -9,7 +9,7 @@ using std::string_view;
 using L = LeafParams;
 using Plan = LeafPlan;
 
-constexpr string_view kKinds[] = {
+constexpr string_view kLeafKinds[] = {
     N_("oval"),   N_("beech"),  N_("oak"),   N_("birch"), N_("aspen"),  N_("willow"),         N_("lime"),
     N_("cherry"), N_("apple"),  N_("olive"), N_("bamboo"), N_("maple"), N_("japanese-maple"), N_("ash"),
     N_("acacia"), N_("frond"),  N_("chestnut"), N_("fan"), N_("pine"),  N_("spruce"),         N_("larch"),
@@ -72,7 +72,7 @@ constexpr L kLeaves[] = {
      .green = {252, 246, 238}, .vein = {232, 168, 150}, .autumn = {252, 246, 238}},
 };
 
-constexpr RecipeParam<L> kTable[] = {
+constexpr RecipeParam<L> kLeafTable[] = {
     {"seed", N_("Seed"), N_("Another leaf of the same kind."), &L::seed, 0, 2147483647},
     {"width", N_("Width"), N_("The width of the picture as a part of its length. Give Width of the tree's leaves the same value."), &L::width, 0.02, 4},
     {"stalk", N_("Stalk"), N_("The part of the length that is stalk."), &L::stalk, 0, 0.6},
@@ -97,11 +97,11 @@ constexpr RecipeParam<L> kTable[] = {
 };
 // clang-format on
 
-constexpr RecipeBook<L> kBook{"leaf", kKinds, kLeaves, kTable};
-static_assert(std::size(kKinds) == std::size(kLeaves));
+constexpr RecipeBook<L> kLeafBook{"leaf", kLeafKinds, kLeaves, kLeafTable};
+static_assert(std::size(kLeafKinds) == std::size(kLeaves));
 } // namespace
 
-const RecipeBook<LeafParams>& leafBook() { return kBook; }
+const RecipeBook<LeafParams>& leafBook() { return kLeafBook; }
 
 template struct RecipeBook<LeafParams>;
 

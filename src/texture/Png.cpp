@@ -1,6 +1,7 @@
 #include "stromar/texture/PictureSize.h"
 #include "stromar/texture/TextureMaps.h"
 #include "stromar/util/Error.h"
+#include "stromar/util/Text.h"
 #include <algorithm>
 #include <csetjmp>
 #include <png.h>
@@ -94,6 +95,8 @@ private:
 } // namespace
 
 std::span<const MapFile> mapFiles() { return kMaps; }
+
+bool isPng(const std::filesystem::path& file) { return lowerCase(file.extension().string()) == ".png"; }
 
 std::filesystem::path mapBeside(const std::filesystem::path& albedo, std::string_view suffix) {
     return albedo.parent_path() / (albedo.stem().string() + std::string(suffix) + albedo.extension().string());

@@ -1,14 +1,19 @@
 #pragma once
+#include "stromar/texture/Recipe.h"
 #include "stromar/texture/TextureMaps.h"
 #include "stromar/util/Parallel.h"
 #include <algorithm>
 #include <cmath>
+#include <glm/vec3.hpp>
 
 namespace stromar {
 
 constexpr std::size_t kRowsAtATime = 8;
 
 inline std::uint8_t toByte(double v) { return static_cast<std::uint8_t>(std::lround(std::clamp(v, 0.0, 255.0))); }
+
+inline glm::dvec3 rgb(const Colour& c) { return {c[0], c[1], c[2]}; }
+inline glm::dvec3 mixed(const glm::dvec3& a, const glm::dvec3& b, double t) { return a + (b - a) * std::clamp(t, 0.0, 1.0); }
 
 inline double smoothStep(double low, double high, double x) {
     const double t = std::clamp((x - low) / (high - low), 0.0, 1.0);

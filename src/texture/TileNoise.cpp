@@ -1,4 +1,5 @@
 #include "TileNoise.h"
+#include "stromar/util/Turn.h"
 #include <algorithm>
 #include <array>
 #include <cmath>
@@ -16,7 +17,7 @@ const std::array<glm::dvec2, kDirections>& directions() {
     static const auto all = [] {
         std::array<glm::dvec2, kDirections> made;
         for (std::size_t i = 0; i < kDirections; ++i) {
-            const double angle = 6.283185307179586 * static_cast<double>(i) / static_cast<double>(kDirections);
+            const double angle = kTurn * static_cast<double>(i) / static_cast<double>(kDirections);
             made[i] = {std::cos(angle), std::sin(angle)};
         }
         return made;

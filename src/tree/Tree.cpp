@@ -1,11 +1,11 @@
 #include "stromar/tree/Tree.h"
+#include "stromar/util/Turn.h"
 #include <glm/geometric.hpp>
 #include <numbers>
 
 namespace stromar {
 
 namespace {
-constexpr double kTurn = 2 * std::numbers::pi;
 }
 
 glm::dvec3 CSegment::centre(double t) const {

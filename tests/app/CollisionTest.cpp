@@ -13,8 +13,6 @@ namespace stromar::test {
 namespace {
 using Json = nlohmann::json;
 
-CParams preset(const std::string& name) { return CTreeFile::read(std::string(STROMAR_SOURCE "/presets/") + name + ".tree").params(); }
-
 double distanceTo(const glm::dvec3& point, const Capsule& capsule) {
     const glm::dvec3 along = capsule.to - capsule.from;
     const double part = std::clamp(glm::dot(point - capsule.from, along) / std::max(1e-12, glm::dot(along, along)), 0.0, 1.0);

@@ -17,17 +17,6 @@ namespace stromar::test {
 namespace {
 namespace fs = std::filesystem;
 
-std::shared_ptr<const TreeModel> smallModel() {
-    static const auto model = [] {
-        CParams params = preset("quaking_aspen");
-        weberPenn(params).level[1].branches = 6;
-        weberPenn(params).level[2].branches = 4;
-        params.text.bark1Texture = params.text.bark2Texture = "";
-        return createAnew(params, detailOf(Model::Simple));
-    }();
-    return model;
-}
-
 /// With the choices in words.
 ExportOptions chosen(std::initializer_list<ChosenValue> values) {
     ExportOptions options;
@@ -45,7 +34,7 @@ protected:
     CTemporaryFolder m_folder;
 };
 
-std::vector<std::string> errorsOf(const std::string& text) {
+std::vector<std::string> settingsErrorsOf(const std::string& text) {
     try {
         parseSettings(text, "a.export");
     } catch (const CInputError& e) {
@@ -96,7 +85,7 @@ TEST(ExportSettings, AreReadAsTheyWereWritten) {
 }
 
 TEST(ExportSettings, EveryErrorHasItsPlace) {
-    EXPECT_EQ(errorsOf("for = maya\n  scale = big\nlods=two\n\nwhat\nup = sideways\nformat = .max\nlod = 1.5\ntexture-size = 9000\nlod_s = none\n"),
+    EXPECT_EQ(settingsErrorsOf("for = maya\n  scale = big\nlods=two\n\nwhat\nup = sideways\nformat = .max\nlod = 1.5\ntexture-size = 9000\nlod_s = none\n"),
               (std::vector<std::string>{"a.export:1:7: error: 'for' is one of unreal, unity, godot, blender, three, not 'maya'",
                                         "a.export:2:11: error: 'scale': 'big' is not a number",
                                         "a.export:3:6: error: 'lods' is one of none, one-file, file-each, not 'two'",

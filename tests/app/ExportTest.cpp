@@ -13,17 +13,6 @@ namespace stromar::test {
 namespace {
 namespace fs = std::filesystem;
 
-std::shared_ptr<const TreeModel> smallModel() {
-    static const auto model = [] {
-        CParams params = preset("quaking_aspen");
-        weberPenn(params).level[1].branches = 6;
-        weberPenn(params).level[2].branches = 4;
-        params.text.bark1Texture = params.text.bark2Texture = "";
-        return createAnew(params, detailOf(Model::Simple));
-    }();
-    return model;
-}
-
 std::shared_ptr<const TreeModel> largeModel() {
     static const auto model = createAnew(preset("ca_black_oak"), detailOf(Model::Full));
     return model;

@@ -19,8 +19,6 @@ const ImportFormat& formatNamed(std::string_view key) {
     return *found;
 }
 
-CParams preset(const std::string& name) { return CTreeFile::read(std::string(STROMAR_SOURCE "/presets/") + name + ".tree").params(); }
-
 /// A tree as Arbaro would write it.
 std::string arbaroText(const CParams& params) {
     std::string text = "<?xml version='1.0' ?>\n<arbaro>\n  <species name='some_tree'>\n";

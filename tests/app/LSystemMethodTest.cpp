@@ -18,10 +18,6 @@ CParams withGrammar(const std::string& grammar, int derivations = 5) {
     return params;
 }
 
-std::shared_ptr<const TreeModel> created(const CParams& params, const Detail& detail = detailOf(Model::Full), int threads = 2) {
-    return CTreeCreator(true, SizeLimits::none()).create(params, detail, CProgress(threads));
-}
-
 std::vector<Sample> lsystemPresets() {
     std::vector<Sample> found;
     for (const Sample& sample : presets())

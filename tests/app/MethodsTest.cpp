@@ -37,7 +37,7 @@ CTreeFile parsed(const std::string& text = kFile) {
     return CTreeFile::parse(text, "pole.tree");
 }
 
-Messages errorsOf(const std::string& text) {
+Messages fileErrorsOf(const std::string& text) {
     try {
         parsed(text);
     } catch (const CInputError& error) {
@@ -47,7 +47,7 @@ Messages errorsOf(const std::string& text) {
 }
 
 void expectErrorAt(const std::string& text, int line, int column, const std::string& says) {
-    const Messages errors = errorsOf(text);
+    const Messages errors = fileErrorsOf(text);
     ASSERT_EQ(errors.size(), 1u) << text;
     EXPECT_EQ(errors[0].line, line) << errors[0].toString();
     EXPECT_EQ(errors[0].column, column) << errors[0].toString();

@@ -11,12 +11,6 @@
 #include <gtest/gtest.h>
 
 namespace stromar::test {
-namespace {
-std::shared_ptr<const TreeModel> created(const CParams& params, const Detail& detail, int threads = 2) {
-    return CTreeCreator(true, SizeLimits::none()).create(params, detail, CProgress(threads));
-}
-} // namespace
-
 TEST(StrandsMethod, MeshesOfRandomTreesAreSound) {
     for (unsigned number = 1; number <= 500; ++number) {
         const CParams params = randomStrands(number, 250);

@@ -41,4 +41,11 @@ inline std::vector<std::string> keysOf(const Json& object) {
     return keys;
 }
 
+/// An export of that tree.
+inline Words exportTo(const std::filesystem::path& path, const Words& more = {}) {
+    Words words = smallTree("export", {"-o", path.string()});
+    words.insert(words.end(), more.begin(), more.end());
+    return words;
+}
+
 } // namespace stromar::test

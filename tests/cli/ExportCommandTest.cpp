@@ -11,12 +11,6 @@ namespace stromar::test {
 namespace {
 namespace fs = std::filesystem;
 
-Words exportTo(const fs::path& path, const Words& more = {}) {
-    Words words = smallTree("export", {"-o", path.string()});
-    words.insert(words.end(), more.begin(), more.end());
-    return words;
-}
-
 /// Whether a file in the folder has at least so many bytes, within ten seconds.
 bool waitForBytes(const CTemporaryFolder& folder, std::uintmax_t bytes) {
     for (int i = 0; i < 10'000; ++i) {

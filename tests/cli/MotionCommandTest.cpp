@@ -9,12 +9,6 @@
 namespace stromar::test {
 namespace {
 
-Words exportTo(const std::filesystem::path& path, const Words& more) {
-    Words words = smallTree("export", {"-o", path.string()});
-    words.insert(words.end(), more.begin(), more.end());
-    return words;
-}
-
 TEST(Frames, OfGrowthAreNumberedAndEndWithTheGrownTree) {
     const CTemporaryFolder folder;
     const ProcessResult run = cli(exportTo(folder / "oak.obj", {"--frames", "4"}));

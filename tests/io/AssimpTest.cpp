@@ -89,24 +89,10 @@ std::size_t cornersTurned(const std::vector<Corner>& got, const std::vector<Corn
     const auto gap = [&](std::size_t turn) { return glm::distance(got[0].position, wanted[turn].position); };
     return gap(0) <= gap(1) && gap(0) <= gap(2) ? 0 : gap(1) <= gap(2) ? 1 : 2;
 }
-
-struct Case {
-    std::string ending, sample;
-};
-[[maybe_unused]] void PrintTo(const Case& c, std::ostream* out) { *out << c.sample << c.ending; }
-std::vector<Case> cases() {
-    std::vector<Case> all;
-    for (const std::string& ending : kAssimp.endings)
-        for (const char* sample : {"small", "aspen", "tupelo"}) all.push_back({ending, sample});
-    return all;
-}
-std::string labelOf(const testing::TestParamInfo<Case>& info) {
-    return info.param.ending.substr(1) + "_" + info.param.sample;
-}
 } // namespace
 
-class AssimpReads : public testing::TestWithParam<Case> {};
-INSTANTIATE_TEST_SUITE_P(All, AssimpReads, testing::ValuesIn(cases()), labelOf);
+class AssimpReads : public testing::TestWithParam<ReadCase> {};
+INSTANTIATE_TEST_SUITE_P(All, AssimpReads, testing::ValuesIn(readCases(kAssimp, {"small", "aspen", "tupelo"})), labelOf);
 
 TEST_P(AssimpReads, TheWholeModel) {
     const TreeModel& model = sampleModel(GetParam().sample);

@@ -1,6 +1,6 @@
 // Every format holds what its row says: a tree with all there is, read back by a program that is not ours.
-#include "cli/Process.h"
 #include "io/ExportedModels.h"
+#include "io/NodeReads.h"
 #include "io/Tools.h"
 #include "mesh/SampleTrees.h"
 #include "stromar/app/Export.h"
@@ -47,14 +47,8 @@ private:
     unsigned m_found = 0;
 };
 
-Json outputOf(const std::vector<std::string>& command, const fs::path& folder) {
-    const ProcessResult run = runProcess(command, {.folder = folder.string()});
-    EXPECT_EQ(run.status, 0) << run.err;
-    return Json::parse(run.out.substr(std::min(run.out.size(), run.out.find('{'))));
-}
-
 unsigned foundByThree(const fs::path& file) {
-    const Json stats = outputOf({"node", STROMAR_SOURCE "/tests/io/three-stats.mjs", file.string()}, STROMAR_BIN "/..");
+    const Json stats = readByThree(file);
     const auto vertices = [&](const char* name) { return std::ranges::count(stats.at("attributes"), name) == 1; };
     const auto shown = [&](const char* map) {
         return std::ranges::any_of(stats.at("materials"), [&](const Json& maps) { return std::ranges::count(maps, map) > 0; });
@@ -120,7 +114,7 @@ unsigned foundByAssimp(const fs::path& file) {
 }
 
 unsigned foundByOsg(const fs::path& file) {
-    const Json stats = outputOf({STROMAR_BIN "/osg-stats", file.string()}, file.parent_path());
+    const Json stats = jsonBy({STROMAR_BIN "/osg-stats", file.string()}, file.parent_path());
     CContents contents;
     contents.add(Content::TexCoords, stats.at("tex_max").at(0) > stats.at("tex_min").at(0));
     contents.add(Content::Normals, stats.at("normals"));
@@ -162,13 +156,13 @@ std::string namesOf(unsigned contents) {
     return names;
 }
 
-std::string labelOf(const testing::TestParamInfo<std::size_t>& info) { return std::string(formatTable()[info.param].ending.substr(1)); }
+std::string endingOf(const testing::TestParamInfo<std::size_t>& info) { return std::string(formatTable()[info.param].ending.substr(1)); }
 } // namespace
 
 class Contents : public testing::TestWithParam<std::size_t> {
     void SetUp() override { needTool(fs::exists(STROMAR_BIN "/../node_modules/three"), "three.js (npm)"); }
 };
-INSTANTIATE_TEST_SUITE_P(All, Contents, testing::Range<std::size_t>(0, formatTable().size()), labelOf);
+INSTANTIATE_TEST_SUITE_P(All, Contents, testing::Range<std::size_t>(0, formatTable().size()), endingOf);
 
 TEST_P(Contents, AreWhatTheTableSays) {
     const Format& format = formatTable()[GetParam()];

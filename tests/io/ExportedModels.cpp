@@ -81,4 +81,21 @@ CExported::CExported(const TreeModel& model, const std::string& ending, const st
     exportModels({std::shared_ptr<const TreeModel>(std::shared_ptr<const TreeModel>(), &model)}, options, {}, m_path, CProgress(2));
 }
 
+void PrintTo(const ReadCase& readCase, std::ostream* out) { *out << readCase.sample << readCase.ending; }
+
+std::vector<ReadCase> readCases(const ForeignReader& reader, const std::vector<std::string>& samples) {
+    std::vector<ReadCase> all;
+    for (const std::string& ending : reader.endings)
+        for (const std::string& sample : samples) all.push_back({ending, sample});
+    return all;
+}
+
+std::string labelOf(const testing::TestParamInfo<ReadCase>& info) { return info.param.ending.substr(1) + "_" + info.param.sample; }
+
+ExportOptions chosen(std::initializer_list<std::pair<const char*, const char*>> words) {
+    ExportOptions options;
+    for (const auto& [key, word] : words) setChoice(options, key, word);
+    return options;
+}
+
 } // namespace stromar::test

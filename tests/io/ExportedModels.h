@@ -1,9 +1,11 @@
 #pragma once
+#include "stromar/app/ExportOptions.h"
 #include "stromar/app/TreeCreator.h"
 #include "util/TemporaryFolder.h"
 #include <array>
 #include <glm/vec2.hpp>
 #include <glm/vec3.hpp>
+#include <gtest/gtest.h>
 #include <string>
 #include <vector>
 
@@ -16,6 +18,14 @@ struct ForeignReader {
 };
 extern const ForeignReader kAssimp, kOsg, kPovRay, kThree;
 
+/// A file of a format, to be read.
+struct ReadCase {
+    std::string ending, sample;
+};
+void PrintTo(const ReadCase& readCase, std::ostream* out);
+std::vector<ReadCase> readCases(const ForeignReader& reader, const std::vector<std::string>& samples);
+std::string labelOf(const testing::TestParamInfo<ReadCase>& info);
+
 struct SampleModel {
     std::string name;
     std::shared_ptr<const TreeModel> model;
@@ -23,6 +33,9 @@ struct SampleModel {
 /// A few branches; a preset; a preset of more than 200,000 triangles.
 const std::vector<SampleModel>& sampleModels();
 const TreeModel& sampleModel(const std::string& name);
+
+/// Options by their keys and words.
+ExportOptions chosen(std::initializer_list<std::pair<const char*, const char*>> words);
 
 /// How a format's axes follow from ours (z up): x, y, z of the file.
 using Axes = glm::vec3 (*)(const glm::vec3&);

@@ -1,6 +1,6 @@
 // Compressed glTF: read by three.js, checked by the validator, decoded back to what was compressed.
-#include "cli/Process.h"
 #include "io/ExportedModels.h"
+#include "io/NodeReads.h"
 #include "io/Tools.h"
 #include "stromar/app/Export.h"
 #include "stromar/util/FileSet.h"
@@ -27,12 +27,6 @@ fs::path exported(const CTemporaryFolder& folder, const TreeModel& model, Export
     CTreeCreator creator;
     exportTree(creator, model.params, options, {}, path, CProgress(2));
     return path;
-}
-
-Json jsonBy(const std::vector<std::string>& words) {
-    const ProcessResult run = runProcess(words, {.folder = STROMAR_BIN "/.."});
-    EXPECT_EQ(run.status, 0) << run.err;
-    return Json::parse(run.out.substr(run.out.find('{')));
 }
 
 /// A .gltf with its buffer.
@@ -81,7 +75,7 @@ TEST_P(GltfCompression, IsValidAndSmaller) {
     const TreeModel& model = sampleModel("aspen");
     for (const ExportedLods lods : {ExportedLods::None, ExportedLods::InOneFile}) {
         const fs::path path = exported(folder, model, GetParam(), ".gltf", lods), plain = exported(folder, model, ExportedCompression::None, ".gltf", lods);
-        const Json issues = jsonBy({"node", STROMAR_SOURCE "/tests/io/validate-gltf.js", path.string()}).at("issues");
+        const Json issues = validatedGltf(path).at("issues");
         EXPECT_EQ(issues.at("numErrors"), 0) << issues.dump(1);
         EXPECT_EQ(issues.at("numWarnings"), 0) << issues.dump(1);
         EXPECT_LT(double(File(path).buffer.size()), (GetParam() == ExportedCompression::Quantised ? 0.62 : 0.3) * double(File(plain).buffer.size()));
@@ -100,7 +94,7 @@ TEST_P(GltfCompression, ThreeReadsTheSameTree) {
     const CTemporaryFolder folder;
     const TreeModel& model = sampleModel("aspen");
     const auto read = [&](ExportedCompression compression) {
-        return jsonBy({"node", STROMAR_SOURCE "/tests/io/three-stats.mjs", exported(folder, model, compression, ".glb").string()});
+        return readByThree(exported(folder, model, compression, ".glb"));
     };
     const Json plain = read(ExportedCompression::None), small = read(GetParam());
     for (const char* same : {"triangles", "objects", "materials", "opaque", "colours"}) EXPECT_EQ(small.at(same), plain.at(same)) << same;

@@ -1,6 +1,6 @@
 // Fewer draws: one object for each material, one picture for all leaves.
-#include "cli/Process.h"
 #include "io/ExportedModels.h"
+#include "io/NodeReads.h"
 #include "io/Tools.h"
 #include "mesh/SampleTrees.h"
 #include "stromar/app/Export.h"
@@ -29,21 +29,9 @@ CParams cherry() {
     return params;
 }
 
-ExportOptions chosen(std::initializer_list<std::pair<const char*, const char*>> words) {
-    ExportOptions options;
-    for (const auto& [key, word] : words) setChoice(options, key, word);
-    return options;
-}
-
 void write(const fs::path& file, const CParams& params, const ExportOptions& options) {
     CTreeCreator creator;
     exportTree(creator, params, options, {}, file, CProgress(2));
-}
-
-Json readByThree(const fs::path& file) {
-    const ProcessResult run = runProcess({"node", STROMAR_SOURCE "/tests/io/three-stats.mjs", file.string()}, {.folder = STROMAR_BIN "/.."});
-    EXPECT_EQ(run.status, 0) << run.err;
-    return Json::parse(run.out.substr(run.out.find('{')));
 }
 
 /// A .gltf file and its buffer.

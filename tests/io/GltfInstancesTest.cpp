@@ -1,6 +1,6 @@
 // Leaves of glTF files as instances: three.js reads the tree that the plain file holds.
-#include "cli/Process.h"
 #include "io/ExportedModels.h"
+#include "io/NodeReads.h"
 #include "io/Tools.h"
 #include "mesh/SampleTrees.h"
 #include "stromar/app/Export.h"
@@ -20,18 +20,6 @@ struct Wanted {
     const char* name;
     ExportOptions options;
 };
-ExportOptions chosen(std::initializer_list<std::pair<const char*, const char*>> words) {
-    ExportOptions options;
-    for (const auto& [key, word] : words) setChoice(options, key, word);
-    return options;
-}
-
-Json jsonBy(const char* script, const fs::path& file) {
-    const ProcessResult run = runProcess({"node", std::string(STROMAR_SOURCE "/tests/io/") + script, file.string()}, {.folder = STROMAR_BIN "/.."});
-    EXPECT_EQ(run.status, 0) << run.err;
-    return Json::parse(run.out.substr(run.out.find('{')));
-}
-
 void expectSame(const Json& one, const Json& plain, double metre) {
     for (const char* same : {"triangles", "vertices", "materials", "opaque", "colours"}) EXPECT_EQ(one.at(same), plain.at(same)) << same;
     EXPECT_EQ(one.at("objects").size(), plain.at("objects").size());
@@ -65,11 +53,11 @@ TEST_P(GltfInstances, ThreeReadsTheSameTree) {
         return path;
     };
     const fs::path instanced = written("leaves"), plain = written("none");
-    const Json found = jsonBy("three-stats.mjs", instanced);
+    const Json found = readByThree(instanced);
     EXPECT_GT(found.at("instances"), 1000);
-    expectSame(found, jsonBy("three-stats.mjs", plain), GetParam().options.scale);
+    expectSame(found, readByThree(plain), GetParam().options.scale);
     EXPECT_LT(double(fs::file_size(instanced)), 0.9 * double(fs::file_size(plain)));
-    const Json issues = jsonBy("validate-gltf.js", instanced).at("issues");
+    const Json issues = validatedGltf(instanced).at("issues");
     EXPECT_EQ(issues.at("numErrors"), 0) << issues.dump(1);
     EXPECT_EQ(issues.at("numWarnings"), 0) << issues.dump(1);
 }
@@ -82,7 +70,7 @@ TEST(GltfInstancesOfARow, StandWhereTheirTreesDo) {
     const auto read = [&](const char* word) {
         const fs::path path = folder / (std::string(word) + ".glb");
         exportRow(trees, chosen({{"instances", word}}), SizeLimits::none(), {}, path, CProgress(2));
-        return jsonBy("three-stats.mjs", path);
+        return readByThree(path);
     };
     expectSame(read("leaves"), read("none"), 1);
 }

@@ -11,20 +11,6 @@
 namespace stromar::test {
 
 namespace {
-struct Case {
-    std::string ending, sample;
-};
-[[maybe_unused]] void PrintTo(const Case& c, std::ostream* out) { *out << c.sample << c.ending; }
-std::vector<Case> cases() {
-    std::vector<Case> all;
-    for (const std::string& ending : kOsg.endings)
-        for (const char* sample : {"small", "aspen"}) all.push_back({ending, sample});
-    return all;
-}
-std::string labelOf(const testing::TestParamInfo<Case>& info) {
-    return info.param.ending.substr(1) + "_" + info.param.sample;
-}
-
 Bounds boundsIn(const nlohmann::json& stats) {
     const auto vector = [](const nlohmann::json& v) { return glm::vec3(v.at(0), v.at(1), v.at(2)); };
     return {vector(stats.at("min")), vector(stats.at("max"))};
@@ -55,8 +41,8 @@ std::string withoutNotice(std::string text) {
 }
 } // namespace
 
-class OsgReads : public testing::TestWithParam<Case> {};
-INSTANTIATE_TEST_SUITE_P(All, OsgReads, testing::ValuesIn(cases()), labelOf);
+class OsgReads : public testing::TestWithParam<ReadCase> {};
+INSTANTIATE_TEST_SUITE_P(All, OsgReads, testing::ValuesIn(readCases(kOsg, {"small", "aspen"})), labelOf);
 
 TEST_P(OsgReads, TheWholeModel) {
     const TreeModel& model = sampleModel(GetParam().sample);

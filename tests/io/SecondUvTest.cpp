@@ -1,5 +1,5 @@
-#include "cli/Process.h"
 #include "io/ExportedModels.h"
+#include "io/NodeReads.h"
 #include "io/Tools.h"
 #include "stromar/app/Export.h"
 #include <gtest/gtest.h>
@@ -18,12 +18,6 @@ void write(const fs::path& path, const Choices& choices) {
     for (const auto& [key, value] : choices) setChoice(options, key, value);
     CTreeCreator creator;
     exportTree(creator, sampleModel("small").params, options, {}, path, CProgress(2));
-}
-
-Json readByThree(const fs::path& path) {
-    const ProcessResult run = runProcess({"node", STROMAR_SOURCE "/tests/io/three-stats.mjs", path.string()}, {.folder = STROMAR_BIN "/.."});
-    EXPECT_EQ(run.status, 0) << run.err;
-    return Json::parse(run.out.substr(run.out.find('{')));
 }
 } // namespace
 

@@ -1,6 +1,7 @@
 // FBX and USD by three.js; what its readers do not look at, by the bytes.
 #include "cli/Process.h"
 #include "io/ExportedModels.h"
+#include "io/NodeReads.h"
 #include "io/Tools.h"
 #include "stromar/app/Export.h"
 #include "stromar/util/FileSet.h"
@@ -19,12 +20,6 @@ namespace fs = std::filesystem;
 using Json = nlohmann::json;
 
 namespace {
-Json readByThree(const fs::path& path) {
-    const ProcessResult run = runProcess({"node", STROMAR_SOURCE "/tests/io/three-stats.mjs", path.string()}, {.folder = STROMAR_BIN "/.."});
-    EXPECT_EQ(run.status, 0) << run.err;
-    return Json::parse(run.out.substr(run.out.find('{')));
-}
-
 std::uint64_t numberAt(const std::string& bytes, std::size_t at, std::size_t size) {
     std::uint64_t number = 0;
     for (std::size_t i = 0; i < size; ++i) number |= std::uint64_t(static_cast<unsigned char>(bytes.at(at + i))) << (8 * i);

@@ -17,6 +17,8 @@ inline std::vector<std::filesystem::path> presetFiles() {
     return files;
 }
 
+inline CTreeFile parsed(const std::string& text) { return CTreeFile::parse(text, "x.tree"); }
+
 /// Any parameter of the tree by its key.
 inline ParamRef param(std::string_view key) { return findParam(key).value(); }
 

@@ -9,9 +9,9 @@ namespace stromar {
 namespace {
 
 using test::otherValue;
+using test::parsed;
 using test::valueOf;
 
-CTreeFile parsed(const std::string& text) { return CTreeFile::parse(text, "x.tree"); }
 
 /// Reads lines behind the one that says the format, and expects no word of complaint.
 CParams quietly(const std::string& lines) {

@@ -9,8 +9,7 @@ namespace {
 
 using test::CTemporaryFolder;
 using test::otherValue;
-
-CTreeFile parsed(const std::string& text) { return CTreeFile::parse(text, "x.tree"); }
+using test::parsed;
 
 /// A file with all that a hand may write.
 const std::string kByHand = "# An oak\r\n"

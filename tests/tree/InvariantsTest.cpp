@@ -11,7 +11,7 @@ namespace {
 using namespace test;
 
 constexpr double kClose = 1e-9;
-constexpr double kSingle = 1e-6; // of leaves
+constexpr double kUnitLength = 1e-6; // of leaves
 
 bool finite(const glm::dvec3& v) { return std::isfinite(v.x) && std::isfinite(v.y) && std::isfinite(v.z); }
 
@@ -167,9 +167,9 @@ private:
         for (const CLeaf& leaf : m_tree.leaves()) {
             ASSERT_LT(leaf.stem, last.stems.size());
             ASSERT_TRUE(finite(leaf.position) && finite(leaf.axis) && finite(leaf.normal));
-            ASSERT_NEAR(glm::length(leaf.axis), 1, kSingle);
-            ASSERT_NEAR(glm::length(leaf.normal), 1, kSingle);
-            ASSERT_NEAR(glm::dot(leaf.axis, leaf.normal), 0, kSingle);
+            ASSERT_NEAR(glm::length(leaf.axis), 1, kUnitLength);
+            ASSERT_NEAR(glm::length(leaf.normal), 1, kUnitLength);
+            ASSERT_NEAR(glm::dot(leaf.axis, leaf.normal), 0, kUnitLength);
             ASSERT_GT(leaf.length, 0);
             ASSERT_GT(leaf.width, 0);
         }

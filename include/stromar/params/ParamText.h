@@ -6,6 +6,8 @@
 
 namespace stromar {
 
+constexpr std::string_view kBlockMark = "\"\"\""; ///< stands before and after a text of several lines
+
 /// Finds a key of a method, or one of its aliases.
 std::optional<ParamRef> findParam(std::string_view key, const ParamBlock& block = weberPennBlock());
 

@@ -38,6 +38,8 @@ std::filesystem::path mapBeside(const std::filesystem::path& albedo, std::string
 /// Writes `path` (albedo) and beside it `…_normal.png`, `…_roughness.png`, `…_height.png` and, where light goes
 /// through, `…_translucency.png` and `…_back.png`. The caller commits.
 void writePngs(const TextureMaps& maps, const std::filesystem::path& path, CFileSet& files);
+/// By its ending.
+bool isPng(const std::filesystem::path& file);
 /// What writePngs() wrote, or any PNG; maps of another size than the albedo are left out. Throws CError.
 TextureMaps readPngs(const std::filesystem::path& path);
 /// The picture alone, without maps beside it.

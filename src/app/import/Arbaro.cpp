@@ -6,7 +6,7 @@ namespace stromar {
 
 namespace {
 /// Arbaro's parameters have the paper's names, as ours.
-constexpr ImportRow kRows[] = {
+constexpr ImportRow kArbaroTable[] = {
     {"Shape", "Shape"},
     {"Levels", "Levels"},
     {"Scale", "Scale"},
@@ -62,7 +62,7 @@ constexpr ImportRow kRows[] = {
 };
 } // namespace
 
-const std::span<const ImportRow> kArbaroRows = kRows;
+const std::span<const ImportRow> kArbaroRows = kArbaroTable;
 
 ForeignValues readArbaro(const ForeignText& source) {
     pugi::xml_document document;

@@ -6,7 +6,7 @@
 namespace stromar {
 
 namespace {
-constexpr ImportRow kRows[] = {
+constexpr ImportRow kSaplingTable[] = {
     {"shape", "Shape", N_("its shapes 8 and 10 have no formula here; the nearest is a tapered cylinder"), [](double shape) { return shape > 7 ? 4 : shape; }, 7},
     {"scale", "Scale"},
     {"scaleV", "ScaleV"},
@@ -82,7 +82,7 @@ double numberOf(const ForeignValues& values, const char* key, double otherwise, 
 }
 } // namespace
 
-const std::span<const ImportRow> kSaplingRows = kRows;
+const std::span<const ImportRow> kSaplingRows = kSaplingTable;
 
 void finishSapling(const ForeignValues& values, CParams& params) {
     WeberPennParams& own = weberPenn(params);

@@ -16,7 +16,7 @@ double leafShape(double shape) {
 /// 0 alternate, 1 opposite, more: whorls of one more.
 double whorl(double dist) { return dist >= 1 ? std::floor(dist) + 1 : 1; }
 
-constexpr ImportRow kRows[] = {
+constexpr ImportRow kTreeGenTable[] = {
     {"shape", "Shape"},
     {"g_scale", "Scale"},
     {"g_scale_v", "ScaleV"},
@@ -64,7 +64,7 @@ constexpr ImportRow kRows[] = {
 };
 } // namespace
 
-const std::span<const ImportRow> kTreeGenRows = kRows;
+const std::span<const ImportRow> kTreeGenRows = kTreeGenTable;
 
 void finishTreeGen(const ForeignValues& values, CParams& params) {
     WeberPennParams& own = weberPenn(params);

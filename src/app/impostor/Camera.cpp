@@ -38,7 +38,7 @@ std::vector<Pixels> mipmapsOf(const TextureMaps& maps, bool cutOut, const Soften
 class CImpostorCamera::CTexture {
 public:
     CTexture(const fs::path& file, const SurfaceInfo& surface) : m_cutOut(surface.cutOut), m_softening(softeningOf(surface.manyLeaves())) {
-        if (lowerCase(file.extension().string()) != ".png")
+        if (!isPng(file))
             throw CError(translated(NC_("stromar", "an impostor can be made of PNG textures only, not of %1"), file.string()));
         const TextureMaps maps = readPng(file);
         m_size = {maps.width, maps.height};

@@ -17,7 +17,7 @@ namespace fs = std::filesystem;
 
 namespace {
 constexpr int kBillboards = 2;
-constexpr double kMargin = 1.0 / 64;            // of a billboard's width and height, around the tree
+constexpr double kCrossMargin = 1.0 / 64;            // of a billboard's width and height, around the tree
 constexpr std::uint8_t kRoughness = 191;        // as leaves are on the whole
 constexpr glm::dvec3 kTowards[kBillboards] = {{0, -1, 0}, {1, 0, 0}};
 
@@ -27,7 +27,7 @@ ImpostorFrame frameOf(int billboard, const Bounds& box) {
     const glm::dvec3 low(box.min), high(box.max);
     const auto across = [&](const glm::dvec3& p) { return glm::dot(p, view.right); };
     const auto [left, right] = std::minmax({across(low), across(high)});
-    const glm::dvec2 half = (1 + 2 * kMargin) * glm::max(glm::dvec2(right - left, high.z - low.z) / 2.0, 1e-6);
+    const glm::dvec2 half = (1 + 2 * kCrossMargin) * glm::max(glm::dvec2(right - left, high.z - low.z) / 2.0, 1e-6);
     return {view, (left + right) / 2 * view.right + glm::dvec3(0, 0, (low.z + high.z) / 2), half, glm::length(high - low)};
 }
 

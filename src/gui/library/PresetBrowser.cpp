@@ -23,12 +23,12 @@ namespace stromar {
 
 namespace {
 constexpr const char* kIdStart = "preset:";
-constexpr int kPictureSize = 112;
+constexpr int kPresetSize = 112;
 enum Role { PathRole = Qt::UserRole, SearchRole, OwnRole };
 
 /// Stands where a picture will be, or cannot be.
 QIcon placeholder(const QPalette& palette, bool broken, qreal ratio) {
-    QPixmap pixmap(QSize(kPictureSize, kPictureSize) * ratio);
+    QPixmap pixmap(QSize(kPresetSize, kPresetSize) * ratio);
     pixmap.setDevicePixelRatio(ratio);
     pixmap.fill(palette.color(QPalette::Midlight));
     QPainter painter(&pixmap);
@@ -36,7 +36,7 @@ QIcon placeholder(const QPalette& palette, bool broken, qreal ratio) {
     QFont large = painter.font();
     large.setPixelSize(34);
     painter.setFont(large);
-    painter.drawText(QRect(0, 0, kPictureSize, kPictureSize), Qt::AlignCenter,
+    painter.drawText(QRect(0, 0, kPresetSize, kPresetSize), Qt::AlignCenter,
                      broken ? QStringLiteral("⚠") : QStringLiteral("…"));
     return QIcon(pixmap);
 }
@@ -53,8 +53,8 @@ CPresetBrowser::CPresetBrowser(CThumbnails& thumbnails, QWidget* parent)
     save->setText(tr("Save…"));
     save->setToolTip(tr("Keep the tree in the window as a preset of your own"));
     m_list->setViewMode(QListView::IconMode);
-    m_list->setIconSize({kPictureSize, kPictureSize});
-    m_list->setGridSize({kPictureSize + 16, kPictureSize + 2 * fontMetrics().height() + 10});
+    m_list->setIconSize({kPresetSize, kPresetSize});
+    m_list->setGridSize({kPresetSize + 16, kPresetSize + 2 * fontMetrics().height() + 10});
     m_list->setResizeMode(QListView::Adjust);
     m_list->setMovement(QListView::Static);
     m_list->setWordWrap(true);
@@ -152,7 +152,7 @@ void CPresetBrowser::addFolder(const QString& folder, bool own) {
                 showThumbnail(QLatin1String(kIdStart) + file.absoluteFilePath(), QImage(made));
             else
                 m_thumbnails.request(QLatin1String(kIdStart) + file.absoluteFilePath(), tree.params(), toPath(folder),
-                                     QSize(kPictureSize, kPictureSize) * devicePixelRatioF(),
+                                     QSize(kPresetSize, kPresetSize) * devicePixelRatioF(),
                                      CThumbnails::Keep::OnDisk);
         } catch (const std::exception& e) {
             item->setIcon(placeholder(palette(), true, devicePixelRatioF()));

@@ -19,7 +19,7 @@ namespace stromar {
 namespace {
 constexpr const char* kDoneKey = "welcomed";
 constexpr int kPicture = 72, kMargin = 14; // pixels
-constexpr const char* kShown[] = {"quaking_aspen", "english_oak", "scots_pine", "wild_cherry", "strand_oak"};
+constexpr const char* kWelcomePresets[] = {"quaking_aspen", "english_oak", "scots_pine", "wild_cherry", "strand_oak"};
 } // namespace
 
 CWelcomeCard::CWelcomeCard(QWidget* over) : QFrame(over) {
@@ -57,7 +57,7 @@ QWidget* CWelcomeCard::makePresets() {
     auto* row = new QHBoxLayout(presets);
     row->setContentsMargins(0, 0, 0, 0);
     row->setSpacing(4);
-    for (const char* name : kShown) {
+    for (const char* name : kWelcomePresets) {
         const QString path = fromPath(dataFolder() / "presets" / (std::string(name) + ".tree"));
         auto* button = new QToolButton;
         button->setObjectName(QLatin1String(name));

@@ -24,7 +24,7 @@ QString percentOf(double value) { return QStringLiteral("%1 %").arg(QLocale().to
 
 enum WindRow : std::size_t { kStrength, kDirection, kGusts };
 constexpr double kFlexibilityStep = 0.05;
-constexpr int kNarrow = 100; // pixels
+constexpr int kPanelWidth = 100; // pixels
 } // namespace
 
 /// One row of the table of what the wind is.
@@ -52,7 +52,7 @@ const CWindPanel::Preset CWindPanel::kPresets[] = {
     {"breeze", N_("Breeze"), 0.18, 0.3}, {"wind", N_("Wind"), 0.45, 0.4}, {"gale", N_("Gale"), 1, 0.5}};
 
 CWindPanel::CWindPanel(QWidget* parent) : QWidget(parent), m_switch(new QCheckBox(tr("S&way in the wind"))) {
-    setMinimumWidth(kNarrow); // other docks say how narrow the column may be
+    setMinimumWidth(kPanelWidth); // other docks say how narrow the column may be
     auto* column = new QVBoxLayout(this);
     m_switch->setObjectName(QStringLiteral("windSwitch"));
     column->addWidget(m_switch);

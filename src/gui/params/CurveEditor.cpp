@@ -19,12 +19,12 @@ namespace stromar {
 
 namespace {
 constexpr double kGrip = 9; // pixels around a point
-constexpr int kHeight = 130, kStripHeight = 26;
+constexpr int kCurveHeight = 130, kStripHeight = 26;
 constexpr double kUseHeight = 0.7; // of the picture, for most branches
 constexpr int kBins = 40;          // where x is no number of something
 constexpr double kApart = 1e-3; // that points keep between their x: the last digit that is shown
 
-double rounded(double value, double step) { return std::round(value / step) * step; }
+double snapped(double value, double step) { return std::round(value / step) * step; }
 
 QString shortNumber(double value) { return QLocale().toString(value, 'g', 4); }
 } // namespace
@@ -62,7 +62,7 @@ CCurveEditor::CCurveEditor(const ParamInfo& info, QWidget* parent)
     choose(0);
 }
 
-QSize CCurveEditor::sizeHint() const { return {220, m_folded ? kStripHeight : kHeight + 34}; }
+QSize CCurveEditor::sizeHint() const { return {220, m_folded ? kStripHeight : kCurveHeight + 34}; }
 
 void CCurveEditor::setFolded(bool folded) {
     m_folded = folded;
@@ -133,9 +133,9 @@ CCurve::Point CCurveEditor::pointAt(const QPointF& place, bool snaps) const {
     const QRectF area = plot();
     CCurve::Point point{m_over.min + (place.x() - area.left()) / area.width() * (m_over.max - m_over.min),
                         m_shown.min + (area.bottom() - place.y()) / area.height() * (m_shown.max - m_shown.min)};
-    if (snaps) point = {rounded(point.x, m_axis.step), rounded(point.y, m_info.step)};
+    if (snaps) point = {snapped(point.x, m_axis.step), snapped(point.y, m_info.step)};
     const double digits = std::pow(10, m_info.decimals);
-    return {std::clamp(rounded(point.x, 1e-3), m_info.over.min, m_info.over.max),
+    return {std::clamp(snapped(point.x, 1e-3), m_info.over.min, m_info.over.max),
             std::clamp(std::round(point.y * digits) / digits, m_info.range.min, m_info.range.max)};
 }
 

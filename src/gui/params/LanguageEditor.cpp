@@ -27,7 +27,7 @@ namespace stromar {
 
 namespace {
 constexpr int kTypedMs = 350;  // from the last key until the text is read
-constexpr int kBurstMs = 2000; // typing that pauses longer is another step of the history
+constexpr int kTypingMs = 2000; // typing that pauses longer is another step of the history
 constexpr int kStepMs = 150;
 } // namespace
 
@@ -158,7 +158,7 @@ void CLanguageEditor::check() {
 }
 
 void CLanguageEditor::commit() {
-    if (m_gesture == 0 || !m_sinceCommit.isValid() || m_sinceCommit.elapsed() > kBurstMs) m_gesture = nextGesture();
+    if (m_gesture == 0 || !m_sinceCommit.isValid() || m_sinceCommit.elapsed() > kTypingMs) m_gesture = nextGesture();
     m_sinceCommit.start();
     m_committed = m_code->toPlainText();
     emit edited(m_committed, m_gesture);

@@ -11,7 +11,6 @@
 namespace stromar {
 
 namespace {
-using Kind = Setting::Kind;
 using Words = std::vector<SettingWord>;
 
 Words themes() {
@@ -34,15 +33,15 @@ Words units() { return {{QStringLiteral("m"), trText(N_("Metres"))}, {QStringLit
 
 // clang-format off
 constexpr Setting kSettings[] = {
-    {"theme", N_("Theme"), N_("Light or dark windows."), Kind::Choice, "", 0, 0, 0, "system", themes},
-    {"language", N_("Language"), N_("The language of menus, parameters and help."), Kind::Choice, "", 0, 0, 0, "system", languages},
-    {"navigation", N_("Mouse in the picture"), N_("Which buttons turn, move and zoom. The wheel always zooms."), Kind::Choice, "", 0, 0, 0, "stromar", navigations},
-    {"units", N_("Lengths in"), N_("The unit of lengths in the window. Files are always in metres."), Kind::Choice, "", 0, 0, 0, "m", units},
-    {"fullModelDelay", N_("Full model after"), N_("How long the hand rests before the full model follows the simple one."), Kind::Number, N_(" ms"), 0, 10000, 50, "350", nullptr},
-    {"threads", N_("Threads"), N_("How many processors grow the tree; 0 takes all."), Kind::Number, "", 0, 256, 1, "0", nullptr, N_("automatic")},
-    {"maxMemory", N_("Memory for a tree"), N_("The most that a tree may take while it is made; 0 is half of what is free."), Kind::Number, N_(" GB"), 0, 1024, 1, "0", nullptr, N_("automatic")},
-    {"pictureCache", N_("Picture cache"), N_("The most that cached textures and thumbnails may take on the disk. The oldest beyond it are removed."), Kind::Number, N_(" MB"), 16, 65536, 64, "512", nullptr},
-    {"autosave", N_("Autosave every"), N_("How often changes are kept aside against a crash; 0 never."), Kind::Number, N_(" s"), 0, 3600, 5, "30", nullptr, N_("never")},
+    {"theme", N_("Theme"), N_("Light or dark windows."), Setting::Kind::Choice, "", 0, 0, 0, "system", themes},
+    {"language", N_("Language"), N_("The language of menus, parameters and help."), Setting::Kind::Choice, "", 0, 0, 0, "system", languages},
+    {"navigation", N_("Mouse in the picture"), N_("Which buttons turn, move and zoom. The wheel always zooms."), Setting::Kind::Choice, "", 0, 0, 0, "stromar", navigations},
+    {"units", N_("Lengths in"), N_("The unit of lengths in the window. Files are always in metres."), Setting::Kind::Choice, "", 0, 0, 0, "m", units},
+    {"fullModelDelay", N_("Full model after"), N_("How long the hand rests before the full model follows the simple one."), Setting::Kind::Number, N_(" ms"), 0, 10000, 50, "350", nullptr},
+    {"threads", N_("Threads"), N_("How many processors grow the tree; 0 takes all."), Setting::Kind::Number, "", 0, 256, 1, "0", nullptr, N_("automatic")},
+    {"maxMemory", N_("Memory for a tree"), N_("The most that a tree may take while it is made; 0 is half of what is free."), Setting::Kind::Number, N_(" GB"), 0, 1024, 1, "0", nullptr, N_("automatic")},
+    {"pictureCache", N_("Picture cache"), N_("The most that cached textures and thumbnails may take on the disk. The oldest beyond it are removed."), Setting::Kind::Number, N_(" MB"), 16, 65536, 64, "512", nullptr},
+    {"autosave", N_("Autosave every"), N_("How often changes are kept aside against a crash; 0 never."), Setting::Kind::Number, N_(" s"), 0, 3600, 5, "30", nullptr, N_("never")},
 };
 // clang-format on
 

@@ -8,7 +8,7 @@
 namespace stromar {
 
 namespace {
-constexpr double kFlat = 1e-8;   // twice the area of a triangle that is too flat, over its longest side squared
+constexpr double kTooFlat = 1e-8;   // twice the area of a triangle that is too flat, over its longest side squared
 constexpr double kOnEdge = 1e-6; // share of a triangle below which a point lies on its edge
 constexpr int kMaxSteps = 400;  // to a point, along an edge, or flips for one: more is a fault of rounding
 constexpr int kPasses = 4;
@@ -23,7 +23,7 @@ double area(const glm::dvec2& a, const glm::dvec2& b, const glm::dvec2& c) {
 /// The side of a line from a to b on which c lies: 1 on its left, −1 on its right, 0 nearly on it.
 int sideOf(const glm::dvec2& a, const glm::dvec2& b, const glm::dvec2& c) {
     const auto squared = [](const glm::dvec2& way) { return glm::dot(way, way); };
-    const double twice = area(a, b, c), flat = kFlat * std::max({squared(b - a), squared(c - b), squared(a - c)});
+    const double twice = area(a, b, c), flat = kTooFlat * std::max({squared(b - a), squared(c - b), squared(a - c)});
     return twice > flat ? 1 : twice < -flat ? -1 : 0;
 }
 

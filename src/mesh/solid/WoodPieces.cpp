@@ -1,5 +1,6 @@
 #include "solid/WoodPieces.h"
 #include "stem/PathSurface.h"
+#include "stromar/util/Turn.h"
 #include <algorithm>
 #include <cmath>
 #include <glm/geometric.hpp>
@@ -8,7 +9,6 @@
 namespace stromar {
 
 namespace {
-constexpr double kTurn = 2 * std::numbers::pi;
 constexpr int kAnglesPerRidge = 16;
 constexpr int kMaxPieces = 400; // of a segment
 constexpr double kCutReach = 2; // radii above a trunk's base: what is below it there is cut off

@@ -13,7 +13,7 @@ constexpr double kOfHelixTurn = 0.15; // of a helix's turn: how far a collar may
 constexpr int kStepsPerTurn = 12;     // along a helix, to find where it leaves the wood
 constexpr double kSteepest = 0.2;     // sine of the angle to the parent below which branches leave too slowly
 constexpr double kAboveSurface = 0.3; // radii between the collar's highest point and the first own ring
-constexpr int kHalvings = 8;          // to find the edge of the parent when a point misses it
+constexpr int kEdgeHalvings = 8;          // to find the edge of the parent when a point misses it
 
 /// Length of the drawn centre line.
 double arcOf(const CSegment& segment) { return std::hypot(segment.length, 2 * std::numbers::pi * segment.turns * segment.helixRadius); }
@@ -138,7 +138,7 @@ std::optional<CCollarMaker::Hit> CCollarMaker::nearestExit(const Exit& exit, con
     if (auto hit = lastExit(origin + offset, axis)) return hit;
     std::optional<Hit> best;
     double inside = 0, outside = 1;
-    for (int i = 0; i < kHalvings; ++i) {
+    for (int i = 0; i < kEdgeHalvings; ++i) {
         const double half = (inside + outside) / 2;
         if (auto hit = lastExit(origin + half * offset, axis)) {
             best = hit;

@@ -1,4 +1,5 @@
 #include "stem/Fork.h"
+#include "stromar/util/Turn.h"
 #include <algorithm>
 #include <cmath>
 #include <glm/geometric.hpp>
@@ -8,7 +9,6 @@
 namespace stromar {
 
 namespace {
-constexpr double kTurn = 2 * std::numbers::pi;
 constexpr double kLeastApart = 0.1; // radii from their middle that limbs have to part within their room
 constexpr double kRoom = 0.75;      // of the way to a limb's next fork or tip: how high the saddle may lie
 constexpr double kClearRoom = 0.9;  // likewise the first ring that is the path's own
@@ -17,7 +17,7 @@ constexpr double kApartOfMany = 1.3; // radii from their middle where three or m
 constexpr double kLeastWidth = 0.1;  // radii from the middle to a valley below the saddle, where limbs part and near again
 constexpr double kReach = 3;        // how fast what a valley fills wears off around a ring
 constexpr double kClear = 0.4;      // radii between the saddle and that ring, at least
-constexpr int kHalvings = 12;
+constexpr int kForkHalvings = 12;
 
 glm::dvec2 directionOf(double angle) { return {std::cos(angle), std::sin(angle)}; }
 
@@ -152,7 +152,7 @@ CForkMaker::Level CForkMaker::levelAt(double along) const {
 double CForkMaker::alongWhereApart(double apart) const {
     if (levelAt(m_limit).apart <= apart) return m_limit;
     double low = m_common.along, high = m_limit;
-    for (int halving = 0; halving < kHalvings; ++halving) {
+    for (int halving = 0; halving < kForkHalvings; ++halving) {
         const double middle = (low + high) / 2;
         (levelAt(middle).apart < apart ? low : high) = middle;
     }

@@ -1,4 +1,5 @@
 #include "stem/PointGenerator.h"
+#include "stromar/util/Turn.h"
 #include <algorithm>
 #include <cmath>
 #include <glm/geometric.hpp>
@@ -7,7 +8,6 @@
 namespace stromar {
 
 namespace {
-constexpr double kTurn = 2 * std::numbers::pi;
 constexpr double kCrease = 0.3;     // least cosine between a coarse collar's lowest normals and the branch's
 constexpr std::uint32_t kRound = 8; // points from which a ring is not coarse
 constexpr double kLidDepth = 0.1;   // radii

@@ -1,6 +1,7 @@
 #pragma once
 #include "stromar/tree/StemForm.h"
 #include "stromar/util/Random.h"
+#include "stromar/util/Turn.h"
 #include <algorithm>
 #include <cmath>
 #include <numbers>
@@ -55,7 +56,6 @@ public:
     }
 
 private:
-    static constexpr double kTurn = 2 * std::numbers::pi;
     static constexpr double kWidth = 0.24;  // of a ridge, as a part of what lies between two
     static constexpr double kAside = 0.22;  // how far one stands off its even place, likewise
     static constexpr double kUneven = 0.3;  // of the reach

@@ -16,11 +16,11 @@ glm::vec2 placeOf(glm::dvec2 p, const Packing& packing) {
 
 /// A mesh with the places of its charts.
 Unwrapped unwrapped(const CMesh& mesh, const std::vector<Chart>& charts, const Packing* packings) {
-    constexpr std::uint32_t kNone = UINT32_MAX;
+    constexpr std::uint32_t kUncut = UINT32_MAX;
     Unwrapped all;
     all.indices.resize(mesh.indices.size());
     struct Copy {
-        std::uint32_t chart = kNone, vertex = 0;
+        std::uint32_t chart = kUncut, vertex = 0;
     };
     std::vector<Copy> last(mesh.vertexCount()); // of each vertex
     for (std::uint32_t c = 0; c < charts.size(); ++c)

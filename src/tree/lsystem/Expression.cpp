@@ -58,11 +58,11 @@ const std::array kOperations = {
 };
 constexpr std::uint8_t kNumber = 254, kFormal = 255;
 constexpr std::size_t kMaxDepth = 64; // of the stack
+} // namespace
 
-[[noreturn]] void fail(const TextPlace& place, std::string text) {
+void fail(const TextPlace& place, std::string text) {
     throw CInputError({{Severity::Error, {}, place.line, place.column, std::move(text)}});
 }
-} // namespace
 
 std::vector<std::string> expressionFunctions() {
     std::vector<std::string> names;

@@ -12,10 +12,6 @@ constexpr std::string_view kOrganLetters = "LBK"; // after ~
 constexpr std::array<std::pair<std::string_view, std::string_view>, 4> kSpellings = {
     {{"\u2212", "-"}, {"\u2192", "->"}, {"\u27f6", "->"}, {"\u03c9", "axiom"}}};
 
-[[noreturn]] void fail(const TextPlace& place, std::string text) {
-    throw CInputError({{Severity::Error, {}, place.line, place.column, std::move(text)}});
-}
-
 bool isBlank(char c) { return c == ' ' || c == '\t' || c == '\r'; }
 bool isLetter(char c) { return (c >= 'A' && c <= 'Z') || (c >= 'a' && c <= 'z'); }
 bool isDigit(char c) { return c >= '0' && c <= '9'; }

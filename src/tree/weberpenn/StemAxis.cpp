@@ -1,5 +1,6 @@
 #include "StemAxis.h"
 #include "Draw.h"
+#include "stromar/util/Turn.h"
 #include <algorithm>
 #include <cmath>
 #include <glm/geometric.hpp>
@@ -8,7 +9,6 @@
 namespace stromar {
 
 namespace {
-constexpr double kTurn = 2 * std::numbers::pi;
 
 std::uint64_t place(std::uint64_t path, int k) { return hashCombine(path, static_cast<std::uint64_t>(k)); }
 } // namespace

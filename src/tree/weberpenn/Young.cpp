@@ -11,9 +11,8 @@
 namespace stromar {
 
 namespace {
-constexpr double kMinLength = 1e-6;      // metres; shorter ones are not there yet
+constexpr double kMinYoungLength = 1e-6;      // metres; shorter ones are not there yet
 constexpr double kPalmBase = 0.8;        // BaseSize from which the crown sits at the trunk's tip
-constexpr std::uint32_t kUnborn = ~0u;
 
 /// Cuts the stems of one generation.
 class CStemCutter {
@@ -49,7 +48,7 @@ private:
         const double grown = maturity(m_age, stem.birth);
         stem.length = grown * whole.length;
         stem.radius = grown * whole.radius;
-        if (stem.length < kMinLength) return;
+        if (stem.length < kMinYoungLength) return;
         Carriage carriage;
         if (whole.parent >= 0 && !sitOn(parent, stem, carriage)) return;
         addPaths(whole, stem, carriage);
@@ -142,12 +141,12 @@ private:
         for (std::uint32_t p = 0; p < whole.pathCount; ++p) {
             CPath path = m_grown.paths[whole.firstPath + p];
             const std::span<const CSegment> segments = m_grown.segmentsOf(path);
-            if (p > 0 && segments.front().start + kMinLength > stem.length) continue;
+            if (p > 0 && segments.front().start + kMinYoungLength > stem.length) continue;
             if (path.source >= 0) path.source = m_newPath[static_cast<std::size_t>(path.source)];
             path.firstSegment = static_cast<std::uint32_t>(m_young->segments.size());
             path.segmentCount = 0;
             for (const CSegment& segment : segments) {
-                if (path.segmentCount > 0 && segment.start + kMinLength > stem.length) break;
+                if (path.segmentCount > 0 && segment.start + kMinYoungLength > stem.length) break;
                 addSegment(segment, stem, carriage);
                 ++path.segmentCount;
             }
@@ -163,7 +162,7 @@ private:
         segment.frame = carriage.frame(whole.frame);
         segment.length = std::min(whole.length, stem.length - whole.start);
         segment.turns = static_cast<float>(segment.length / whole.length);
-        segment.forks = whole.forks && whole.end() + kMinLength <= stem.length;
+        segment.forks = whole.forks && whole.end() + kMinYoungLength <= stem.length;
         const auto radius = [&](double along) { return m_taper.radiusAt(std::min(along, stem.length), stem.length, stem.radius); };
         segment.radiusBase = radius(whole.start);
         segment.radiusEnd = radius(segment.end());

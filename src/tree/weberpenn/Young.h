@@ -13,6 +13,8 @@ struct Carriage {
     Frame frame(const Frame& f) const { return turn * f; }
 };
 
+constexpr std::uint32_t kUnborn = ~0u; ///< in place of a stem
+
 /// Stems of a grown generation at an age: those that are born, cut where their tips have come.
 struct CYoungGeneration : CGeneration {
     std::shared_ptr<const CGrownGeneration> grown;

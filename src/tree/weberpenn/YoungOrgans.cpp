@@ -15,7 +15,6 @@ constexpr double kUnfolding = 0.04;         // of the tree's age, that an organ 
 constexpr double kYoung = 0.06;             // since its tip has passed
 constexpr double kFading = 0.02;            // of that
 constexpr double kLastLeafy = 0.85;         // age from which young wood of other generations loses its leaves
-constexpr std::uint32_t kUnborn = ~0u;
 
 double unfolded(double age, double born) { return smoothstep((age - born) / std::min(kUnfolding, 1 - born)); }
 

@@ -1,6 +1,7 @@
 #include "stromar/tree/Wind.h"
 #include "stromar/util/Parallel.h"
 #include "stromar/util/Random.h"
+#include "stromar/util/Turn.h"
 #include <algorithm>
 #include <cmath>
 #include <limits>
@@ -10,7 +11,7 @@
 namespace stromar {
 
 namespace {
-constexpr std::size_t kStemGrain = 256;
+constexpr std::size_t kPosedStems = 256; // at a time
 constexpr double kMaxTurn = std::numbers::pi / 3;
 constexpr double kBend = 0.35;         // radians of a slender stem across a strong gale
 constexpr double kSlender = 60;        // length over diameter that bends so far
@@ -213,7 +214,7 @@ void CWindTable::pose(const Wind& wind, double seconds, WindPose& pose, const CP
     for (std::size_t g = 0; g < m_firstStem.size(); ++g) {
         const WindStem* stems = &m_stems[m_firstStem[g]];
         parallelFor(
-            m_tree->generation(g).stems.size(), kStemGrain,
+            m_tree->generation(g).stems.size(), kPosedStems,
             [&](std::size_t begin, std::size_t end) {
                 for (std::size_t i = begin; i < end; ++i)
                     poseStem(stems[i], pushOn(stems[i], wind, seconds), stems[i].on, pose.rows);
@@ -240,7 +241,7 @@ Flutter::Flutter(std::uint64_t id, float widthOverLength)
       amount(std::clamp(4 * widthOverLength, 0.1f, 1.f)) {}
 
 float Flutter::angle(float strength, double seconds, double loop) const {
-    constexpr double kWide = 25 * std::numbers::pi / 180, kGolden = 1.618, kTurn = 2 * std::numbers::pi;
+    constexpr double kWide = 25 * std::numbers::pi / 180, kGolden = 1.618;
     const double slow = kTurn * Rhythm(hertz, loop).frequency * seconds,
                  fast = kTurn * Rhythm(kGolden * hertz, loop).frequency * seconds;
     const double wave = 0.6 * std::sin(slow + phase) + 0.4 * std::sin(fast + 2.4 * phase);

@@ -15,6 +15,9 @@ struct TextPlace {
     bool operator==(const TextPlace&) const = default;
 };
 
+/// Throws CInputError with one error at this place of a text.
+[[noreturn]] void fail(const TextPlace& place, std::string text);
+
 /// A node of an expression's syntax tree.
 struct ExpressionNode {
     enum class Kind { Number, Name, Call, Unary, Binary };
