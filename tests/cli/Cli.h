@@ -28,6 +28,13 @@ inline Words smallTree(const std::string& command, const Words& more = {}) {
     return words;
 }
 
+/// An export of that tree.
+inline Words exportTo(const std::filesystem::path& path, const Words& more = {}) {
+    Words words = smallTree("export", {"-o", path.string()});
+    words.insert(words.end(), more.begin(), more.end());
+    return words;
+}
+
 inline std::vector<Json> jsonLines(const std::string& text) {
     std::vector<Json> objects;
     std::istringstream in(text);
@@ -39,13 +46,6 @@ inline std::vector<std::string> keysOf(const Json& object) {
     std::vector<std::string> keys;
     for (const auto& item : object.items()) keys.push_back(item.key());
     return keys;
-}
-
-/// An export of that tree.
-inline Words exportTo(const std::filesystem::path& path, const Words& more = {}) {
-    Words words = smallTree("export", {"-o", path.string()});
-    words.insert(words.end(), more.begin(), more.end());
-    return words;
 }
 
 } // namespace stromar::test
