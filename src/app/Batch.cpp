@@ -19,9 +19,9 @@
 namespace stromar {
 
 namespace fs = std::filesystem;
+using Json = nlohmann::ordered_json;
 
 namespace {
-using Json = nlohmann::ordered_json;
 constexpr double kMaxSeeds = 1e6, kMaxModels = 1e6;
 
 std::vector<fs::path> filesOfPattern(const fs::path& pattern) {

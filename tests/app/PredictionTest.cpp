@@ -84,8 +84,7 @@ std::size_t expectWithin(CTreeCreator& creator, const CParams& params, const Det
 /// many thin stems, which nothing stands for.
 constexpr std::size_t kFew = 5000;
 constexpr double kUsualShare = 0.05;
-constexpr std::pair<const char*, double> kLargerShares[] = {
-    {"abop_2_7d", 0.09}, {"abop_2_8b", 0.065}, {"strand_winter", 0.06}};
+constexpr std::pair<const char*, double> kLargerShares[] = {{"abop_2_8b", 0.058}};
 
 void expectFewTriangles(const std::string& name, std::size_t finest, std::size_t coarsest) {
     const auto own = std::ranges::find_if(kLargerShares, [&](const auto& larger) { return name == larger.first; });

@@ -8,7 +8,9 @@ namespace stromar {
 namespace {
 constexpr std::size_t kMaxStems = 64;  // of a subtree, a branch with all that grows on it, that may be left out
 constexpr double kMaxRadius = 0.002;   // likewise, of the tree's height: a fifth of a pixel where the last level of detail is shown
-constexpr double kMaxGrowth = 1 / kLeastShareOfThinBranches;
+// Likewise, of a bare tree of so many thin stems that this leaves too many triangles: more than so many, and than this part of those at LOD 0.
+constexpr double kMaxRadiusOfMany = 0.004, kLeastShareOfMany = 0.23, kTooMany = 2 * kFewWoodTriangles, kTooLarge = 0.055;
+constexpr double kOverlap = 1.04; // of those few that are as thick as all: they hide more of one another
 constexpr std::size_t kSampled = 2000; // stems of a generation that tell how many triangles all have at LOD 0
 constexpr std::size_t kAllStems = ~std::size_t{0};
 
@@ -91,18 +93,22 @@ template <typename MayGo> Subtrees subtreesThatMayGo(const CTree& tree, MayGo&& 
     return subtrees;
 }
 
-/// The part of their triangles that fills what other stems leave of the budget.
-double shareOf(const Subtrees& subtrees, const PerStem<double>& costs, double budget) {
-    double left = budget, theirs = 0;
+/// Corners of the triangles of those in subtrees, and of all others.
+struct SplitCost {
+    double subtrees = 0, others = 0;
+
+    /// The part of the subtrees' that fills what the others leave of a budget.
+    double shareIn(double budget) const { return (budget - others) / std::max(1.0, subtrees); }
+};
+
+SplitCost splitCost(const Subtrees& subtrees, const PerStem<double>& costs) {
+    SplitCost split;
     for (std::size_t g = 0; g < costs.size(); ++g)
-        for (std::size_t s = 0; s < costs[g].size(); ++s) {
-            if (subtrees.of[g][s] == Subtrees::kNone) left -= costs[g][s];
-            else theirs += costs[g][s];
-        }
-    return left / std::max(1.0, theirs);
+        for (std::size_t s = 0; s < costs[g].size(); ++s) (subtrees.of[g][s] == Subtrees::kNone ? split.others : split.subtrees) += costs[g][s];
+    return split;
 }
 
-bool stays(const CTree& tree, const Subtrees::Root& root, double share) {
+bool isKept(const CTree& tree, const Subtrees::Root& root, double share) {
     return share >= 1 || root.stem == 0 || unitOf(hashCombine(0, tree.generation(root.generation).stems[root.stem].id)) < share;
 }
 
@@ -116,7 +122,7 @@ StemSet setOf(const Subtrees& subtrees, const std::vector<bool>& chosen) {
 }
 
 /// How much thicker those that stay have to be to cover as much as all do.
-double growthOf(const CTree& tree, const Subtrees& subtrees, const std::vector<bool>& stay, const StemSet& asCards) {
+double growthOf(const CTree& tree, const Subtrees& subtrees, const std::vector<bool>& stay, const StemSet& asCards, double max) {
     double all = 0, kept = 0;
     for (std::size_t g = 0; g < subtrees.of.size(); ++g)
         for (std::size_t s = 0; s < subtrees.of[g].size(); ++s) {
@@ -125,7 +131,7 @@ double growthOf(const CTree& tree, const Subtrees& subtrees, const std::vector<b
             all += stem.length * stem.radius;
             if (stay[subtrees.of[g][s]]) kept += stem.length * stem.radius;
         }
-    return kept > 0 ? std::min(kMaxGrowth, all / kept) : 1;
+    return kept > 0 ? std::min(max, all / kept) : 1;
 }
 } // namespace
 
@@ -146,25 +152,32 @@ StemChoice chooseStems(const CTree& tree, const MeshParams& params, const Detail
     choice.fullTriangles = (full.stems + full.collars) / 3;
     const double budget = joined ? wanted : std::max(wanted, 3.0 * kFewWoodTriangles);
     const PerStem<std::size_t> sizes = joined ? PerStem<std::size_t>() : stemsOn(tree);
-    const double thin = kMaxRadius * tree.height();
     Subtrees subtrees;
-    double share = 0;
-    for (std::size_t most = 1; most <= kMaxStems && share < kLeastShareOfThinBranches; most *= 2) {
+    double share = 0, overlap = 1, least = joined ? detail.share : kLeastShareOfThinBranches;
+    const auto look = [&](std::size_t most, double thin) {
         subtrees = subtreesThatMayGo(tree, [&](std::size_t g, std::size_t s) {
-            return g == last || (!joined && sizes[g][s] <= most && tree.generation(g).stems[s].radius <= thin);
+            return g == last || (!joined && sizes[g][s] <= most && tree.generation(g).stems[s].radius <= thin * tree.height());
         });
-        share = shareOf(subtrees, own, budget);
-        if (joined) break;
+        const SplitCost split = splitCost(subtrees, own);
+        share = split.shareIn(budget);
+        return split.others + std::max(share, least) * split.subtrees;
+    };
+    double kept = look(1, kMaxRadius);
+    for (std::size_t most = 2; !joined && most <= kMaxStems && share < least; most *= 2) kept = look(most, kMaxRadius);
+    if (!joined && kept > std::max(3 * kTooMany, kTooLarge * (full.stems + full.collars))) {
+        least = kLeastShareOfMany;
+        overlap = kOverlap;
+        look(kMaxStems, kMaxRadiusOfMany);
     }
     if (share >= 1) return choice;
     std::vector<bool> stay, go;
     for (const Subtrees::Root& root : subtrees.roots) {
-        stay.push_back(stays(tree, root, std::max(share, joined ? detail.share : kLeastShareOfThinBranches)));
+        stay.push_back(isKept(tree, root, std::max(share, least)));
         go.push_back(!stay.back());
     }
     choice.leftOut = setOf(subtrees, go);
     choice.thicker = setOf(subtrees, stay);
-    choice.growth = growthOf(tree, subtrees, stay, choice.asCards);
+    choice.growth = overlap * growthOf(tree, subtrees, stay, choice.asCards, 1 / least);
     choice.organsStay = !joined;
     return choice;
 }
