@@ -13,7 +13,7 @@ if(STROMAR_SANITIZE)
   target_link_options(stromar_options INTERFACE -fsanitize=${STROMAR_SANITIZE})
 endif()
 
-# With CMAKE_UNITY_BUILD files of a folder are compiled together, sixteen at a time, which takes a third of the time: the names in their
+# With CMAKE_UNITY_BUILD files of a folder are compiled together, sixteen at a time, which takes half the time: the names in their
 # anonymous namespaces differ. The preset dev compiles each by itself: a file names all that it needs.
 set(STROMAR_COMPILED_TOGETHER 16 CACHE STRING "How many files of a folder are compiled together")
 function(stromar_compile_together target)

@@ -16,7 +16,7 @@ void copyInto(Pixels& atlas, int side, const Pixels& frame, int frameSide, int c
 
 /// Spread over what the grid is for: half of it evenly by height, hardly ever from right above.
 glm::dvec3 directionTo(int i, int count, bool whole) {
-    constexpr double kGolden = 2.399963, kHighest = 1.45;
+    constexpr double kGolden = 2.399963, kHighest = 1.35;
     const double z = whole ? (2 * i + 1.0) / count - 1 : std::sin(kHighest * i / count), across = std::sqrt(1 - z * z);
     return {across * std::cos(kGolden * i), across * std::sin(kGolden * i), z};
 }

@@ -60,7 +60,7 @@ constexpr std::uint8_t kNumber = 254, kFormal = 255;
 constexpr std::size_t kMaxDepth = 64; // of the stack
 } // namespace
 
-void fail(const TextPlace& place, std::string text) {
+void failAt(const TextPlace& place, std::string text) {
     throw CInputError({{Severity::Error, {}, place.line, place.column, std::move(text)}});
 }
 
@@ -113,7 +113,7 @@ private:
 
     void add(const ExpressionNode& node, std::size_t depth) {
         if (depth + 2 >= kMaxDepth)
-            fail(node.place, translated(NC_("stromar", "this expression is nested too deeply")));
+            failAt(node.place, translated(NC_("stromar", "this expression is nested too deeply")));
         switch (node.kind) {
         case ExpressionNode::Kind::Number: m_steps.push_back({kNumber, 0, node.number}); return;
         case ExpressionNode::Kind::Name: return addName(node);
@@ -132,7 +132,7 @@ private:
         if (constant == m_constants.rend()) {
             std::vector<std::string> known(m_formals.begin(), m_formals.end());
             for (const NamedValue& value : m_constants) known.push_back(value.name);
-            fail(node.place,
+            failAt(node.place,
                  translated(NC_("stromar", "'%1' is not defined here"), node.name) + suggestion(node.name, known));
         }
         m_steps.push_back({kNumber, 0, constant->value});
@@ -145,10 +145,10 @@ private:
         const auto found = std::ranges::find_if(
             kOperations, [&](const Operation& o) { return named(o) && (function || o.operands == operands); });
         if (found == kOperations.end())
-            fail(node.place, translated(NC_("stromar", "there is no function '%1'"), node.name) +
+            failAt(node.place, translated(NC_("stromar", "there is no function '%1'"), node.name) +
                                  suggestion(node.name, expressionFunctions()));
         if (found->operands != operands)
-            fail(node.place, translated(found->operands == 1 ? NC_("stromar", "%1() takes %2 number, not %3")
+            failAt(node.place, translated(found->operands == 1 ? NC_("stromar", "%1() takes %2 number, not %3")
                                                              : NC_("stromar", "%1() takes %2 numbers, not %3"),
                                         found->name, found->operands, operands));
         const std::size_t first = m_steps.size();
@@ -165,7 +165,7 @@ private:
         m_steps.resize(first);
         m_steps.push_back({kNumber, 0, found->apply(a, b)});
         if (!std::isfinite(m_steps.back().number))
-            fail(node.place, translated(NC_("stromar", "this is no finite number")));
+            failAt(node.place, translated(NC_("stromar", "this is no finite number")));
     }
 
     std::span<const std::string> m_formals;

@@ -69,7 +69,7 @@ private:
     void skipBlock() {
         const TextPlace start = m_place;
         const std::size_t end = m_text.find("*/", m_at + 2);
-        if (end == std::string_view::npos) fail(start, translated(NC_("stromar", "this comment has no end")));
+        if (end == std::string_view::npos) failAt(start, translated(NC_("stromar", "this comment has no end")));
         const TextPlace place = m_place;
         m_lines.back().add(' ', place, m_at);
         while (m_at < end + 2) step();
@@ -123,7 +123,7 @@ public:
         return true;
     }
     void expect(std::string_view word) {
-        if (!accept(word)) fail(place(), translated(NC_("stromar", "expected '%1'"), word));
+        if (!accept(word)) failAt(place(), translated(NC_("stromar", "expected '%1'"), word));
     }
     bool seesArrow() { return sees("->") || sees("-->"); }
     bool acceptArrow() { return accept("-->") || accept("->"); }
@@ -223,11 +223,11 @@ private:
         if (isDigit(c) || c == '.') return {Kind::Number, number(), {}, {}, where};
         if (accept("(")) {
             ExpressionNode inner = expression();
-            if (!accept(")")) fail(where, translated(NC_("stromar", "this bracket is not closed")));
+            if (!accept(")")) failAt(where, translated(NC_("stromar", "this bracket is not closed")));
             return inner;
         }
         if (!isLetter(c) && c != '_')
-            fail(where, translated(c == '\0' ? NC_("stromar", "a number is missing here")
+            failAt(where, translated(c == '\0' ? NC_("stromar", "a number is missing here")
                                              : NC_("stromar", "this is no number")));
         std::string word = name();
         if (!accept("(")) return {Kind::Name, 0, std::move(word), {}, where};
@@ -235,7 +235,7 @@ private:
         if (accept(")")) return call;
         do call.operands.push_back(expression());
         while (accept(","));
-        if (!accept(")")) fail(where, translated(NC_("stromar", "the bracket of this call is not closed")));
+        if (!accept(")")) failAt(where, translated(NC_("stromar", "the bracket of this call is not closed")));
         return call;
     }
 
@@ -255,7 +255,7 @@ private:
             }
         }
         const auto value = parseNumber(digits);
-        if (!value) fail(where, translated(NC_("stromar", "'%1' is no number"), digits));
+        if (!value) failAt(where, translated(NC_("stromar", "'%1' is no number"), digits));
         return *value;
     }
 
@@ -269,7 +269,7 @@ public:
 
     Grammar parse() {
         for (const PlacedText& line : CLineSplitter(m_text).split()) parseLine(line);
-        if (m_grammar.axiom.empty()) fail({1, 1}, translated(NC_("stromar", "the axiom is missing: axiom: …")));
+        if (m_grammar.axiom.empty()) failAt({1, 1}, translated(NC_("stromar", "the axiom is missing: axiom: …")));
         std::stable_partition(m_grammar.productions.begin(), m_grammar.productions.end(),
                               [](const Production& production) { return production.hasContext(); });
         warnOfDeadProductions();
@@ -283,19 +283,19 @@ private:
         if (reader.accept("#define")) return parseDefine(reader, line.comment);
         if (reader.accept("#ignore")) return parseIgnored(reader);
         if (reader.peek() == '#')
-            fail(reader.place(), translated(NC_("stromar", "only #define and #ignore are known")));
+            failAt(reader.place(), translated(NC_("stromar", "only #define and #ignore are known")));
         const TextPlace place = reader.place();
         if (const std::size_t start = reader.at(); reader.name() == "n" && reader.accept("="))
-            fail(place,
+            failAt(place,
                  translated(
                      NC_("stromar", "the number of derivations is the value Derivations, not a line of the grammar")));
         else
             reader.goTo(start);
         if (reader.accept("axiom")) {
             reader.expect(":");
-            if (!m_grammar.axiom.empty()) fail(place, translated(NC_("stromar", "there is an axiom already")));
+            if (!m_grammar.axiom.empty()) failAt(place, translated(NC_("stromar", "there is an axiom already")));
             m_grammar.axiom = parseWord(reader, {});
-            if (m_grammar.axiom.empty()) fail(place, translated(NC_("stromar", "the axiom is empty")));
+            if (m_grammar.axiom.empty()) failAt(place, translated(NC_("stromar", "the axiom is empty")));
             return;
         }
         parseProduction(reader, place);
@@ -306,15 +306,15 @@ private:
         GrammarDefine define{};
         define.name = reader.name();
         if (define.name.empty() || isDigit(define.name[0]))
-            fail(start, translated(NC_("stromar", "#define needs a name")));
+            failAt(start, translated(NC_("stromar", "#define needs a name")));
         define.place = reader.place();
         define.offset = reader.offset();
         const ExpressionNode tree = reader.expression();
         define.length = trimmed(m_text.substr(define.offset, reader.offsetBefore() - define.offset)).size();
-        if (!reader.atEnd()) fail(reader.place(), translated(NC_("stromar", "nothing may follow the value")));
+        if (!reader.atEnd()) failAt(reader.place(), translated(NC_("stromar", "nothing may follow the value")));
         std::uint16_t rands = 0;
         const auto value = compileExpression(tree, {}, m_values, rands).constant();
-        if (!value) fail(define.place, translated(NC_("stromar", "a value that is defined cannot depend on chance")));
+        if (!value) failAt(define.place, translated(NC_("stromar", "a value that is defined cannot depend on chance")));
         const bool negative = tree.kind == ExpressionNode::Kind::Unary && tree.name == "-" &&
                               tree.operands[0].kind == ExpressionNode::Kind::Number;
         define.isNumber = negative || tree.kind == ExpressionNode::Kind::Number;
@@ -349,17 +349,17 @@ private:
         const TextPlace place = reader.place();
         const char c = reader.peek();
         if (c == '{' || c == '}' || c == '.')
-            fail(place, translated(NC_("stromar", "polygons { . } are not supported; use ~L for a leaf")));
+            failAt(place, translated(NC_("stromar", "polygons { . } are not supported; use ~L for a leaf")));
         if (c == '~') {
             reader.take();
             const std::size_t organ = kOrganLetters.find(reader.peek());
             if (reader.atEnd() || organ == std::string_view::npos)
-                fail(place, translated(NC_("stromar", "after ~ stands L (leaf), B (blossom) or K (fruit)")));
+                failAt(place, translated(NC_("stromar", "after ~ stands L (leaf), B (blossom) or K (fruit)")));
             reader.take();
             return static_cast<Symbol>(kLeafSymbol + organ);
         }
         if (!isLetter(c) && kTurtleLetters.find(c) == std::string_view::npos)
-            fail(place, c == '\0' ? translated(NC_("stromar", "a letter is missing here"))
+            failAt(place, c == '\0' ? translated(NC_("stromar", "a letter is missing here"))
                                   : translated(NC_("stromar", "'%1' is no letter of a word"), std::string(1, c)));
         return static_cast<Symbol>(reader.take());
     }
@@ -375,18 +375,18 @@ private:
                 do module.numbers.push_back(compileExpression(reader.expression(), formals, m_values, m_rands));
                 while (reader.accept(","));
                 if (!reader.accept(")"))
-                    fail(module.place,
+                    failAt(module.place,
                          translated(NC_("stromar", "the bracket of this module's numbers is not closed")));
             }
             if (module.symbol == '[') open.push_back(module.place);
             if (module.symbol == ']') {
-                if (open.empty()) fail(module.place, translated(NC_("stromar", "there is no [ for this ]")));
+                if (open.empty()) failAt(module.place, translated(NC_("stromar", "there is no [ for this ]")));
                 open.pop_back();
             }
             m_made.insert({module.symbol, module.numbers.size()});
             word.push_back(std::move(module));
         }
-        if (!open.empty()) fail(open.back(), translated(NC_("stromar", "there is no ] for this [")));
+        if (!open.empty()) failAt(open.back(), translated(NC_("stromar", "there is no ] for this [")));
         return word;
     }
 
@@ -399,11 +399,11 @@ private:
                     const TextPlace place = reader.place();
                     formals.push_back(reader.name());
                     if (formals.back().empty() || isDigit(formals.back()[0]))
-                        fail(place, translated(NC_("stromar", "here stands the name of a parameter")));
+                        failAt(place, translated(NC_("stromar", "here stands the name of a parameter")));
                     ++pattern.numbers;
                 } while (reader.accept(","));
                 if (!reader.accept(")"))
-                    fail(reader.place(), translated(NC_("stromar", "expected ')' after the parameters")));
+                    failAt(reader.place(), translated(NC_("stromar", "expected ')' after the parameters")));
             }
             patterns.push_back(pattern);
         }
@@ -430,15 +430,15 @@ private:
         }
         if (reader.accept(">")) production.right = parsePatterns(reader, formals);
         if (first.size() != 1)
-            fail(place, translated(NC_("stromar", "a production rewrites one module: A(x) : condition -> successor")));
+            failAt(place, translated(NC_("stromar", "a production rewrites one module: A(x) : condition -> successor")));
         production.predecessor = first[0];
         if (formals.size() > kMaxFormals)
-            fail(place, translated(NC_("stromar", "a production has at most 32 parameters")));
+            failAt(place, translated(NC_("stromar", "a production has at most 32 parameters")));
         production.formals = static_cast<std::uint16_t>(formals.size());
         for (const std::vector<ModulePattern>* context : {&production.left, &production.right})
             for (const ModulePattern& pattern : *context)
                 if (pattern.symbol == '[' || pattern.symbol == ']')
-                    fail(place, translated(NC_("stromar", "brackets in a context are not supported")));
+                    failAt(place, translated(NC_("stromar", "brackets in a context are not supported")));
         const auto compiled = [&](const ExpressionNode& tree) {
             return compileExpression(tree, formals, m_values, m_rands);
         };
@@ -447,7 +447,7 @@ private:
             if (reader.accept(":")) production.probability = compiled(reader.expression());
         } else
             reader.accept("*");
-        if (!reader.acceptArrow()) fail(reader.place(), translated(NC_("stromar", "expected '->'")));
+        if (!reader.acceptArrow()) failAt(reader.place(), translated(NC_("stromar", "expected '->'")));
         if (reader.accept("(")) {
             production.probability = compiled(reader.expression());
             reader.expect(")");

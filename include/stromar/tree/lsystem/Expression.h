@@ -16,7 +16,7 @@ struct TextPlace {
 };
 
 /// Throws CInputError with one error at this place of a text.
-[[noreturn]] void fail(const TextPlace& place, std::string text);
+[[noreturn]] void failAt(const TextPlace& place, std::string text);
 
 /// A node of an expression's syntax tree.
 struct ExpressionNode {
