@@ -1,3 +1,4 @@
+#include "mesh/SampleTrees.h"
 #include "stromar/app/Collision.h"
 #include "stromar/app/Export.h"
 #include "stromar/params/TreeFile.h"

@@ -1,4 +1,5 @@
 // Trees of other programs: what becomes of each value, and that no file can do harm.
+#include "mesh/SampleTrees.h"
 #include "stromar/app/Import.h"
 #include "stromar/params/ParamTable.h"
 #include "stromar/params/TreeFile.h"
