@@ -295,7 +295,7 @@ TEST_F(MotionTest, TheLineOfASelectedStemFallsWithIt) {
 }
 
 TEST_F(MotionTest, PicturesOfAgesChooseThem) {
-    dock("variants")->show();
+    dock("variants")->raise();
     widget<QToolButton>("age1")->click();
     EXPECT_TRUE(showsAge(0.4, Model::Full));
 }

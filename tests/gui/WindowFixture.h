@@ -23,7 +23,6 @@ namespace stromar {
 class WindowFixture : public ::testing::Test {
 protected:
     void SetUp() override {
-        dock("variants")->hide(); // its pictures of other trees would take most of the time
         window.show();
         ASSERT_TRUE(QTest::qWaitForWindowExposed(&window));
         QApplication::setActiveWindow(&window); // a bare X server has no window manager to do it

@@ -13,8 +13,8 @@ namespace stromar {
 
 namespace {
 constexpr int kRestMs = 3000;          // from the last picture until its graphics memory is freed
-constexpr int kLookVersion = 3;       // rises when the same tree is drawn differently
-constexpr double kFewVertices = 4e5;  // up to here the level of detail may be fine
+constexpr int kLookVersion = 4;       // rises when the same tree is drawn differently
+constexpr double kFewVertices = 4e5;  // up to here all leaves are drawn
 
 /// Where the picture of such a tree is kept.
 QString keptFile(const CParams& params, const SurfaceTextures& textures, const QSize& pixels) {
@@ -36,8 +36,10 @@ QString keptFile(const CParams& params, const SurfaceTextures& textures, const Q
     return folder.filePath(QString::fromLatin1(hash.result().toHex()) + QStringLiteral(".png"));
 }
 
+/// Coarser levels of detail are measured for long.
 const Detail& detailFor(const CParams& params) {
-    return detailOf(Model::Full, predictSize(params, detailOf(Model::Full, 1)).vertices < kFewVertices ? 1 : 3);
+    const Detail& full = detailOf(Model::Full);
+    return predictSize(params, full).vertices < kFewVertices ? full : detailOf(Model::Simple);
 }
 } // namespace
 

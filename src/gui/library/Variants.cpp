@@ -209,8 +209,13 @@ void CVariants::showParams(const CParams& params, const std::filesystem::path& f
     fillGroups();
     const std::vector<int> liked = seedsFrom(params.text.likedSeeds);
     m_like->setChecked(std::ranges::find(liked, params.common.seed) != liked.end());
-    if ((m_stale || m_agesStale) && isVisible()) m_pause.start();
     if (otherLiked) requestLiked();
+    if (m_shown && stale()) m_pause.start();
+}
+
+void CVariants::setShown(bool shown) {
+    m_shown = shown;
+    if (m_shown && stale()) m_pause.start();
 }
 
 /// The pictures take the room there is.
@@ -230,15 +235,10 @@ void CVariants::layOut(QGridLayout& grid, std::span<QToolButton* const> cells, i
     }
 }
 
-void CVariants::showEvent(QShowEvent* event) {
-    QWidget::showEvent(event);
-    if (m_stale || m_agesStale) m_pause.start();
-}
-
 QSize CVariants::pictureSize() const { return QSize(kPictureSize, kPictureSize) * devicePixelRatioF(); }
 
 void CVariants::requestAges() {
-    if (!isVisible() || !m_agesStale) return;
+    if (!m_shown || !m_agesStale) return;
     m_agesStale = false;
     m_thumbnails.drop(QLatin1String(kAgeId));
     for (std::size_t i = 0; i < kAges.size(); ++i)
@@ -247,7 +247,7 @@ void CVariants::requestAges() {
 }
 
 void CVariants::requestSheet() {
-    if (!isVisible() || !m_stale) return;
+    if (!m_shown || !m_stale) return;
     m_stale = false;
     m_thumbnails.drop(QLatin1String(kSheetId));
     for (std::size_t i = 0; i < m_seeds.size(); ++i) {
@@ -259,6 +259,7 @@ void CVariants::requestSheet() {
 }
 
 void CVariants::requestLiked() {
+    m_likedStale = !m_shown;
     m_thumbnails.drop(QLatin1String(kLikedId));
     m_liked->clear();
     for (const int seed : seedsFrom(m_params.text.likedSeeds)) {
@@ -266,7 +267,7 @@ void CVariants::requestLiked() {
         item->setData(Qt::UserRole, seed);
         CParams params = m_params;
         params.common.seed = seed;
-        if (isVisible())
+        if (m_shown)
             m_thumbnails.request(QStringLiteral("%1%2").arg(QLatin1String(kLikedId)).arg(seed), params, m_folder,
                                  pictureSize(), CThumbnails::Keep::No);
     }

@@ -26,6 +26,8 @@ public:
     explicit CVariants(CThumbnails& thumbnails, QWidget* parent = nullptr);
 
     void showParams(const CParams& params, const std::filesystem::path& folder);
+    /// Whether a person sees it: trees are grown only then. Qt takes docks behind another's tab for visible.
+    void setShown(bool shown);
     const std::array<int, kSheet>& seeds() const { return m_seeds; }
 
 signals:
@@ -37,10 +39,10 @@ signals:
 
 protected:
     void resizeEvent(QResizeEvent* event) override;
-    void showEvent(QShowEvent* event) override;
 
 private:
     void throwSheet();
+    bool stale() const { return m_stale || m_agesStale || m_likedStale; }
     void requestSheet();
     void requestLiked();
     void requestAges();
@@ -70,7 +72,8 @@ private:
     CParams m_params;
     std::filesystem::path m_folder;
     bool m_stale = true;      ///< the sheet
-    bool m_agesStale = true;
+    bool m_agesStale = true, m_likedStale = true;
+    bool m_shown = false;
 };
 
 /// The numbers of a list of seeds; what is no number is left out.

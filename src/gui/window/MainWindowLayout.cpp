@@ -78,6 +78,7 @@ void CMainWindow::makeDocks() {
     scroll->setFrameShape(QFrame::NoFrame);
     scroll->setHorizontalScrollBarPolicy(Qt::ScrollBarAlwaysOff);
     QDockWidget* variants = addDock("variants", tr("Variants"), scroll, Qt::LeftDockWidgetArea);
+    connect(variants, &QDockWidget::visibilityChanged, m_variants, &CVariants::setShown);
     auto* steps = new QUndoView(&m_document->history());
     steps->setEmptyLabel(tr("As opened"));
     steps->setAccessibleName(tr("History"));

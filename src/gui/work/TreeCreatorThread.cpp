@@ -3,9 +3,6 @@
 #include "stromar/app/Methods.h"
 #include "stromar/texture/Draw.h"
 #include <algorithm>
-#ifdef __GLIBC__
-#include <malloc.h>
-#endif
 
 namespace stromar {
 
@@ -14,13 +11,6 @@ namespace {
 /// finish when the last picture is older than this.
 constexpr std::chrono::milliseconds kPictureAge{120};
 constexpr std::chrono::seconds kIdle{2};
-
-/// What older trees have left goes back to the system, which the C library does not do by itself.
-void returnFreedMemory() {
-#ifdef __GLIBC__
-    malloc_trim(0);
-#endif
-}
 } // namespace
 
 CTreeCreatorThread::CTreeCreatorThread(std::unique_ptr<CTreeCreator> creator, QObject* parent)
@@ -106,7 +96,6 @@ TooLargeTree CTreeCreatorThread::refusedTree(const Request& request, const Predi
 void CTreeCreatorThread::freeMemory() {
     if (m_shown) m_creator->forgetOthers(*m_shown);
     if (const std::uintmax_t most = m_pictureCache) trimPictureCache(most);
-    returnFreedMemory();
 }
 
 void CTreeCreatorThread::run() {
