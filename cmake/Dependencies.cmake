@@ -11,6 +11,7 @@ find_package(libjpeg-turbo REQUIRED)
 find_package(pugixml REQUIRED)
 find_package(ZLIB REQUIRED)
 find_package(OpenEXR 3.1 REQUIRED)
+find_library(STROMAR_JEMALLOC jemalloc REQUIRED)
 
 if(STROMAR_OSG)
   set(OpenGL_GL_PREFERENCE GLVND)

@@ -38,9 +38,14 @@ function(stromar_layer name)
   stromar_compile_together(stromar_${name})
 endfunction()
 
-# Makes leaks of drivers nameable in a program that uses OpenGL.
-function(stromar_keep_drivers_loaded program)
-  if(STROMAR_SANITIZE MATCHES address)
-    target_sources(${program} PRIVATE ${PROJECT_SOURCE_DIR}/cmake/keep-loaded.cpp)
+# stromar_program(NAME LINK libraries …): what every program has besides: warnings, and memory in huge pages.
+function(stromar_program name)
+  cmake_parse_arguments(ARG "" "" "LINK" ${ARGN})
+  target_link_libraries(${name} PRIVATE ${ARG_LINK} stromar_options)
+  if(NOT STROMAR_SANITIZE)
+    target_sources(${name} PRIVATE ${PROJECT_SOURCE_DIR}/cmake/huge-pages.cpp)
+    target_link_libraries(${name} PRIVATE ${STROMAR_JEMALLOC})
+  elseif(STROMAR_SANITIZE MATCHES address)
+    target_sources(${name} PRIVATE ${PROJECT_SOURCE_DIR}/cmake/keep-loaded.cpp)
   endif()
 endfunction()

@@ -1,3 +1,3 @@
-// Linked into programs with OpenGL when they are built with AddressSanitizer: drivers stay loaded, so that the leak
+// Linked into programs when they are built with AddressSanitizer: drivers stay loaded, so that the leak
 // checker can name (and lsan.supp suppress) what they leave behind.
 extern "C" int dlclose(void*) { return 0; }

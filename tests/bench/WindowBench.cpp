@@ -18,6 +18,8 @@ using namespace stromar;
 
 QString preset(const char* name) { return QStringLiteral(STROMAR_SOURCE "/presets/%1.tree").arg(QLatin1String(name)); }
 
+constexpr QSize kUsual(1280, 800), k4K(3840, 2160);
+
 /// Until the viewport has drawn the next model.
 void waitForPicture(CMainWindow& window) {
     QEventLoop loop;
@@ -62,8 +64,9 @@ BENCHMARK_CAPTURE(BM_SliderStep, oakMonth, "english_oak", "Season", 4, 10, 0.1)-
 BENCHMARK_CAPTURE(BM_SliderStep, willowMonth, "weeping_willow", "Season", 4, 10, 0.1)->Name("Window/MonthStep/weeping_willow")->Unit(benchmark::kMillisecond)->UseRealTime();
 
 /// One picture of a view that a hand turns. `first_ms`: the first pictures, before the viewport saves what the hand cannot wait for.
-void BM_OrbitFrame(benchmark::State& state, const char* name) {
+void BM_OrbitFrame(benchmark::State& state, const char* name, QSize size) {
     CMainWindow window;
+    window.resize(size);
     window.show();
     window.files().open(preset(name));
     waitForPicture(window); // of the simple model, then the full one
@@ -88,9 +91,12 @@ void BM_OrbitFrame(benchmark::State& state, const char* name) {
     for (int i = 0; i < 10; ++i) turn();
     for (auto _ : state) turn();
 }
-BENCHMARK_CAPTURE(BM_OrbitFrame, quaking_aspen, "quaking_aspen")->Name("Window/OrbitFrame/quaking_aspen")->Unit(benchmark::kMillisecond)->UseRealTime();
-BENCHMARK_CAPTURE(BM_OrbitFrame, english_oak, "english_oak")->Name("Window/OrbitFrame/english_oak")->Unit(benchmark::kMillisecond)->UseRealTime();
-BENCHMARK_CAPTURE(BM_OrbitFrame, weeping_willow, "weeping_willow")->Name("Window/OrbitFrame/weeping_willow")->Unit(benchmark::kMillisecond)->UseRealTime();
+BENCHMARK_CAPTURE(BM_OrbitFrame, quaking_aspen, "quaking_aspen", kUsual)->Name("Window/OrbitFrame/quaking_aspen")->Unit(benchmark::kMillisecond)->UseRealTime();
+BENCHMARK_CAPTURE(BM_OrbitFrame, english_oak, "english_oak", kUsual)->Name("Window/OrbitFrame/english_oak")->Unit(benchmark::kMillisecond)->UseRealTime();
+BENCHMARK_CAPTURE(BM_OrbitFrame, weeping_willow, "weeping_willow", kUsual)->Name("Window/OrbitFrame/weeping_willow")->Unit(benchmark::kMillisecond)->UseRealTime();
+BENCHMARK_CAPTURE(BM_OrbitFrame, quaking_aspen4K, "quaking_aspen", k4K)->Name("Window/OrbitFrame/quaking_aspen/4K")->Unit(benchmark::kMillisecond)->UseRealTime();
+BENCHMARK_CAPTURE(BM_OrbitFrame, english_oak4K, "english_oak", k4K)->Name("Window/OrbitFrame/english_oak/4K")->Unit(benchmark::kMillisecond)->UseRealTime();
+BENCHMARK_CAPTURE(BM_OrbitFrame, weeping_willow4K, "weeping_willow", k4K)->Name("Window/OrbitFrame/weeping_willow/4K")->Unit(benchmark::kMillisecond)->UseRealTime();
 
 /// One step of a point of a curve that is held: likewise, with the branches it touches lit up.
 void BM_CurveStep(benchmark::State& state) {
