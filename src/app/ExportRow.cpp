@@ -136,7 +136,7 @@ void writeRow(std::span<const RowTree> trees, const Detail& detail, const Export
     for (const RowTree& tree : trees) {
         CTreeCreator creator(true, limits);
         creator.setAge(tree.age);
-        const auto model = creator.create(tree.params, tree.detail ? *tree.detail : detail, progress);
+        const auto model = creator.create(tree.params, tree.detail ? *tree.detail : detail, progress, CTreeCreator::Plans::Keep);
         maker.add(tree, finishedModel(model, options, treeFolder, each, progress), progress);
     }
     if (maker.row().meshes.empty())

@@ -17,7 +17,7 @@ std::vector<std::shared_ptr<const TreeModel>> makeLods(CTreeCreator& creator, co
                                                        const CProgress& progress, const std::shared_ptr<const TreeModel>& ready) {
     std::vector<std::shared_ptr<const TreeModel>> lods;
     for (const Detail* detail : detailsOf(options))
-        lods.push_back(ready && ready->detail == detail ? ready : creator.create(params, *detail, progress));
+        lods.push_back(ready && ready->detail == detail ? ready : creator.create(params, *detail, progress, CTreeCreator::Plans::Keep));
     return lods;
 }
 

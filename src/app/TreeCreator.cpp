@@ -47,10 +47,10 @@ void release(Vector& values) {
 /// Makes one model of the creator's tree, out of what was made before where it is still true.
 class CTreeCreator::CModelMaker {
 public:
-    CModelMaker(CTreeCreator& creator, const CParams& params, const Detail& detail, const CProgress& progress)
+    CModelMaker(CTreeCreator& creator, const CParams& params, const Detail& detail, const CProgress& progress, Plans plans)
         : m_tree(*creator.m_tree), m_builder(*creator.m_builder), m_growth(creator.m_growth),
           m_madeTwig(creator.m_madeTwig), m_made(creator.m_made[rowOf(detail)]), m_params(params),
-          m_mesh(meshParamsWithLeaf(params)), m_detail(detail), m_progress(progress),
+          m_mesh(meshParamsWithLeaf(params)), m_detail(detail), m_keepsPlans(plans == Plans::Keep), m_progress(progress),
           m_model(std::make_shared<TreeModel>()) {
         m_model->params = params;
         m_model->age = creator.m_treeAge;
@@ -68,6 +68,7 @@ public:
             makeStems(g, watch);
             m_progress.report(0.5 + 0.4 * double(g + 1) / double(m_tree.generationCount()));
         }
+        if (m_keepsPlans) m_model->planned = copyOfPlanned();
         m_leafDetail = withLeaves(m_detail, m_model->leafShare = leafShare());
         OrganArrays organs;
         for (const Organ organ : kOrgans) organs[static_cast<std::size_t>(organ)] = growOrgans(organ);
@@ -132,24 +133,39 @@ private:
         MadeStems& made = m_made.stems[g];
         const int generation = static_cast<int>(g);
         const auto& source = m_tree.generations()[g];
-        // The simple model changes with every step of a hand: new memory would cost it more than it saves.
-        const bool last = m_detail.model == Model::Full && g + 1 == m_tree.generationCount();
+        const PlanParts wanted = partsWanted(g);
         GenerationChoice choice = choiceOf(g);
         if (!made.stems.mesh || made.source != source || made.choice != choice || meshIsStale(made.params, m_params, generation)) {
             made = {}; // first the memory of the old mesh
             made = {source, meshStems(g, watch), m_params, std::move(choice)};
-        } else if (made.last && !last)
+        } else if (made.planned < wanted)
             made.stems.plan = planStems(g);
-        made.last = last;
-        release(made.stems.plan.collarPoints); // only the mesh needed them
-        release(made.stems.plan.forkPoints);
-        if (last) {
-            release(made.stems.plan.rings);
-            release(made.stems.plan.tubes);
-        }
+        keepParts(made.stems.plan, wanted);
+        made.planned = wanted;
         m_model->stems.push_back(made.stems.mesh);
         m_plans.push_back(&made.stems.plan);
         m_model->milliseconds.mesh += watch.lap();
+    }
+
+    PlanParts partsWanted(std::size_t g) const {
+        if (m_keepsPlans) return PlanParts::All;
+        // The simple model changes with every step of a hand: new memory would cost it more than it saves.
+        return m_detail.model == Model::Full && g + 1 == m_tree.generationCount() ? PlanParts::Counts : PlanParts::Rings;
+    }
+
+    static void keepParts(MeshPlan& plan, PlanParts parts) {
+        if (parts == PlanParts::All) return;
+        release(plan.collarPoints); // only the mesh needed them
+        release(plan.forkPoints);
+        if (parts == PlanParts::Rings) return;
+        release(plan.rings);
+        release(plan.tubes);
+    }
+
+    std::shared_ptr<const std::vector<StemMesh>> copyOfPlanned() const {
+        std::vector<StemMesh> all;
+        for (const MadeStems& made : m_made.stems) all.push_back(made.stems);
+        return std::make_shared<const std::vector<StemMesh>>(std::move(all));
     }
 
     StemMesh meshStems(std::size_t g, CStopwatch& watch) {
@@ -230,6 +246,7 @@ private:
     const CParams& m_params;
     MeshParams m_mesh;
     const Detail& m_detail;
+    bool m_keepsPlans;
     Detail m_leafDetail = m_detail; ///< for leaves and cards
     const CProgress& m_progress;
     std::shared_ptr<TreeModel> m_model;
@@ -254,11 +271,11 @@ void CTreeCreator::forgetOthers(const Detail& detail) {
 }
 
 std::shared_ptr<const TreeModel> CTreeCreator::create(const CParams& params, const Detail& detail,
-                                                      const CProgress& progress) {
+                                                      const CProgress& progress, Plans plans) {
     refuseTooLarge(params, detail, m_limits, progress);
     CStopwatch watch;
     updateTree(params, progress);
-    auto model = CModelMaker(*this, params, detail, progress).make(watch);
+    auto model = CModelMaker(*this, params, detail, progress, plans).make(watch);
     progress.report(1);
     return model;
 }

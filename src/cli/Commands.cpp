@@ -107,10 +107,10 @@ CTreeCreator creatorFor(const CommonOptions& common) {
     return creator;
 }
 
-std::shared_ptr<const TreeModel> createModel(const CommonOptions& common, const Detail& detail,
-                                             const CProgress& progress) {
+std::shared_ptr<const TreeModel> createModel(const CommonOptions& common, const Detail& detail, const CProgress& progress,
+                                             CTreeCreator::Plans plans = CTreeCreator::Plans::Drop) {
     const CParams params = readParams(common);
-    return creatorFor(common).create(params, detail, progress);
+    return creatorFor(common).create(params, detail, progress, plans);
 }
 
 template <typename Vector>
@@ -271,7 +271,7 @@ void printStructure(const CommonOptions& common, bool segments, std::ostream& ou
 
 bool checkMeshes(const CommonOptions& common, const ModelOptions& options, const ExportOptions& exported, std::ostream& out,
                  const CProgress& progress) {
-    const auto model = createModel(common, options.detail(), progress);
+    const auto model = createModel(common, options.detail(), progress, CTreeCreator::Plans::Keep);
     if (isSolid(exported)) {
         const auto solid = voxelMesh(*model->tree, meshParamsOf(model->params), exported.voxelSize, progress);
         printFaultsHead(out);

@@ -5,6 +5,7 @@
 namespace stromar {
 
 StemMesh planned(const TreeModel& model, std::size_t generation, const StemMesh* below, const CProgress& progress) {
+    if (model.planned) return (*model.planned)[generation];
     const Meshes& stems = model.unjoined ? model.unjoined->stems : model.stems;
     StemMesh own{planRings(*model.tree, static_cast<int>(generation), meshParamsOf(model.params), *model.detail, below, progress, *model.choice),
                  stems[generation]};
@@ -12,12 +13,18 @@ StemMesh planned(const TreeModel& model, std::size_t generation, const StemMesh*
     return own;
 }
 
+namespace {
+std::shared_ptr<const std::vector<StemMesh>> allPlanned(const TreeModel& model, const CProgress& progress) {
+    if (model.planned) return model.planned;
+    std::vector<StemMesh> all;
+    for (std::size_t g = 0; g < model.stems.size(); ++g) all.push_back(planned(model, g, g > 0 ? &all.back() : nullptr, progress));
+    return std::make_shared<const std::vector<StemMesh>>(std::move(all));
+}
+} // namespace
+
 std::shared_ptr<const TreeModel> joined(const std::shared_ptr<const TreeModel>& model, const CProgress& progress) {
     if (model->unjoined || model->detail->collarRings == 0) return model;
-    std::vector<StemMesh> stems;
-    for (std::size_t g = 0; g < model->stems.size(); ++g)
-        stems.push_back(planned(*model, g, g > 0 ? &stems.back() : nullptr, progress));
-    JoinedStems wood = joinStems(*model->tree, stems, progress);
+    JoinedStems wood = joinStems(*model->tree, *allPlanned(*model, progress), progress);
     auto whole = std::make_shared<TreeModel>(*model);
     whole->stems = std::move(wood.meshes);
     whole->unjoined = std::make_shared<const UnjoinedStems>(UnjoinedStems{model->stems, std::move(wood.sources)});

@@ -1,4 +1,5 @@
 // Wood in one piece, as files have it: closed at rest, in the wind, and through all that becomes of a model.
+#include "app/SameModel.h"
 #include "mesh/MeshMeasures.h"
 #include "mesh/SampleTrees.h"
 #include "stromar/app/TreeCreator.h"
@@ -29,6 +30,21 @@ TEST_P(JoinedModel, IsClosedOnlyAsAWhole) {
     EXPECT_EQ(openEdges({apart->stems[0].get()}), 0u);
     EXPECT_GT(openEdges({whole->stems[0].get()}), 0u) << "there are holes where branches stand";
     EXPECT_EQ(joined(whole, CProgress(2)), whole) << "there is nothing more to join";
+}
+
+/// Whether the plans were kept from the start or are made for a model that was there before.
+TEST_P(JoinedModel, IsTheSameOfPlansThatWereKept) {
+    CTreeCreator creator;
+    const auto create = [&](CTreeCreator::Plans plans) { return creator.create(preset(GetParam()), detailOf(Model::Full), CProgress(2), plans); };
+    const auto plain = create(CTreeCreator::Plans::Drop), later = create(CTreeCreator::Plans::Keep);
+    const auto kept = CTreeCreator().create(preset(GetParam()), detailOf(Model::Full), CProgress(1), CTreeCreator::Plans::Keep);
+    ASSERT_FALSE(plain->planned);
+    ASSERT_TRUE(later->planned && kept->planned);
+    EXPECT_EQ(later->stems, plain->stems) << "no mesh is made anew";
+    const auto expected = joined(plain, CProgress(2));
+    EXPECT_EQ(modelDifference(*joined(later, CProgress(2)), *expected), "");
+    EXPECT_EQ(modelDifference(*joined(kept, CProgress(1)), *expected), "");
+    EXPECT_FALSE(create(CTreeCreator::Plans::Drop)->planned);
 }
 
 /// The edge of a hole moves just as the collar in it.

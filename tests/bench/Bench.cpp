@@ -7,6 +7,7 @@
 #include "stromar/app/Methods.h"
 #include "stromar/tree/lsystem/LSystemBuilder.h"
 #include "stromar/params/ParamText.h"
+#include "stromar/model/JoinedModel.h"
 #include "stromar/model/MeshValues.h"
 #include "stromar/model/ModelSway.h"
 #include "stromar/params/TreeFile.h"
@@ -69,12 +70,9 @@ void buildMeshes(State& state, const CParams& params, const Detail& detail) {
 
 /// The wood of a file in one piece, beside what buildMeshes() takes.
 void joinWood(State& state, const CParams& params) {
-    const CProgress progress;
-    const auto tree = growTree(*methodOf(params).makeBuilder(true), params, progress);
-    const auto stems = meshAllStems(*tree, meshParamsOf(params), detailOf(Model::Full), progress);
-    std::size_t branches = 0;
-    for (auto _ : state) branches = joinStems(*tree, stems, progress).joined;
-    state.counters["branches/s"] = perSecond(double(branches));
+    const auto model = CTreeCreator().create(params, detailOf(Model::Full), CProgress(), CTreeCreator::Plans::Keep);
+    for (auto _ : state) benchmark::DoNotOptimize(joined(model, CProgress()));
+    state.counters["stems/s"] = perSecond(double(model->tree->stemCount()));
 }
 
 /// What one step of a slider costs: what the value does not touch is kept.

@@ -15,8 +15,11 @@ class CTreeCreator {
 public:
     explicit CTreeCreator(bool varied = true, const SizeLimits& limits = {});
 
+    /// Whether a model keeps the plans of its rings: for wood that is joined then, which plans them once more otherwise.
+    enum class Plans { Drop, Keep };
+
     /// Throws CCancelled, and CError when the tree would be too large. What was made before stays valid.
-    std::shared_ptr<const TreeModel> create(const CParams& params, const Detail& detail, const CProgress& progress);
+    std::shared_ptr<const TreeModel> create(const CParams& params, const Detail& detail, const CProgress& progress, Plans plans = Plans::Drop);
     const SizeLimits& limits() const { return m_limits; }
     void setLimits(const SizeLimits& limits) { m_limits = limits; }
     /// How old the trees of the next create() are, 0..1 of their life.
@@ -34,12 +37,14 @@ private:
 
         bool operator==(const GenerationChoice&) const = default;
     };
+    /// What is kept of a plan: how much it has, what the next generation wants to know, or all.
+    enum class PlanParts { Counts, Rings, All };
     struct MadeStems {
         std::shared_ptr<const CGeneration> source;
         StemMesh stems;
         std::optional<CParams> params; ///< filling in defaults takes longer than a small step
         GenerationChoice choice;
-        bool last = false; ///< no generation follows: the plan is not kept
+        PlanParts planned = PlanParts::Counts;
     };
     struct MadeChoice {
         std::vector<std::shared_ptr<const CGeneration>> sources;

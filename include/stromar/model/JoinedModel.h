@@ -4,10 +4,10 @@
 namespace stromar {
 
 /// The model with its wood as one closed surface (see joinStems()): equal positions of its meshes of stems belong together. Plans
-/// its rings once more. The model itself where branches have no collars. Throws CCancelled.
+/// its rings once more where it has not kept them. The model itself where branches have no collars. Throws CCancelled.
 std::shared_ptr<const TreeModel> joined(const std::shared_ptr<const TreeModel>& model, const CProgress& progress);
 
-/// Plans the rings of a generation of a model, `below` being the one before it, or null for the trunks.
+/// A generation of a model with the plan of its rings, which is made once more where it was not kept, `below` being the one before it, or null for the trunks.
 StemMesh planned(const TreeModel& model, std::size_t generation, const StemMesh* below, const CProgress& progress);
 
 } // namespace stromar

@@ -1,6 +1,7 @@
 #pragma once
 #include "stromar/mesh/Detail.h"
 #include "stromar/mesh/JoinedStems.h"
+#include "stromar/mesh/MeshBuilder.h"
 #include "stromar/mesh/OrganMesh.h"
 #include "stromar/mesh/StemChoice.h"
 #include "stromar/mesh/twig/Twig.h"
@@ -29,6 +30,7 @@ struct TreeModel {
     Meshes stems;                      ///< by generation
     std::shared_ptr<const StemChoice> choice; ///< which stems those show
     LeafShare leafShare;                      ///< that is drawn of the detail's: see leafShareOf()
+    std::shared_ptr<const std::vector<StemMesh>> planned; ///< the stems as they were made, with the plans of their rings; null: not kept
     std::shared_ptr<const UnjoinedStems> unjoined; ///< null: every stem is closed by itself
     OrganMeshes organs;                ///< leaves by kind, blossoms, fruits; some may be empty
     std::shared_ptr<const Twig> twig;   ///< what cards show in place of last stems with leaves; null: there are none

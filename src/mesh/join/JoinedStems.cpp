@@ -35,34 +35,37 @@ Bearers bearersOf(const CTree& tree, std::size_t generation, const MeshPlan& pla
     return bearers;
 }
 
+/// The walls of one generation's tubes in which branches stand.
+struct OpenWalls {
+    std::vector<std::uint32_t> tubes; ///< ascending
+    std::vector<JoinedWalls> walls;   ///< of each
+};
+
 /// The mesh of one generation, open where branches stand, without the lids of tubes that stand in holes.
 class CWoodWriter {
 public:
-    CWoodWriter(std::uint32_t generation, const StemMesh& stems, const std::vector<bool>& standsInHole)
-        : m_generation(generation), m_mesh(*stems.mesh), m_dropped(m_mesh.triangleCount()) {
-        for (std::size_t t = 0; t < stems.plan.tubes.size(); ++t)
-            if (standsInHole[t]) dropLid(stems.plan.tubes[t]);
+    CWoodWriter(std::uint32_t generation, const StemMesh& stems, const OpenWalls& open, const std::vector<bool>& standsInHole)
+        : m_generation(generation), m_mesh(*stems.mesh), m_plan(stems.plan), m_open(open), m_dropped(m_mesh.triangleCount()) {
+        for (std::size_t t = 0; t < m_plan.tubes.size(); ++t)
+            if (standsInHole[t]) dropLid(m_plan.tubes[t]);
+        for (const JoinedWalls& own : open.walls)
+            for (const std::size_t index : own.replaced) m_dropped[index / 3] = true;
     }
 
-    void write(const std::vector<JoinedWalls>& walls, JoinedStems& joined) {
-        for (const JoinedWalls& own : walls)
-            for (const std::size_t index : own.replaced) m_dropped[index / 3] = true;
-        countUsed(walls);
+    void write(JoinedStems& joined, const CProgress& progress) {
+        countUsed();
         std::size_t vertices = m_kept, indices = 3 * static_cast<std::size_t>(std::ranges::count(m_dropped, false));
-        for (const JoinedWalls& own : walls) {
+        for (const JoinedWalls& own : m_open.walls) {
             vertices += own.vertices.size();
             indices += own.triangles.size();
         }
         m_out = allocateMesh(m_mesh.name, m_mesh.surface, vertices, indices);
         m_sources.reserve(vertices);
         copyKept();
-        m_firstNewIndex = m_nextIndex;
-        for (const JoinedWalls& own : walls) append(own);
-        const std::vector<std::size_t> changed = changedTriangles();
-        turnNormalsToFront(*m_out, changed);
-        splitCreases(changed); // of slivers rounding may say something else
-        joined.meshes.push_back(m_out);
-        joined.sources.push_back(std::move(m_sources));
+        for (const JoinedWalls& own : m_open.walls) append(own);
+        turnNormals(progress);
+        joined.meshes[m_generation] = m_out;
+        joined.sources[m_generation] = std::move(m_sources);
     }
 
 private:
@@ -72,11 +75,11 @@ private:
         std::fill(m_dropped.begin() + static_cast<std::ptrdiff_t>(end - tube.points), m_dropped.begin() + static_cast<std::ptrdiff_t>(end), true);
     }
 
-    void countUsed(const std::vector<JoinedWalls>& walls) {
+    void countUsed() {
         std::vector<std::uint8_t> used(m_mesh.vertexCount());
         for (std::size_t i = 0; i < m_mesh.indices.size(); ++i)
             if (!m_dropped[i / 3]) used[m_mesh.indices[i]] = true;
-        for (const JoinedWalls& own : walls)
+        for (const JoinedWalls& own : m_open.walls)
             for (const std::uint32_t v : own.triangles)
                 if (v < used.size()) used[v] = true;
         m_place.assign(m_mesh.vertexCount(), kNone);
@@ -88,15 +91,29 @@ private:
         for (std::uint32_t v = 0; v < m_mesh.vertexCount(); ++v)
             if (m_place[v] != kNone)
                 add({{m_generation, v}, m_mesh.positions[v], m_mesh.normals[v], m_mesh.texCoords[v], m_mesh.looks[v]});
-        for (std::size_t i = 0; i < m_mesh.indices.size(); ++i)
-            if (!m_dropped[i / 3]) m_out->indices[m_nextIndex++] = m_place[m_mesh.indices[i]];
+        std::size_t i = 0;
+        const auto copyTo = [&](std::size_t end) {
+            for (; i < end; i += 3) {
+                if (m_dropped[i / 3]) continue;
+                for (std::size_t c = 0; c < 3; ++c) m_out->indices[m_nextIndex++] = m_place[m_mesh.indices[i + c]];
+            }
+        };
+        for (const std::uint32_t tube : m_open.tubes) {
+            copyTo(m_plan.tubes[tube].firstIndex);
+            const std::size_t first = m_nextIndex;
+            copyTo(m_plan.tubes[tube].firstIndex + m_plan.tubes[tube].indexCount());
+            m_keptIndices.push_back({first, m_nextIndex});
+        }
+        copyTo(m_mesh.indices.size());
     }
 
     void append(const JoinedWalls& walls) {
         const auto first = static_cast<std::uint32_t>(m_sources.size());
+        const std::size_t firstIndex = m_nextIndex;
         for (const JoinedWalls::Vertex& vertex : walls.vertices) add(vertex);
         for (const std::uint32_t v : walls.triangles)
             m_out->indices[m_nextIndex++] = v < m_place.size() ? m_place[v] : first + (v - static_cast<std::uint32_t>(m_place.size()));
+        m_newIndices.push_back({firstIndex, m_nextIndex});
     }
 
     void add(const JoinedWalls::Vertex& vertex) {
@@ -108,27 +125,62 @@ private:
         m_sources.push_back(vertex.source);
     }
 
-    /// The new triangles, and those that share a vertex with them: by their first indices.
-    std::vector<std::size_t> changedTriangles() const {
+    /// Tubes have no vertex in common.
+    void turnNormals(const CProgress& progress) {
         std::vector<std::uint8_t> touched(m_out->vertexCount());
-        for (std::size_t i = m_firstNewIndex; i < m_out->indices.size(); ++i) touched[m_out->indices[i]] = true;
+        std::vector<std::vector<std::size_t>> creases(m_open.tubes.size());
+        parallelFor(
+            creases.size(), kTubeGrain,
+            [&](std::size_t begin, std::size_t end) {
+                for (std::size_t i = begin; i < end; ++i) {
+                    const std::vector<std::size_t> changed = changedTriangles(i, touched);
+                    turnNormalsToFront(*m_out, changed);
+                    creases[i] = creasesAt(changed); // of slivers rounding may say something else
+                }
+            },
+            progress);
+        std::vector<std::size_t> all;
+        for (const std::vector<std::size_t>& own : creases) all.insert(all.end(), own.begin(), own.end());
+        std::ranges::sort(all);
+        splitCreases(all);
+    }
+
+    /// The new triangles of an open tube, and those that share a vertex with them: by their first indices.
+    std::vector<std::size_t> changedTriangles(std::size_t tube, std::vector<std::uint8_t>& touched) const {
+        const auto [keptFirst, keptEnd] = m_keptIndices[tube];
+        const auto [newFirst, newEnd] = m_newIndices[tube];
+        const auto& indices = m_out->indices;
+        for (std::size_t i = newFirst; i < newEnd; ++i) touched[indices[i]] = true;
         std::vector<std::size_t> changed;
-        for (std::size_t t = 0; t < m_out->indices.size(); t += 3)
-            if (touched[m_out->indices[t]] || touched[m_out->indices[t + 1]] || touched[m_out->indices[t + 2]]) changed.push_back(t);
+        for (std::size_t t = keptFirst; t < keptEnd; t += 3)
+            if (touched[indices[t]] || touched[indices[t + 1]] || touched[indices[t + 2]]) changed.push_back(t);
+        for (std::size_t t = newFirst; t < newEnd; t += 3) changed.push_back(t);
         return changed;
     }
 
-    /// A corner that no normal of its vertex fits has the triangle's own: beside collars of thin stems.
-    void splitCreases(const std::vector<std::size_t>& triangles) {
-        std::vector<std::uint32_t> uses(m_sources.size());
-        for (const std::uint32_t v : m_out->indices) ++uses[v];
+    glm::dvec3 faceAt(std::size_t t) const {
+        const auto at = [&](std::size_t c) { return glm::dvec3(m_out->positions[m_out->indices[t + c]]); };
+        return glm::cross(at(1) - at(0), at(2) - at(0));
+    }
+
+    /// The corners that no normal of their vertices fits: beside collars of thin stems. By their indices.
+    std::vector<std::size_t> creasesAt(const std::vector<std::size_t>& triangles) const {
+        std::vector<std::size_t> creases;
         for (const std::size_t t : triangles) {
-            const auto at = [&](std::size_t c) { return glm::dvec3(m_out->positions[m_out->indices[t + c]]); };
-            const glm::dvec3 face = glm::cross(at(1) - at(0), at(2) - at(0));
+            const glm::dvec3 face = faceAt(t);
             if (!(glm::length(face) > 0)) continue;
             for (std::size_t i = t; i < t + 3; ++i)
-                if (glm::dot(face, glm::dvec3(m_out->normals[m_out->indices[i]])) <= 0) giveNormal(i, glm::normalize(face), uses);
+                if (glm::dot(face, glm::dvec3(m_out->normals[m_out->indices[i]])) <= 0) creases.push_back(i);
         }
+        return creases;
+    }
+
+    /// Such a corner has its triangle's own normal.
+    void splitCreases(const std::vector<std::size_t>& creases) {
+        if (creases.empty()) return;
+        std::vector<std::uint32_t> uses(m_sources.size());
+        for (const std::uint32_t v : m_out->indices) ++uses[v];
+        for (const std::size_t i : creases) giveNormal(i, glm::normalize(faceAt(i - i % 3)), uses);
     }
 
     /// A normal of its own to a corner, by its index.
@@ -148,20 +200,27 @@ private:
         m_sources.push_back(m_sources[v]);
     }
 
+    /// Of indices of the new mesh.
+    struct IndexRange {
+        std::size_t first, end;
+    };
     static constexpr std::uint32_t kNone = ~std::uint32_t{0};
     std::uint32_t m_generation;
     const CMesh& m_mesh;
+    const MeshPlan& m_plan;
+    const OpenWalls& m_open;
     std::vector<std::uint8_t> m_dropped; ///< by triangle; bytes, which are faster than bits
     std::vector<std::uint32_t> m_place; ///< where vertices go
     std::uint32_t m_kept = 0;
-    std::size_t m_nextIndex = 0, m_firstNewIndex = 0;
+    std::size_t m_nextIndex = 0;
+    std::vector<IndexRange> m_keptIndices, m_newIndices; ///< of the open tubes
     std::shared_ptr<CMesh> m_out;
     std::vector<VertexSource> m_sources;
 };
 
-std::vector<JoinedWalls> joinGeneration(const CTree& tree, std::size_t g, std::span<const StemMesh> stems, const CProgress& progress) {
+OpenWalls joinGeneration(const CTree& tree, std::size_t g, std::span<const StemMesh> stems, const CProgress& progress) {
     if (g + 1 >= stems.size()) return {};
-    const Bearers bearers = bearersOf(tree, g, stems[g].plan, stems[g + 1].plan);
+    Bearers bearers = bearersOf(tree, g, stems[g].plan, stems[g + 1].plan);
     std::vector<JoinedWalls> walls(bearers.tubes.size());
     parallelFor(
         walls.size(), kTubeGrain,
@@ -170,27 +229,35 @@ std::vector<JoinedWalls> joinGeneration(const CTree& tree, std::size_t g, std::s
                 walls[i] = joinWalls(tree, g, stems[g], stems[g].plan.tubes[bearers.tubes[i]], stems[g + 1], bearers.branches[i], progress);
         },
         progress);
-    return walls;
+    return {std::move(bearers.tubes), std::move(walls)};
+}
+
+std::vector<bool> standingInHoles(const MeshPlan& plan, const OpenWalls& below) {
+    std::vector<bool> stands(plan.tubes.size());
+    for (const JoinedWalls& own : below.walls)
+        for (const std::uint32_t tube : own.joined) stands[tube] = true;
+    return stands;
 }
 } // namespace
 
 JoinedStems joinStems(const CTree& tree, std::span<const StemMesh> stems, const CProgress& progress) {
-    JoinedStems joined;
-    std::size_t collars = 0;
-    std::vector<bool> standsInHole(stems.empty() ? 0 : stems.front().plan.tubes.size());
+    JoinedStems joined{Meshes(stems.size()), std::vector<std::vector<VertexSource>>(stems.size())};
+    std::vector<OpenWalls> open(stems.size());
+    for (std::size_t g = 0; g < stems.size(); ++g) open[g] = joinGeneration(tree, g, stems, progress);
+    parallelFor(
+        stems.size(), 1,
+        [&](std::size_t begin, std::size_t end) {
+            for (std::size_t g = begin; g < end; ++g) {
+                const std::vector<bool> standsInHole = standingInHoles(stems[g].plan, g > 0 ? open[g - 1] : OpenWalls());
+                CWoodWriter(static_cast<std::uint32_t>(g), stems[g], open[g], standsInHole).write(joined, progress);
+            }
+        },
+        progress);
     for (std::size_t g = 0; g < stems.size(); ++g) {
-        const std::vector<JoinedWalls> walls = joinGeneration(tree, g, stems, progress);
-        CWoodWriter(static_cast<std::uint32_t>(g), stems[g], standsInHole).write(walls, joined);
-        if (g + 1 < stems.size()) {
-            standsInHole.assign(stems[g + 1].plan.tubes.size(), false);
-            collars += static_cast<std::size_t>(std::ranges::count_if(stems[g + 1].plan.tubes, [](const Tube& tube) { return tube.collarRings > 0; }));
-        }
-        for (const JoinedWalls& own : walls) {
-            joined.joined += own.joined.size();
-            for (const std::uint32_t tube : own.joined) standsInHole[tube] = true;
-        }
+        if (g > 0) joined.apart += static_cast<std::size_t>(std::ranges::count_if(stems[g].plan.tubes, [](const Tube& tube) { return tube.collarRings > 0; }));
+        for (const JoinedWalls& own : open[g].walls) joined.joined += own.joined.size();
     }
-    joined.apart = collars - joined.joined;
+    joined.apart -= joined.joined;
     return joined;
 }
 

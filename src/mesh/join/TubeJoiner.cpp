@@ -5,7 +5,6 @@
 #include <cmath>
 #include <glm/common.hpp>
 #include <glm/geometric.hpp>
-#include <map>
 #include <numeric>
 
 namespace stromar {
@@ -29,6 +28,34 @@ glm::dvec3 sharesOf(const glm::dvec3& p, const glm::dvec3& a, const glm::dvec3& 
     const double others = shares.y + shares.z;
     return others > 1 ? glm::dvec3(0, shares.y / others, shares.z / others) : glm::dvec3(1 - others, shares.y, shares.z);
 }
+
+/// Few values for each of many keys.
+template <typename Value>
+class CChains {
+public:
+    explicit CChains(std::size_t keys) : m_last(keys, kNone) {}
+
+    void add(std::size_t key, const Value& value) {
+        m_links.push_back({value, m_last[key]});
+        m_last[key] = static_cast<std::uint32_t>(m_links.size() - 1);
+    }
+    /// The last one added that fits; null where none does.
+    template <typename Fits>
+    const Value* find(std::size_t key, Fits&& fits) const {
+        for (std::uint32_t i = m_last[key]; i != kNone; i = m_links[i].before)
+            if (fits(m_links[i].value)) return &m_links[i].value;
+        return nullptr;
+    }
+
+private:
+    struct Link {
+        Value value;
+        std::uint32_t before;
+    };
+    static constexpr std::uint32_t kNone = ~std::uint32_t{0};
+    std::vector<std::uint32_t> m_last; ///< of each key's links
+    std::vector<Link> m_links;
+};
 
 /// One tube's walls unrolled: turns about the stem by rings along it.
 class CTubeJoiner {
@@ -147,28 +174,42 @@ private:
 
     /// On a thin stem two edges may join the same vertices, one on either side. False when branches had to be left out for that.
     bool leaveTangled(const CTriangulation& surface, std::vector<std::uint32_t>& branches) const {
+        const std::vector<Side> doubled = doubledSides(surface);
+        if (doubled.empty()) return true;
+        std::vector<std::uint32_t> tangled;
+        for (const Side& side : doubled)
+            for (const std::uint32_t v : {side.from, side.to, side.opposite})
+                if (v >= m_tube.vertices) tangled.push_back(addedAt(v).branch);
+        if (tangled.empty()) tangled = branches;
+        std::erase_if(branches, [&](std::uint32_t branch) { return std::ranges::find(tangled, branch) != tangled.end(); });
+        return false;
+    }
+
+    /// Of a triangle.
+    struct Side {
+        CTriangulation::Index from, to, opposite;
+    };
+    /// Those that another triangle has the same way round, where walls were changed.
+    std::vector<Side> doubledSides(const CTriangulation& surface) const {
         const auto standIn = [&](std::uint32_t corner) { return isTip(corner) ? m_firstTip : corner; };
-        std::vector<bool> near(surface.vertexCount()); // what was changed
+        std::vector<std::uint8_t> near(surface.vertexCount()); // what was changed
         for (const Triangle& triangle : surface.triangles())
             if (triangle.changed)
                 for (const std::uint32_t corner : triangle.vertices) near[standIn(corner)] = true;
-        std::vector<std::array<std::uint32_t, 3>> edges; // and what lies beside them
+        std::vector<Side> doubled;
+        CChains<Side> sides(surface.vertexCount());
         for (const Triangle& triangle : surface.triangles()) {
             std::array<std::uint32_t, 3> v = triangle.vertices;
             if (triangle.removed || std::ranges::count_if(v, [&](auto corner) { return isTip(corner); }) > 1) continue;
             for (std::uint32_t& corner : v) corner = standIn(corner);
-            for (std::size_t c = 0; c < 3; ++c)
-                if (near[v[c]] && near[v[(c + 1) % 3]]) edges.push_back({v[c], v[(c + 1) % 3], v[(c + 2) % 3]});
+            for (std::size_t c = 0; c < 3; ++c) {
+                const Side side{v[c], v[(c + 1) % 3], v[(c + 2) % 3]};
+                if (!near[side.from] || !near[side.to]) continue;
+                if (const Side* other = sides.find(side.from, [&](const Side& known) { return known.to == side.to; })) doubled.insert(doubled.end(), {*other, side});
+                sides.add(side.from, side);
+            }
         }
-        std::ranges::sort(edges);
-        std::vector<std::uint32_t> tangled;
-        for (std::size_t i = 1; i < edges.size(); ++i) {
-            if (edges[i][0] != edges[i - 1][0] || edges[i][1] != edges[i - 1][1]) continue;
-            for (const std::uint32_t v : {edges[i][0], edges[i][1], edges[i][2], edges[i - 1][2]})
-                if (v >= m_tube.vertices) tangled.push_back(addedAt(v).branch);
-            if (tangled.empty()) tangled = branches;
-        }
-        return std::erase_if(branches, [&](std::uint32_t branch) { return std::ranges::find(tangled, branch) != tangled.end(); }) == 0;
+        return doubled;
     }
 
     glm::dvec3 sharesAt(const SurfacePoint& point) const {
@@ -232,6 +273,7 @@ private:
     }
 
     void write(const CTriangulation& surface) {
+        m_written = CChains<Written>(surface.vertexCount());
         const std::span<const Triangle> all = surface.triangles();
         const std::size_t before = (m_wallsEnd - m_tube.firstIndex) / 3;
         for (std::size_t t = 0; t < all.size(); ++t) {
@@ -249,14 +291,13 @@ private:
         const double own = added ? addedAt(vertex).turns : m_at[vertex].x;
         const int further = static_cast<int>(std::lround(turns - own));
         if (!added && further == 0) return m_tube.firstVertex + vertex;
-        const auto [found, isNew] =
-            m_written.try_emplace({vertex, further}, static_cast<std::uint32_t>(m_mesh.vertexCount() + m_walls.vertices.size()));
-        if (isNew) {
-            JoinedWalls::Vertex copy = added ? addedAt(vertex).vertex : ownVertex(vertex);
-            copy.texCoord.x += static_cast<float>(m_around * further);
-            m_walls.vertices.push_back(copy);
-        }
-        return found->second;
+        if (const Written* known = m_written.find(vertex, [&](const Written& one) { return one.turns == further; })) return known->index;
+        const Written copied{further, static_cast<std::uint32_t>(m_mesh.vertexCount() + m_walls.vertices.size())};
+        JoinedWalls::Vertex copy = added ? addedAt(vertex).vertex : ownVertex(vertex);
+        copy.texCoord.x += static_cast<float>(m_around * further);
+        m_walls.vertices.push_back(copy);
+        m_written.add(vertex, copied);
+        return copied.index;
     }
 
     JoinedWalls::Vertex ownVertex(CTriangulation::Index vertex) const {
@@ -278,7 +319,12 @@ private:
     std::vector<std::uint32_t> m_own; ///< of the tube's vertices: the one that stands for it
     std::vector<glm::dvec2> m_at;     ///< likewise: unrolled
     std::vector<Added> m_added;
-    std::map<std::pair<CTriangulation::Index, int>, std::uint32_t> m_written;
+    /// A copy of a vertex that is shown so many turns from its place.
+    struct Written {
+        int turns;
+        std::uint32_t index;
+    };
+    CChains<Written> m_written{0}; ///< by vertex
     JoinedWalls m_walls;
 };
 } // namespace
