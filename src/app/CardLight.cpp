@@ -1,4 +1,5 @@
 #include "CardLight.h"
+#include "stromar/mesh/Shading.h"
 #include "stromar/texture/Opacity.h"
 #include "stromar/texture/Srgb.h"
 #include <algorithm>
@@ -12,7 +13,6 @@ namespace stromar {
 namespace {
 constexpr glm::dvec3 kSunlight(2.9, 2.75, 2.5), kHaze(0.62, 0.75, 0.89), kZenith(0.11, 0.30, 0.74), kBounce(0.27, 0.30, 0.18); // on a clear day
 constexpr double kLeast = 0.3, kMost = 1.6;
-constexpr double kFineShade = 0.93; // where leaves touch, finer than the cells of crownLook(): the mean of the presets
 
 template <typename Curve> glm::dvec3 each(const glm::dvec3& c, Curve&& curve) { return {curve(float(c.x)), curve(float(c.y)), curve(float(c.z))}; }
 
@@ -60,6 +60,20 @@ glm::dvec3 toneMapped(const glm::dvec3& light) {
     return each((c * (2.51 * c + 0.03)) / (c * (2.43 * c + 0.59) + 0.14), encodedOf);
 }
 
+/// Of the places that are seen, 0..1.
+double woodOf(const CrownLook& crown) {
+    std::size_t wood = 0, all = 0;
+    for (const SeenPixel& pixel : crown.pixels) {
+        all += pixel.size();
+        wood += static_cast<std::size_t>(std::ranges::count_if(pixel, &LitPlace::wood));
+    }
+    return double(wood) / double(std::max<std::size_t>(1, all));
+}
+
+MeanLook mixed(const MeanLook& a, const MeanLook& b, double share) {
+    return {glm::mix(a.front, b.front, share), glm::mix(a.back, b.back, share), glm::mix(a.roughness, b.roughness, share), glm::mix(a.through, b.through, share)};
+}
+
 void multiply(Pixels& pixels, const glm::dvec3& share) {
     for (auto& pixel : pixels)
         for (std::size_t c = 0; c < 3; ++c) pixel[c] = byteOf(encodedOf(linearOf(float(pixel[c]) / 255) * float(share[static_cast<int>(c)])));
@@ -73,27 +87,34 @@ glm::dvec3 CCardLight::colourOf(const LitPlace& place, const MeanLook& look, Und
     return pictured || !place.behind ? colour : 1.15 * glm::mix(colour, glm::dvec3(glm::dot(colour, glm::dvec3(0.3, 0.6, 0.1))), 0.25);
 }
 
-/// sRGB.
-glm::dvec3 CCardLight::shownOf(const SeenPixel& pixel, const glm::dvec3& sun, const MeanLook& leaf, UnderSides how, const Shares& shares) const {
+/// sRGB. Of cards `leaf` is all that they show.
+glm::dvec3 CCardLight::shownOf(const SeenPixel& pixel, const glm::dvec3& sun, const MeanLook& leaf, UnderSides how, const Shares* cards) const {
+    constexpr double kLeastOpen = 0.35; // as in the fragments
     glm::dvec3 sum(0);
     for (const LitPlace& place : pixel) {
-        const MeanLook& look = place.wood ? m_bark : leaf;
-        sum += toneMapped(CFragment(place, sun, look).lightOf((place.behind ? shares.behind : shares.front) * colourOf(place, look, how)));
+        const MeanLook& look = place.wood && !cards ? m_bark : leaf;
+        glm::dvec3 colour = colourOf(place, look, how);
+        if (cards) colour *= place.behind ? cards->behind : cards->front;
+        if (cards || !place.wood) colour *= kLeafTint * sunAndShadeAt(std::max(0.0, (double(place.skyVisibility) - kLeastOpen) / (1 - kLeastOpen)), m_sunAndShade);
+        sum += toneMapped(CFragment(place, sun, look).lightOf(colour));
     }
     return sum / double(pixel.size());
 }
 
 /// Of the pixels' light.
-glm::dvec3 CCardLight::meanOf(const CrownLook& crown, UnderSides how, const Shares& shares) const {
+glm::dvec3 CCardLight::meanOf(const CrownLook& crown, UnderSides how, const Shares* cards) const {
     glm::dvec3 sum(0);
     double weights = 1e-9;
-    for (const auto& [leaf, weight] : m_leaves)
+    const double wood = cards ? woodOf(crown) : 0; // thinner than what is seen apart in their small pictures
+    for (const auto& [leaf, weight] : m_leaves) {
+        const MeanLook look = mixed(leaf, m_bark, wood);
         for (const SeenPixel& pixel : crown.pixels) {
             if (pixel.empty()) continue;
             const double own = weight * double(pixel.size());
-            sum += own * each(shownOf(pixel, glm::dvec3(crown.sun), leaf, how, shares), linearOf);
+            sum += own * each(shownOf(pixel, glm::dvec3(crown.sun), look, how, cards), linearOf);
             weights += own;
         }
+    }
     return sum / weights;
 }
 
@@ -101,11 +122,15 @@ glm::dvec3 CCardLight::meanOf(const CrownLook& crown, UnderSides how, const Shar
 template <typename SharesOf> glm::dvec3 CCardLight::shareOfLight(UnderSides how, SharesOf&& sharesOf) const {
     constexpr int kSteps = 10;
     constexpr double kPower = 0.9; // of what is wanted over what is shown: light is nearly in proportion to it
-    const glm::dvec3 fine(kFineShade), wanted = meanOf(m_twig.crown, how, {fine, fine});
+    const auto shownWith = [&](const glm::dvec3& share) {
+        const Shares cards = sharesOf(share);
+        return meanOf(m_twig.cards, how, &cards);
+    };
+    const glm::dvec3 wanted = meanOf(m_twig.crown, how, nullptr);
     glm::dvec3 share(1);
-    if (wanted == glm::dvec3(0) || meanOf(m_twig.cards, how, sharesOf(share)) == glm::dvec3(0)) return share; // nothing is seen of them
+    if (wanted == glm::dvec3(0) || shownWith(share) == glm::dvec3(0)) return share; // nothing is seen of them
     for (int i = 0; i < kSteps; ++i) {
-        const glm::dvec3 now = glm::max(meanOf(m_twig.cards, how, sharesOf(share)), glm::dvec3(1e-9));
+        const glm::dvec3 now = glm::max(shownWith(share), glm::dvec3(1e-9));
         share = glm::clamp(share * glm::pow(wanted / now, glm::dvec3(kPower)), kLeast, kMost);
     }
     return share;

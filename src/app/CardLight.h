@@ -18,7 +18,8 @@ struct MeanLook {
 /// mapped, in pixels that mix what is shown at their samples.
 class CCardLight {
 public:
-    CCardLight(const Twig& twig, const MeanLook& bark) : m_twig(twig), m_bark(bark) {}
+    /// `sunAndShade`: LeafSunShade.
+    CCardLight(const Twig& twig, const MeanLook& bark, double sunAndShade) : m_twig(twig), m_bark(bark), m_sunAndShade(sunAndShade) {}
 
     /// One kind of leaf; `weight`: how much of all.
     void add(const MeanLook& leaf, double weight) { m_leaves.emplace_back(leaf, weight); }
@@ -36,12 +37,13 @@ private:
     };
 
     static glm::dvec3 colourOf(const LitPlace& place, const MeanLook& look, UnderSides how);
-    glm::dvec3 shownOf(const SeenPixel& pixel, const glm::dvec3& sun, const MeanLook& leaf, UnderSides how, const Shares& shares) const;
-    glm::dvec3 meanOf(const CrownLook& crown, UnderSides how, const Shares& shares) const;
+    glm::dvec3 shownOf(const SeenPixel& pixel, const glm::dvec3& sun, const MeanLook& leaf, UnderSides how, const Shares* cards) const;
+    glm::dvec3 meanOf(const CrownLook& crown, UnderSides how, const Shares* cards) const; ///< without shares of twigs
     template <typename SharesOf> glm::dvec3 shareOfLight(UnderSides how, SharesOf&& sharesOf) const;
 
     const Twig& m_twig;
     MeanLook m_bark;
+    double m_sunAndShade;
     std::vector<std::pair<MeanLook, double>> m_leaves; ///< of each kind, and how many
 };
 

@@ -25,7 +25,7 @@ namespace {
 constexpr int kTileSize = 1024, kPreviewTileSize = 192, kCutOutSize = 512, kPreviewSize = 96, kMaskSize = 256;
 constexpr std::int64_t kSecond = 1'000'000'000, kInUse = 600 * kSecond;
 constexpr double kSeasonSteps = 0.2;      // of a month: the picture follows the slider in so many
-constexpr std::uint64_t kRecipeVersion = 3; // rises when the same recipe is drawn differently
+constexpr std::uint64_t kRecipeVersion = 4; // rises when the same recipe is drawn differently
 
 int sizeOf(Surface surface, PictureQuality quality) {
     if (!surfaceOf(surface).cutOut) return quality == PictureQuality::Preview ? kPreviewTileSize : kTileSize;
@@ -59,7 +59,7 @@ void keepPicture(const TextureMaps& maps, const fs::path& file) {
 
 TwigSource twigSource(const TreeModel& model, const fs::path& folder) {
     const Surface bark = shownSurface(model.params, model.twig->wood->surface);
-    TwigSource source{{}, textureOf(model.params, bark, folder), surfaceOf(bark).colour};
+    TwigSource source{{}, textureOf(model.params, bark, folder), surfaceOf(bark).colour, model.params.common.leafSunShade};
     for (std::size_t kind = 0; kind < kLeafKinds; ++kind)
         source.leaves[kind] = textureOf(model.params, shownSurface(model.params, kLeafSurfaces[kind]), folder);
     return source;
@@ -212,12 +212,14 @@ void makePictures(const CParams& params, const CProgress& progress, PictureQuali
     }
 }
 
+CCutOut maskOf(const CParams& params, Surface surface, const CProgress& progress) {
+    const Surface shown = shownSurface(params, surface);
+    return maskOf(pictureOf(params, shown), textureOf(params, shown, params.folder), progress);
+}
+
 LeafMasks leafMasksOf(const CParams& params, const CProgress& progress) {
     LeafMasks masks;
-    for (std::size_t kind = 0; kind < kLeafKinds; ++kind) {
-        const Surface shown = shownSurface(params, kLeafSurfaces[kind]);
-        masks[kind] = maskOf(pictureOf(params, shown), textureOf(params, shown, params.folder), progress);
-    }
+    for (std::size_t kind = 0; kind < kLeafKinds; ++kind) masks[kind] = maskOf(params, kLeafSurfaces[kind], progress);
     return masks;
 }
 

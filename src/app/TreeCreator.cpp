@@ -222,6 +222,7 @@ private:
         if (made.meshes.empty() || meshIsStale(made.params, m_params, Invalidation::kLeaves)) {
             made.meshes = meshOfOrgans(*m_model->tree, organ, m_plans, m_mesh, detailOf(organ), m_progress, asCards(organ));
             if (organ == Organ::Leaf && m_detail.lod > 0) fitLeaves(made.meshes);
+            if (organ == Organ::Blossom && m_detail.lod > 0) fitBlossoms(made.meshes);
             made.params = m_params;
         }
         return made.meshes;
@@ -236,6 +237,15 @@ private:
         if (!asCards.empty()) beside.stems = demandOf(m_detail, m_plans, asCards).stems;
         const auto all = m_builder.growOrgans(m_params, m_tree, Organ::Leaf, beside, m_progress);
         meshes = fittingLeaves(meshes, all, m_tree, leafMasksOf(m_params, m_progress), m_mesh, m_detail, m_progress);
+    }
+
+    void fitBlossoms(OrganMeshes& meshes) const {
+        if (m_mesh.seasonOf(Organ::Blossom).share <= 0 || double(m_model->tree->organs(Organ::Blossom)->total) > kMeasuredLeaves) return;
+        OrganArrays organs;
+        organs.fill(std::make_shared<const COrgans>());
+        organs[static_cast<std::size_t>(Organ::Blossom)] = m_builder.growOrgans(m_params, m_tree, Organ::Blossom, {}, m_progress);
+        const auto whole = meshOfOrgans(m_tree.withOrgans(organs), Organ::Blossom, m_plans, m_mesh, stromar::detailOf(Model::Full), m_progress);
+        meshes = fittingBlossoms(meshes, whole, m_tree.height(), maskOf(m_params, Surface::Blossom, m_progress), m_detail, m_progress);
     }
 
     const CTree& m_tree;

@@ -19,25 +19,19 @@ namespace fs = std::filesystem;
 namespace {
 constexpr int kSize = 512;
 constexpr int kSamples = 3;               // of a pixel, each way
-constexpr std::uint64_t kTwigVersion = 15; // rises when the same twig is drawn differently
+constexpr std::uint64_t kTwigVersion = 16; // rises when the same twig is drawn differently
 constexpr float kWoodRoughness = 0.85f, kLeafRoughness = 0.6f, kLeafThrough = 0.6f;
 
 /// What one surface shows at a place.
 struct Look {
-    glm::vec4 front{0, 0, 0, 1}, back{0, 0, 0, 1};
+    glm::vec4 front{0, 0, 0, 1}, back{0, 0, 0, 1}; ///< light, and opacity
     glm::vec3 normal{0, 0, 1};
     float roughness = 0, through = 0;
 };
 
-template <std::size_t N>
-glm::vec4 colour(const std::array<std::uint8_t, N>& c) {
-    return glm::vec4(c[0], c[1], c[2], N > 3 ? c[N - 1] : 255) / 255.0f;
-}
-
-/// sRGB to light.
-glm::vec4 linear(const glm::vec4& c) {
-    return {linearOf(c.x), linearOf(c.y), linearOf(c.z), c.w};
-}
+/// Of sRGB.
+glm::vec4 lightOf(const std::array<std::uint8_t, 4>& c) { return {linearOfByte(c[0]), linearOfByte(c[1]), linearOfByte(c[2]), float(c[3]) / 255}; }
+std::uint8_t sRgbOf(float light) { return byteOf(encodedOf(light)); }
 
 /// Of the leaf's picture at a place of it, v up.
 class CLeafLook {
@@ -64,9 +58,9 @@ public:
         MeanLook sum;
         double count = 0;
         const TextureMaps& m = m_maps;
-        const auto light = [](const auto& pixel) { return glm::dvec3(linear(colour(pixel))); };
+        const auto light = [](const auto& pixel) { return glm::dvec3(lightOf(pixel)); };
         for (std::size_t i = 0; i < m.albedo.size(); ++i) {
-            if (colour(m.albedo[i]).w < float(kAlphaCut)) continue;
+            if (lightOf(m.albedo[i]).w < float(kAlphaCut)) continue;
             sum.front += light(m.albedo[i]);
             sum.back += light(m.back.empty() ? m.albedo[i] : m.back[i]);
             sum.through += m.translucency.empty() ? kLeafThrough : float(m.translucency[i]) / 255;
@@ -82,9 +76,10 @@ private:
         const int x = std::clamp(static_cast<int>(pixel.x), 0, m_maps.width - 1),
                   y = std::clamp(static_cast<int>(pixel.y), 0, m_maps.height - 1);
         const std::size_t i = m_maps.at(x, m_maps.height - 1 - y);
-        sum.front += colour(m_maps.albedo[i]);
-        sum.back += colour(m_maps.back.empty() ? m_maps.albedo[i] : m_maps.back[i]);
-        sum.normal += m_maps.normal.empty() ? glm::vec3(0, 0, 1) : 2.0f * glm::vec3(colour(m_maps.normal[i])) - 1.0f;
+        sum.front += lightOf(m_maps.albedo[i]);
+        sum.back += lightOf(m_maps.back.empty() ? m_maps.albedo[i] : m_maps.back[i]);
+        const auto axis = [&](std::size_t c) { return float(m_maps.normal[i][c]) / 127.5f - 1; };
+        sum.normal += m_maps.normal.empty() ? glm::vec3(0, 0, 1) : glm::vec3(axis(0), axis(1), axis(2));
         sum.roughness += m_maps.roughness.empty() ? kLeafRoughness : float(m_maps.roughness[i]) / 255;
         sum.through += m_maps.translucency.empty() ? kLeafThrough : float(m_maps.translucency[i]) / 255;
     }
@@ -197,27 +192,28 @@ TextureMaps CTwigCamera::picture() const {
             const float each = 1 / std::max(1.0f, seen);
             covered += seen / (kSamples * kSamples);
             const glm::vec3 n = seen > 0 ? glm::normalize(normal + glm::vec3(0, 0, 1e-3f)) : glm::vec3(0, 0, 1);
-            maps.albedo.push_back({byteOf(albedo.x * each), byteOf(albedo.y * each), byteOf(albedo.z * each),
+            maps.albedo.push_back({sRgbOf(albedo.x * each), sRgbOf(albedo.y * each), sRgbOf(albedo.z * each),
                                    byteOf(seen / (kSamples * kSamples))});
-            maps.back.push_back({byteOf(under.x * each), byteOf(under.y * each), byteOf(under.z * each), maps.albedo.back()[3]});
+            maps.back.push_back({sRgbOf(under.x * each), sRgbOf(under.y * each), sRgbOf(under.z * each), maps.albedo.back()[3]});
             maps.normal.push_back({byteOf(0.5f + 0.5f * n.x), byteOf(0.5f + 0.5f * n.y), byteOf(0.5f + 0.5f * n.z)});
             maps.roughness.push_back(byteOf(seen > 0 ? roughness * each : kLeafRoughness));
             maps.translucency.push_back(byteOf(seen > 0 ? through * each : kLeafThrough));
             maps.height01.push_back(byteOf(0.5f + 0.5f * z * each / farthest));
         }
-    spreadColours(maps.albedo, maps.width, maps.height);
-    spreadColours(maps.back, maps.width, maps.height);
+    spreadMaps(maps);
     setCoverage(maps.albedo, maps.width, maps.height, covered / double(maps.albedo.size()));
     for (std::size_t i = 0; i < maps.albedo.size(); ++i) maps.back[i][3] = maps.albedo[i][3];
     return maps;
 }
 
 Look barkLook(const TwigSource& source) {
-    Look look{.front = glm::vec4(source.plainBark, 1), .back = glm::vec4(source.plainBark, 1), .roughness = kWoodRoughness};
+    const auto& plain = source.plainBark;
+    const glm::vec4 light(linearOf(plain.x), linearOf(plain.y), linearOf(plain.z), 1);
+    Look look{.front = light, .back = light, .roughness = kWoodRoughness};
     if (!isPng(source.bark)) return look;
     glm::vec4 sum(0);
     const TextureMaps maps = readPngs(source.bark);
-    for (const auto& pixel : maps.albedo) sum += colour(pixel);
+    for (const auto& pixel : maps.albedo) sum += lightOf(pixel);
     look.front = look.back = glm::vec4(glm::vec3(sum) / std::max(1.0f, float(maps.albedo.size())), 1);
     return look;
 }
@@ -249,16 +245,16 @@ std::uint64_t twigHash(const Twig& twig, const TwigSource& source) {
                 hash = hashOf(hash, std::array{p.normal.x, p.normal.y, p.normal.z, p.skyVisibility, p.sunVisibility, p.back ? 1.0f : 0.0f, p.behind ? 1.0f : 0.0f, p.wood ? 1.0f : 0.0f});
     for (std::size_t kind = 0; kind < kLeafKinds; ++kind)
         if (twig.kinds[kind] < twig.kinds[kind + 1]) hash = hashOfFile(hash, source.leaves[kind]);
-    return hashOfFile(hash, source.bark);
+    return hashOfFile(hashOf(hash, std::array{source.sunAndShade}), source.bark);
 }
 
 TextureMaps drawTwig(const Twig& twig, const TwigSource& source, const CProgress& progress) {
     CTwigCamera camera(twig);
     const double samples = std::sqrt(twig.leafArea) * camera.perMetre(); // that a leaf is long
     const Look bark = barkLook(source);
-    const glm::dvec3 barkColour(linear(bark.front));
+    const glm::dvec3 barkColour(bark.front);
     camera.draw(*twig.wood, 0, twig.wood->indices.size(), [&](const glm::vec2&) { return bark; });
-    CCardLight light(twig, {barkColour, barkColour, bark.roughness, 0});
+    CCardLight light(twig, {barkColour, barkColour, bark.roughness, 0}, source.sunAndShade);
     for (std::size_t kind = 0; kind < kLeafKinds; ++kind) {
         progress.poll();
         if (twig.kinds[kind] == twig.kinds[kind + 1]) continue;

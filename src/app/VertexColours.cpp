@@ -31,10 +31,9 @@ struct LeafTint {
     /// `open`: how much of the sky it sees, 0 to 1.
     glm::dvec3 of(const CLeaf& leaf, double open) const {
         const double lightness = numberOf(leaf, 1) - 0.5, hue = numberOf(leaf, 2) - 0.5;
-        const glm::dvec3 own = glm::dvec3(0.97, 0.99, 0.9) + variation * (lightness * glm::dvec3(1, 0.76, 0.8) + hue * glm::dvec3(0.45, 0, -0.3));
+        const glm::dvec3 own = kLeafTint + variation * (lightness * glm::dvec3(1, 0.76, 0.8) + hue * glm::dvec3(0.45, 0, -0.3));
         const double lit = std::clamp((open - kInTheMiddle) / (1 - kInTheMiddle), 0.0, 1.0);
-        const glm::dvec3 light = glm::mix(glm::dvec3(0.68, 0.8, 0.76), glm::dvec3(1.06, 1.03, 0.96), lit);
-        return glm::clamp(own * glm::mix(glm::dvec3(1), light, sunAndShade), 0.0, 1.0);
+        return glm::clamp(own * sunAndShadeAt(lit, sunAndShade), 0.0, 1.0);
     }
 };
 

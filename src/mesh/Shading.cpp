@@ -34,6 +34,10 @@ std::uint8_t ambientAt(const Crown& crown, const CMesh& mesh, std::size_t vertex
     return static_cast<std::uint8_t>(light * static_cast<float>(mesh.looks[vertex].skyVisibility) + 0.5f);
 }
 
+glm::dvec3 sunAndShadeAt(double lit, double sunAndShade) {
+    return glm::mix(glm::dvec3(1), glm::mix(glm::dvec3(0.68, 0.8, 0.76), glm::dvec3(1.06, 1.03, 0.96), lit), sunAndShade);
+}
+
 std::vector<glm::vec4> tangentsOf(const CMesh& mesh) {
     std::vector<glm::vec3> alongU(mesh.vertexCount(), glm::vec3(0)), alongV(mesh.vertexCount(), glm::vec3(0));
     for (std::size_t t = 0; t < mesh.indices.size(); t += 3) {

@@ -193,16 +193,18 @@ uniform int view; // 0 lit, 1 material, 2 occlusion, 3 normals
 varying vec3 place, normal, inShadow;
 varying float skyVisibility, shade, ground, woodCover;
 varying vec2 neighbours; // shares
+// Pictures with gaps are multiplied by their opacity.
+vec3 ofCutOut(vec4 colour) { return min(colour.rgb / max(colour.a, 0.004), 1.0); }
 vec3 withRelief(vec3 n, vec3 bump) {
     vec3 along = dFdx(place), up = dFdy(place);
     vec2 du = dFdx(gl_TexCoord[0].st), dv = dFdy(gl_TexCoord[0].st);
     vec3 across = cross(up, n), ahead = cross(n, along);
     vec3 t = across * du.x + ahead * dv.x, b = across * du.y + ahead * dv.y;
-    float size = inversesqrt(max(max(dot(t, t), dot(b, b)), 1e-30));
-    return normalize(mat3(t * size, b * size, n) * bump);
+    return normalize(mat3(t * inversesqrt(max(dot(t, t), 1e-30)), b * inversesqrt(max(dot(b, b), 1e-30)), n) * bump);
 }
 void main() {
     vec4 colour = texture2D(picture, gl_TexCoord[0].st);
+    if (leaf > 0.5) colour.rgb = ofCutOut(colour);
     float cover = woodCover;
     if (leaf > 0.5) {
         // What lies behind one another in a pixel covers other parts of it.
@@ -237,7 +239,7 @@ void main() {
     if (bump.z < 1.0) n = withRelief(n, bump);
 #if BEST
     bool fromBelow = back && underSide > 0.5;
-    if (fromBelow) colour.rgb = texture2D(under, gl_TexCoord[0].st).rgb;
+    if (fromBelow) colour.rgb = ofCutOut(texture2D(under, gl_TexCoord[0].st));
 #else
     bool fromBelow = false;
 #endif

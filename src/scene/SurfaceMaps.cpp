@@ -68,10 +68,9 @@ Pixels pixelsOf(const osg::Image& image) {
     return pixels;
 }
 
-/// With mip-maps of our own.
+/// With mip-maps of our own. Colours are multiplied by opacity, so that filters weigh them by it; what lies in a gap counts nothing.
 ImageRef cutOutImage(const osg::Image& source, const Softening& softening) {
-    Pixels pixels = pixelsOf(source);
-    spreadColours(pixels, source.s(), source.t());
+    const Pixels pixels = pixelsOf(source);
     const std::vector<Pixels> levels = mipmapsKeepingCoverage(pixels, source.s(), source.t(), softening);
     std::size_t count = 0;
     osg::Image::MipmapDataType offsets;
@@ -81,10 +80,11 @@ ImageRef cutOutImage(const osg::Image& source, const Softening& softening) {
     }
     auto* data = new unsigned char[count * 4];
     std::size_t at = 0;
-    for (const Pixels& level : levels) {
-        std::memcpy(data + at, level.data(), level.size() * 4);
-        at += level.size() * 4;
-    }
+    for (const Pixels& level : levels)
+        for (const auto& p : level) {
+            for (std::size_t c = 0; c < 3; ++c) data[at++] = static_cast<unsigned char>((p[c] * p[3] + 127) / 255);
+            data[at++] = p[3];
+        }
     ImageRef image = new osg::Image;
     image->setImage(source.s(), source.t(), 1, GL_RGBA, GL_RGBA, GL_UNSIGNED_BYTE, data, osg::Image::USE_NEW_DELETE);
     image->setMipmapLevels(offsets);
@@ -123,6 +123,7 @@ std::shared_ptr<const SurfaceMaps> readSurface(Surface surface, const std::strin
     maps->under = albedo && info.cutOut ? readMap(file, "_back", maps->problem) : nullptr;
     if (!albedo) albedo = plainImage({info.colour.x, info.colour.y, info.colour.z, 1});
     maps->albedo = info.cutOut ? cutOutImage(*albedo, softeningOf(info.manyLeaves())) : albedo;
+    if (maps->under) maps->under = cutOutImage(*maps->under, softeningOf(info.manyLeaves()));
     maps->bumpy = relief.valid();
     maps->relief = relief ? relief : plainImage({0.5f, 0.5f, 1, 1});
     maps->gloss = glossImage(roughness, through, info.cutOut);

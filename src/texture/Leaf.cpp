@@ -271,7 +271,7 @@ TextureMaps makeLeaf(const LeafParams& leaf, int size, const CProgress& progress
         maps.height01[i] = toByte(255 * heights[i]);
     });
     addNormals(maps, heights, kLeafRelief, progress);
-    for (Pixels* side : {&maps.albedo, &maps.back}) spreadColours(*side, size, size);
+    spreadMaps(maps);
     return maps;
 }
 

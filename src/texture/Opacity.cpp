@@ -1,4 +1,5 @@
 #include "stromar/texture/Opacity.h"
+#include "stromar/texture/Srgb.h"
 #include <algorithm>
 #include <cmath>
 
@@ -15,17 +16,17 @@ struct Weighted {
     }
 };
 
+void scale(std::array<float, 4>& sum, float by) {
+    for (float& c : sum) c *= by;
+}
+
 Weighted halved(Weighted& large) {
     Weighted small{std::max(1, (large.width + 1) / 2), std::max(1, (large.height + 1) / 2), {}};
     small.sums.resize(static_cast<std::size_t>(small.width) * static_cast<std::size_t>(small.height));
     for (int y = 0; y < large.height; ++y)
         for (int x = 0; x < large.width; ++x)
             for (std::size_t c = 0; c < 4; ++c) small.at(x / 2, y / 2)[c] += large.at(x, y)[c];
-    for (auto& sum : small.sums) { // a mean that weighs one
-        const float weight = sum[3];
-        if (weight > 1)
-            for (float& c : sum) c /= weight;
-    }
+    for (auto& sum : small.sums) scale(sum, 0.25f);
     return small;
 }
 
@@ -39,6 +40,16 @@ void fillFrom(Weighted& large, Weighted& small) {
             const auto& other = small.at(x / 2, y / 2);
             for (std::size_t c = 0; c < 4; ++c) own[c] += missing * other[c];
         }
+}
+
+/// Of what a picture shows, what lies near, and further away the mean of more and more of it.
+Weighted spread(Weighted picture) {
+    std::vector<Weighted> levels{std::move(picture)};
+    while (levels.back().width > 1 || levels.back().height > 1) levels.push_back(halved(levels.back()));
+    auto& all = levels.back().sums.front();
+    if (all[3] > 0) scale(all, 1 / all[3]);
+    for (std::size_t i = levels.size() - 1; i-- > 0;) fillFrom(levels[i], levels[i + 1]);
+    return std::move(levels.front());
 }
 
 std::uint8_t rounded(double v) { return static_cast<std::uint8_t>(std::lround(std::clamp(v, 0.0, 255.0))); }
@@ -99,6 +110,7 @@ double scaleFor(const Pixels& pixels, int width, int height, double cut, double 
     return error(low) < error(high) ? low : high;
 }
 
+/// The mean of the light; colours weigh as much as they cover.
 Pixels halved(const Pixels& large, int width, int height) {
     const int w = std::max(1, width / 2), h = std::max(1, height / 2);
     Pixels small;
@@ -109,30 +121,52 @@ Pixels halved(const Pixels& large, int width, int height) {
     };
     for (int y = 0; y < h; ++y)
         for (int x = 0; x < w; ++x) {
-            std::array<std::uint8_t, 4> mean;
-            for (std::size_t c = 0; c < 4; ++c)
-                mean[c] = static_cast<std::uint8_t>((at(2 * x, 2 * y)[c] + at(2 * x + 1, 2 * y)[c] +
-                                                     at(2 * x, 2 * y + 1)[c] + at(2 * x + 1, 2 * y + 1)[c] + 2) /
-                                                    4);
-            small.push_back(mean);
+            const std::array four{at(2 * x, 2 * y), at(2 * x + 1, 2 * y), at(2 * x, 2 * y + 1), at(2 * x + 1, 2 * y + 1)};
+            const int opacity = four[0][3] + four[1][3] + four[2][3] + four[3][3], least = opacity == 0 ? 1 : 0;
+            std::array<float, 3> sums{};
+            for (const auto& p : four)
+                for (std::size_t c = 0; c < 3; ++c) sums[c] += float(p[3] + least) * linearOfByte(p[c]);
+            const auto mean = [&](std::size_t c) { return byteOf(encodedOf(sums[c] / float(opacity + 4 * least))); };
+            small.push_back({mean(0), mean(1), mean(2), static_cast<std::uint8_t>((opacity + 2) / 4)});
         }
     return small;
+}
+
+/// valueOf(pixel) → three channels; where the albedo is not opaque, take(pixel, them).
+template <typename ValueOf, typename Take>
+void spreadMap(const Pixels& albedo, int width, int height, ValueOf&& valueOf, Take&& take) {
+    Weighted picture{width, height, {}};
+    for (std::size_t i = 0; i < albedo.size(); ++i) {
+        const float weight = static_cast<float>(albedo[i][3]) / 255;
+        const std::array<std::uint8_t, 3> own = valueOf(i);
+        picture.sums.push_back({weight * own[0], weight * own[1], weight * own[2], weight});
+    }
+    const Weighted all = spread(std::move(picture));
+    for (std::size_t i = 0; i < albedo.size(); ++i) {
+        const auto& sum = all.sums[i];
+        if (albedo[i][3] == 255 || sum[3] <= 0) continue;
+        take(i, std::array{rounded(sum[0] / sum[3]), rounded(sum[1] / sum[3]), rounded(sum[2] / sum[3])});
+    }
 }
 } // namespace
 
 void spreadColours(Pixels& pixels, int width, int height) {
-    std::vector<Weighted> levels{{width, height, {}}};
-    for (const auto& p : pixels) {
-        const float weight = static_cast<float>(p[3]) / 255;
-        levels[0].sums.push_back({weight * p[0], weight * p[1], weight * p[2], weight});
-    }
-    while (levels.back().width > 1 || levels.back().height > 1) levels.push_back(halved(levels.back()));
-    for (std::size_t i = levels.size() - 1; i-- > 0;) fillFrom(levels[i], levels[i + 1]);
-    for (std::size_t i = 0; i < pixels.size(); ++i) {
-        const auto& sum = levels[0].sums[i];
-        if (pixels[i][3] == 255 || sum[3] <= 0) continue;
-        for (std::size_t c = 0; c < 3; ++c) pixels[i][c] = rounded(sum[c] / sum[3]);
-    }
+    spreadMap(
+        pixels, width, height, [&](std::size_t i) { return std::array{pixels[i][0], pixels[i][1], pixels[i][2]}; },
+        [&](std::size_t i, const std::array<std::uint8_t, 3>& colour) { std::ranges::copy(colour, pixels[i].begin()); });
+}
+
+void spreadMaps(TextureMaps& maps) {
+    const Pixels albedo = maps.albedo;
+    for (Pixels* side : {&maps.albedo, &maps.back})
+        if (!side->empty()) spreadColours(*side, maps.width, maps.height);
+    spreadMap(
+        albedo, maps.width, maps.height, [&](std::size_t i) { return maps.normal[i]; }, [&](std::size_t i, const auto& normal) { maps.normal[i] = normal; });
+    for (std::vector<std::uint8_t>* map : {&maps.roughness, &maps.translucency})
+        if (!map->empty())
+            spreadMap(
+                albedo, maps.width, maps.height, [&](std::size_t i) { return std::array<std::uint8_t, 3>{(*map)[i]}; },
+                [&](std::size_t i, const auto& value) { (*map)[i] = value[0]; });
 }
 
 void setCoverage(Pixels& pixels, int width, int height, double wanted, double cut) {

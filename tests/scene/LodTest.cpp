@@ -99,11 +99,8 @@ struct Bound {
     double colour;
 };
 constexpr Bound kExceptions[] = {
-    {"black_tupelo", kMaxCoverage, 3.6},
-    {"european_larch", kMaxCoverage, 4.2},
-    {"lady_fern", kMaxCoverage, 3.4},
-    {"umbrella_acacia", kMaxCoverage, 3.4},
-    {"wild_cherry", 0.07, kMaxColour},
+    {"horse_chestnut", kMaxCoverage, 4},
+    {"japanese_maple", kMaxCoverage, 4.6},
 };
 
 Bound boundOf(const std::string& preset) {

@@ -105,6 +105,44 @@ TEST(Opacity, SpreadColoursKeepsWhatIsOpaque) {
     }
 }
 
+/// A thin stem beside a leaf does not stain all that is left free.
+TEST(Opacity, SpreadColoursAreMeansByWhatIsCovered) {
+    constexpr int kSide = 64;
+    Pixels pixels(kSide * kSide, {0, 0, 0, 0});
+    for (int y = 0; y < kSide; ++y) {
+        pixels[std::size_t(y * kSide + 28)] = {200, 0, 0, 255};
+        for (int x = 40; x < 60; ++x) pixels[std::size_t(y * kSide + x)] = {0, 200, 0, 255};
+    }
+    spreadColours(pixels, kSide, kSide);
+    for (const int x : {4, 20, 27, 38, 62}) {
+        const auto& p = pixels[std::size_t(30 * kSide + x)];
+        EXPECT_GT(p[1], 3 * p[0]) << x;
+        EXPECT_NEAR(p[0] + p[1], 200, 2) << "a mean, as bright as both";
+    }
+}
+
+TEST(Opacity, SmallerPicturesHaveTheColoursOfWhatCovers) {
+    constexpr int kSide = 16;
+    Pixels pixels(kSide * kSide, {250, 10, 10, 0});
+    for (int y = 5; y < 12; ++y)
+        for (int x = 3; x < 8; ++x) pixels[std::size_t(y * kSide + x)] = {20, 120, 40, 255};
+    for (const Pixels& level : mipmapsKeepingCoverage(pixels, kSide, kSide))
+        for (const auto& p : level)
+            if (p[3] > 0) {
+                EXPECT_EQ(p[1], 120);
+            }
+}
+
+TEST(Leaf, WhatIsCutOutOfItIsAsItselfInAllMaps) {
+    const TextureMaps maps = drawn(leafBook().read("beech"), 128);
+    for (const auto* map : {&maps.roughness, &maps.translucency}) {
+        double sums[2] = {}, counts[2] = {};
+        for (std::size_t i = 0; i < map->size(); ++i)
+            if (const auto opacity = maps.albedo[i][3]; opacity == 0 || opacity == 255) sums[opacity / 255] += (*map)[i], ++counts[opacity / 255];
+        EXPECT_NEAR(sums[0] / counts[0] / (sums[1] / counts[1]), 1, 0.1);
+    }
+}
+
 TEST(Opacity, MipmapsKeepTheCoverage) {
     for (const char* recipe : {"leaf:spruce", "leaf:ash", "leaf:pine", "leaf:maple"}) {
         const TextureMaps maps = CRecipe(recipe).draw(256, CProgress());

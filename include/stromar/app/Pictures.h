@@ -47,8 +47,10 @@ SurfaceTextures texturesOf(const CParams& params, const std::filesystem::path& f
 /// recipe, and CCancelled.
 void makePictures(const CParams& params, const CProgress& progress, PictureQuality quality = PictureQuality::Full);
 
-/// Where the pictures of leaves are not cut out, by kind; pictures that cannot be read cover all. Recipes are drawn as previews. What is known
-/// of a file is kept until it changes. Any thread. Throws CCancelled.
+/// Where the picture of a surface is not cut out; one that cannot be read covers all. Recipes are drawn as previews. What is known of a file is
+/// kept until it changes. Any thread. Throws CCancelled.
+CCutOut maskOf(const CParams& params, Surface surface, const CProgress& progress);
+/// Of leaves, by kind.
 LeafMasks leafMasksOf(const CParams& params, const CProgress& progress);
 
 /// The same with what a model shows, and the picture of its twigs, if it has some.

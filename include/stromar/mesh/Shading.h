@@ -1,5 +1,6 @@
 #pragma once
 #include "stromar/mesh/Mesh.h"
+#include <glm/vec3.hpp>
 #include <glm/vec4.hpp>
 
 namespace stromar {
@@ -10,6 +11,7 @@ struct Crown {
 };
 
 constexpr float kInTheMiddle = 0.45f; ///< of the light outside
+constexpr glm::dvec3 kLeafTint(0.97, 0.99, 0.9);
 
 /// Of all leaves, or of all meshes where there are none.
 Crown crownOf(const Meshes& meshes);
@@ -17,6 +19,10 @@ Crown crownOf(const Meshes& meshes);
 /// Ambient occlusion of a vertex, 0 dark … 255 open: what its own stem leaves open (CMesh::skyVisibility), less towards the
 /// middle of the crown. A closed form, no rays: cost of one square root.
 std::uint8_t ambientAt(const Crown& crown, const CMesh& mesh, std::size_t vertex);
+
+/// What the picture of leaves is multiplied by besides kLeafTint and what makes each another, as kTreeFragmentShader does. `lit`: 0 in the middle
+/// of the crown … 1 in the open; `sunAndShade`: LeafSunShade, 0..1.
+glm::dvec3 sunAndShadeAt(double lit, double sunAndShade);
 
 /// Per vertex the unit direction of rising u, square to the normal, and the sign of the direction of rising v against
 /// normal × tangent: for normal maps. Mean of the triangles (Lengyel 2001).

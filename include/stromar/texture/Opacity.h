@@ -1,7 +1,6 @@
 #pragma once
+#include "stromar/texture/TextureMaps.h"
 #include "stromar/util/Softening.h"
-#include <array>
-#include <cstdint>
 #include <optional>
 #include <vector>
 
@@ -15,6 +14,8 @@ constexpr double kAlphaCut = 0.4;
 /// Gives transparent pixels the colours of the opaque ones around them, so that smaller pictures and filters do not mix
 /// in what lies outside. Opacity stays. Linear in the pixels.
 void spreadColours(Pixels& pixels, int width, int height);
+/// Likewise in all maps but the heights, where the albedo is transparent.
+void spreadMaps(TextureMaps& maps);
 
 /// Changes opacities between nothing and opaque so that, cut, they cover a part of the picture: hairs thinner than a pixel are drawn too wide
 /// or not at all. Linear in the pixels.

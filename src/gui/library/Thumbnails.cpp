@@ -13,7 +13,7 @@ namespace stromar {
 
 namespace {
 constexpr int kRestMs = 3000;          // from the last picture until its graphics memory is freed
-constexpr int kLookVersion = 4;       // rises when the same tree is drawn differently
+constexpr int kLookVersion = 5;       // rises when the same tree is drawn differently
 constexpr double kFewVertices = 4e5;  // up to here all leaves are drawn
 
 /// Where the picture of such a tree is kept.

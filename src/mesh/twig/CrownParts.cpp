@@ -62,16 +62,15 @@ std::vector<CrownPart> partsOf(const OrganMeshes& leaves, const LeafMasks& masks
     return parts;
 }
 
-OrganMeshes fittingLeaves(const OrganMeshes& thinned, const std::shared_ptr<const COrgans>& all, const CTree& tree, const LeafMasks& masks,
-                          const MeshParams& params, const Detail& detail, const CProgress& progress) {
-    const double present = double(all->grown.size()) * params.seasonOf(Organ::Leaf).share;
-    if (present < 1 || double(all->grown.size()) > kMeasuredLeaves || verticesOf(thinned) > kMaxVertices) return thinned;
-    const std::vector<CrownPart> whole = leafParts(all, nullptr, present, tree, params, masks, detailOf(Model::Full), progress);
-    if (whole.empty()) return thinned;
+namespace {
+/// In the size in which they cover as much as the whole.
+OrganMeshes fittingTo(const std::vector<CrownPart>& whole, const OrganMeshes& thinned, double treeHeight, const LeafMasks& masks, const Detail& detail,
+                      const CProgress& progress) {
+    if (whole.empty() || verticesOf(thinned) > kMaxVertices) return thinned;
     Bounds box = whole.front().mesh->bounds();
     for (const CrownPart& part : whole) box = {glm::min(box.min, part.mesh->bounds().min), glm::max(box.max, part.mesh->bounds().max)};
-    const CrownFrame frame{glm::dvec3(box.min + box.max) / 2.0, 0.55 * glm::length(glm::dvec3(box.max - box.min))}; // with room for larger leaves
-    const double pixels = pixelsOf(frame, tree.height(), detail);
+    const CrownFrame frame{glm::dvec3(box.min + box.max) / 2.0, 0.55 * glm::length(glm::dvec3(box.max - box.min))}; // with room for larger ones
+    const double pixels = pixelsOf(frame, treeHeight, detail);
     const auto resized = [&](double fit) {
         OrganMeshes sized;
         for (const auto& mesh : thinned) sized.push_back(mesh->resized(std::sqrt(fit)));
@@ -81,6 +80,20 @@ OrganMeshes fittingLeaves(const OrganMeshes& thinned, const std::shared_ptr<cons
         return crownCover(partsOf(resized(areas), masks, progress), frame, pixels, progress);
     });
     return resized(fit.areas);
+}
+} // namespace
+
+OrganMeshes fittingLeaves(const OrganMeshes& thinned, const std::shared_ptr<const COrgans>& all, const CTree& tree, const LeafMasks& masks,
+                          const MeshParams& params, const Detail& detail, const CProgress& progress) {
+    const double present = double(all->grown.size()) * params.seasonOf(Organ::Leaf).share;
+    if (present < 1 || double(all->grown.size()) > kMeasuredLeaves || verticesOf(thinned) > kMaxVertices) return thinned;
+    return fittingTo(leafParts(all, nullptr, present, tree, params, masks, detailOf(Model::Full), progress), thinned, tree.height(), masks, detail, progress);
+}
+
+OrganMeshes fittingBlossoms(const OrganMeshes& thinned, const OrganMeshes& whole, double treeHeight, const CCutOut& mask, const Detail& detail,
+                            const CProgress& progress) {
+    const LeafMasks masks{mask};
+    return fittingTo(partsOf(whole, masks, progress), thinned, treeHeight, masks, detail, progress);
 }
 
 } // namespace stromar
