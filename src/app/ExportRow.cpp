@@ -136,8 +136,9 @@ void writeRow(std::span<const RowTree> trees, const Detail& detail, const Export
     for (const RowTree& tree : trees) {
         CTreeCreator creator(true, limits);
         creator.setAge(tree.age);
-        const auto model = creator.create(tree.params, tree.detail ? *tree.detail : detail, progress, CTreeCreator::Plans::Keep);
-        maker.add(tree, finishedModel(model, options, treeFolder, each, progress), progress);
+        auto model = creator.create(tree.params, tree.detail ? *tree.detail : detail, progress, CTreeCreator::Plans::Keep);
+        model = finishedModel(model, options, treeFolder, each, progress);
+        maker.add(tree, model, progress);
     }
     if (maker.row().meshes.empty())
         throw CError(translated(NC_("stromar", "the tree is empty, there is nothing to export")));

@@ -37,6 +37,12 @@ bool meshIsStale(const std::optional<CParams>& made, const CParams& wanted, int 
 /// Whether two trees have the same stems and bases; their organs may be others.
 bool haveSameStems(const CTree& a, const CTree& b) { return a.generations() == b.generations() && a.base() == b.base(); }
 
+/// Whether organs show the same pictures: they are fitted by what those cover.
+bool haveSamePictures(const CParams& a, const CParams& b, Organ organ) {
+    const auto isSame = [&](Surface surface) { return textureOf(a, shownSurface(a, surface), a.folder) == textureOf(b, shownSurface(b, surface), b.folder); };
+    return organ == Organ::Leaf ? std::ranges::all_of(kLeafSurfaces, isSame) : organ != Organ::Blossom || isSame(Surface::Blossom);
+}
+
 /// With its memory.
 template <typename Vector>
 void release(Vector& values) {
@@ -68,7 +74,7 @@ public:
             makeStems(g, watch);
             m_progress.report(0.5 + 0.4 * double(g + 1) / double(m_tree.generationCount()));
         }
-        if (m_keepsPlans) m_model->planned = copyOfPlanned();
+        if (m_keepsPlans) m_model->planned = std::make_shared<const std::vector<StemMesh>>(std::move(m_planned));
         m_leafDetail = withLeaves(m_detail, m_model->leafShare = leafShare());
         OrganArrays organs;
         for (const Organ organ : kOrgans) organs[static_cast<std::size_t>(organ)] = growOrgans(organ);
@@ -133,39 +139,25 @@ private:
         MadeStems& made = m_made.stems[g];
         const int generation = static_cast<int>(g);
         const auto& source = m_tree.generations()[g];
-        const PlanParts wanted = partsWanted(g);
+        // The simple model changes with every step of a hand: new memory would cost it more than it saves.
+        const bool last = m_detail.model == Model::Full && g + 1 == m_tree.generationCount();
         GenerationChoice choice = choiceOf(g);
         if (!made.stems.mesh || made.source != source || made.choice != choice || meshIsStale(made.params, m_params, generation)) {
             made = {}; // first the memory of the old mesh
             made = {source, meshStems(g, watch), m_params, std::move(choice)};
-        } else if (made.planned < wanted)
+        } else if (m_keepsPlans || (made.last && !last))
             made.stems.plan = planStems(g);
-        keepParts(made.stems.plan, wanted);
-        made.planned = wanted;
+        if (m_keepsPlans) m_planned.push_back(made.stems);
+        made.last = last;
+        release(made.stems.plan.collarPoints); // only the mesh needed them
+        release(made.stems.plan.forkPoints);
+        if (last) {
+            release(made.stems.plan.rings);
+            release(made.stems.plan.tubes);
+        }
         m_model->stems.push_back(made.stems.mesh);
         m_plans.push_back(&made.stems.plan);
         m_model->milliseconds.mesh += watch.lap();
-    }
-
-    PlanParts partsWanted(std::size_t g) const {
-        if (m_keepsPlans) return PlanParts::All;
-        // The simple model changes with every step of a hand: new memory would cost it more than it saves.
-        return m_detail.model == Model::Full && g + 1 == m_tree.generationCount() ? PlanParts::Counts : PlanParts::Rings;
-    }
-
-    static void keepParts(MeshPlan& plan, PlanParts parts) {
-        if (parts == PlanParts::All) return;
-        release(plan.collarPoints); // only the mesh needed them
-        release(plan.forkPoints);
-        if (parts == PlanParts::Rings) return;
-        release(plan.rings);
-        release(plan.tubes);
-    }
-
-    std::shared_ptr<const std::vector<StemMesh>> copyOfPlanned() const {
-        std::vector<StemMesh> all;
-        for (const MadeStems& made : m_made.stems) all.push_back(made.stems);
-        return std::make_shared<const std::vector<StemMesh>>(std::move(all));
     }
 
     StemMesh meshStems(std::size_t g, CStopwatch& watch) {
@@ -219,10 +211,11 @@ private:
 
     const OrganMeshes& meshOrgans(Organ organ) {
         MadeOrgans& made = m_made.organs[static_cast<std::size_t>(organ)];
-        if (made.meshes.empty() || meshIsStale(made.params, m_params, Invalidation::kLeaves)) {
+        const bool isFitted = m_detail.lod > 0;
+        if (made.meshes.empty() || meshIsStale(made.params, m_params, Invalidation::kLeaves) || (isFitted && !haveSamePictures(*made.params, m_params, organ))) {
             made.meshes = meshOfOrgans(*m_model->tree, organ, m_plans, m_mesh, detailOf(organ), m_progress, asCards(organ));
-            if (organ == Organ::Leaf && m_detail.lod > 0) fitLeaves(made.meshes);
-            if (organ == Organ::Blossom && m_detail.lod > 0) fitBlossoms(made.meshes);
+            if (organ == Organ::Leaf && isFitted) fitLeaves(made.meshes);
+            if (organ == Organ::Blossom && isFitted) fitBlossoms(made.meshes);
             made.params = m_params;
         }
         return made.meshes;
@@ -261,6 +254,7 @@ private:
     const CProgress& m_progress;
     std::shared_ptr<TreeModel> m_model;
     std::vector<const MeshPlan*> m_plans;
+    std::vector<StemMesh> m_planned; ///< for the model, where it keeps them
 };
 
 CTreeCreator::CTreeCreator(bool varied, const SizeLimits& limits)

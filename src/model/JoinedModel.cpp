@@ -27,6 +27,7 @@ std::shared_ptr<const TreeModel> joined(const std::shared_ptr<const TreeModel>& 
     JoinedStems wood = joinStems(*model->tree, *allPlanned(*model, progress), progress);
     auto whole = std::make_shared<TreeModel>(*model);
     whole->stems = std::move(wood.meshes);
+    whole->planned.reset(); // their memory is for the writers
     whole->unjoined = std::make_shared<const UnjoinedStems>(UnjoinedStems{model->stems, std::move(wood.sources)});
     return whole;
 }

@@ -132,12 +132,12 @@ Pixels halved(const Pixels& large, int width, int height) {
     return small;
 }
 
-/// valueOf(pixel) → three channels; where the albedo is not opaque, take(pixel, them).
-template <typename ValueOf, typename Take>
-void spreadMap(const Pixels& albedo, int width, int height, ValueOf&& valueOf, Take&& take) {
+/// valueOf(pixel) → three channels, weightOf(pixel) → how much they count, 0..255; where the albedo is not opaque, take(pixel, channels).
+template <typename ValueOf, typename WeightOf, typename Take>
+void spreadMap(const Pixels& albedo, int width, int height, ValueOf&& valueOf, WeightOf&& weightOf, Take&& take) {
     Weighted picture{width, height, {}};
     for (std::size_t i = 0; i < albedo.size(); ++i) {
-        const float weight = static_cast<float>(albedo[i][3]) / 255;
+        const float weight = static_cast<float>(albedo[i][3] * weightOf(i)) / (255 * 255);
         const std::array<std::uint8_t, 3> own = valueOf(i);
         picture.sums.push_back({weight * own[0], weight * own[1], weight * own[2], weight});
     }
@@ -148,11 +148,12 @@ void spreadMap(const Pixels& albedo, int width, int height, ValueOf&& valueOf, T
         take(i, std::array{rounded(sum[0] / sum[3]), rounded(sum[1] / sum[3]), rounded(sum[2] / sum[3])});
     }
 }
+int allAlike(std::size_t) { return 255; }
 } // namespace
 
 void spreadColours(Pixels& pixels, int width, int height) {
     spreadMap(
-        pixels, width, height, [&](std::size_t i) { return std::array{pixels[i][0], pixels[i][1], pixels[i][2]}; },
+        pixels, width, height, [&](std::size_t i) { return std::array{pixels[i][0], pixels[i][1], pixels[i][2]}; }, allAlike,
         [&](std::size_t i, const std::array<std::uint8_t, 3>& colour) { std::ranges::copy(colour, pixels[i].begin()); });
 }
 
@@ -161,12 +162,15 @@ void spreadMaps(TextureMaps& maps) {
     for (Pixels* side : {&maps.albedo, &maps.back})
         if (!side->empty()) spreadColours(*side, maps.width, maps.height);
     spreadMap(
-        albedo, maps.width, maps.height, [&](std::size_t i) { return maps.normal[i]; }, [&](std::size_t i, const auto& normal) { maps.normal[i] = normal; });
-    for (std::vector<std::uint8_t>* map : {&maps.roughness, &maps.translucency})
-        if (!map->empty())
-            spreadMap(
-                albedo, maps.width, maps.height, [&](std::size_t i) { return std::array<std::uint8_t, 3>{(*map)[i]}; },
-                [&](std::size_t i, const auto& value) { (*map)[i] = value[0]; });
+        albedo, maps.width, maps.height, [&](std::size_t i) { return maps.normal[i]; }, allAlike, [&](std::size_t i, const auto& normal) { maps.normal[i] = normal; });
+    const auto spreadOne = [&](std::vector<std::uint8_t>& map, const auto& weightOf) {
+        spreadMap(
+            albedo, maps.width, maps.height, [&](std::size_t i) { return std::array<std::uint8_t, 3>{map[i]}; }, weightOf,
+            [&](std::size_t i, const auto& value) { map[i] = value[0]; });
+    };
+    spreadOne(maps.roughness, allAlike);
+    // Wood lets nothing through: what lies beside it is a gap between leaves.
+    if (!maps.translucency.empty()) spreadOne(maps.translucency, [&](std::size_t i) { return int{maps.translucency[i]}; });
 }
 
 void setCoverage(Pixels& pixels, int width, int height, double wanted, double cut) {

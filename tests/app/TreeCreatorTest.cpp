@@ -118,6 +118,23 @@ TEST(TreeCreator, LevelsOfDetailShareTheTwigThatCardsShow) {
     EXPECT_EQ(modelDifference(*larger, *createAnew(params, detailOf(Model::Full, 3))), "");
 }
 
+/// Thinned organs are as large as their pictures want.
+TEST(TreeCreator, AnotherPictureGivesWhatANewCreatorGives) {
+    const auto expectSame = [](const CParams& before, const CParams& after) {
+        CTreeCreator creator;
+        const auto old = creator.create(before, detailOf(Model::Full, 1), CProgress(2)), now = creator.create(after, detailOf(Model::Full, 1), CProgress(2));
+        EXPECT_NE(modelDifference(*now, *old), "");
+        EXPECT_EQ(modelDifference(*now, *createAnew(after, detailOf(Model::Full, 1))), "");
+    };
+    CParams leafy = preset("quaking_aspen"), blooming = preset("rowan");
+    blooming.common.season = 5.5;
+    CParams otherLeaf = leafy, otherBlossom = blooming;
+    otherLeaf.text.leafTexture = "leaf:spruce";
+    otherBlossom.text.blossomTexture = "leaf:candle";
+    expectSame(leafy, otherLeaf);
+    expectSame(blooming, otherBlossom);
+}
+
 TEST(TreeCreator, AnEditOfAnyParameterGivesWhatANewCreatorGives) {
     for (const ParamRef& ref : numberParams())
         for (const Detail* detail : {&detailOf(Model::Simple), &detailOf(Model::Full, 1)}) {

@@ -92,22 +92,6 @@ private:
     CHeadlessPainter m_painter{m_scene, kSamples};
 };
 
-/// What a species keeps to, at every change, where that is not the usual.
-struct Bound {
-    const char* preset;
-    double coverage; ///< share of the pixels that are covered before
-    double colour;
-};
-constexpr Bound kExceptions[] = {
-    {"horse_chestnut", kMaxCoverage, 4},
-    {"japanese_maple", kMaxCoverage, 4.6},
-};
-
-Bound boundOf(const std::string& preset) {
-    const auto own = std::ranges::find_if(kExceptions, [&](const Bound& bound) { return preset == bound.preset; });
-    return own == std::end(kExceptions) ? Bound{preset.c_str(), kMaxCoverage, kMaxColour} : *own;
-}
-
 std::vector<std::string> trees() {
     if (!allAreWanted()) return {"quaking_aspen", "apple", "wild_cherry", "coconut_palm", "hazel", "bamboo", "strand_acacia"};
     std::vector<std::string> names;
@@ -125,7 +109,6 @@ TEST_P(LevelsOfDetail, DoNotPop) {
     CTreeCreator creator;
     CEye eye;
     const CParams params = preset(GetParam());
-    const Bound bound = boundOf(GetParam());
     Level fine = levelOf(creator, params, 0);
     for (int lod = 1; lod <= kMaxLod; ++lod) {
         Level coarse = levelOf(creator, params, lod);
@@ -133,8 +116,8 @@ TEST_P(LevelsOfDetail, DoNotPop) {
         const std::vector<CCamera> cameras = camerasAround(fine);
         const Seen before = eye.look(fine, cameras, side), after = eye.look(coarse, cameras, side);
         const double coverage = after.covered / before.covered - 1, colour = glm::distance(before.lab(), after.lab());
-        EXPECT_LE(std::abs(coverage), bound.coverage) << "to level " << lod;
-        EXPECT_LE(colour, bound.colour) << "to level " << lod;
+        EXPECT_LE(std::abs(coverage), kMaxCoverage) << "to level " << lod;
+        EXPECT_LE(colour, kMaxColour) << "to level " << lod;
         fine = std::move(coarse);
     }
 }

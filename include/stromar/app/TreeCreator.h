@@ -37,14 +37,12 @@ private:
 
         bool operator==(const GenerationChoice&) const = default;
     };
-    /// What is kept of a plan: how much it has, what the next generation wants to know, or all.
-    enum class PlanParts { Counts, Rings, All };
     struct MadeStems {
         std::shared_ptr<const CGeneration> source;
         StemMesh stems;
         std::optional<CParams> params; ///< filling in defaults takes longer than a small step
         GenerationChoice choice;
-        PlanParts planned = PlanParts::Counts;
+        bool last = false; ///< no generation follows: the plan is not kept
     };
     struct MadeChoice {
         std::vector<std::shared_ptr<const CGeneration>> sources;

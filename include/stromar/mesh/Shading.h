@@ -11,7 +11,7 @@ struct Crown {
 };
 
 constexpr float kInTheMiddle = 0.45f; ///< of the light outside
-constexpr glm::dvec3 kLeafTint(0.97, 0.99, 0.9);
+constexpr glm::dvec3 kLeafTint(0.97, 0.99, 0.9); ///< what the picture of leaves is multiplied by, in the mean of all leaves
 
 /// Of all leaves, or of all meshes where there are none.
 Crown crownOf(const Meshes& meshes);

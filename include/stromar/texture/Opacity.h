@@ -1,6 +1,8 @@
 #pragma once
 #include "stromar/texture/TextureMaps.h"
 #include "stromar/util/Softening.h"
+#include <array>
+#include <cstdint>
 #include <optional>
 #include <vector>
 

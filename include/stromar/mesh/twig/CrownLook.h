@@ -40,7 +40,7 @@ constexpr double kMeasuredLeaves = 250'000; ///< are enough to see how a crown l
 /// worth it: they come back as they are.
 OrganMeshes fittingLeaves(const OrganMeshes& thinned, const std::shared_ptr<const COrgans>& all, const CTree& tree, const LeafMasks& masks,
                           const MeshParams& params, const Detail& detail, const CProgress& progress);
-/// Likewise blossoms, as `whole` shows all of them near, on a tree of some metres' height.
+/// Likewise blossoms: `whole` is all of them as seen from near. `treeHeight` in metres.
 OrganMeshes fittingBlossoms(const OrganMeshes& thinned, const OrganMeshes& whole, double treeHeight, const CCutOut& mask, const Detail& detail,
                             const CProgress& progress);
 
