@@ -3,6 +3,7 @@ target_compile_options(stromar_options INTERFACE -Wall -Wextra -Wpedantic -Wconv
   # g++ 12 warns of its own std::string (GCC bug 105651), and of anonymous namespaces in files that are compiled together
   $<$<CXX_COMPILER_ID:GNU>:-Wno-restrict -Wno-subobject-linkage>
   $<$<BOOL:${STROMAR_WERROR}>:-Werror>
+  -fmacro-prefix-map=${PROJECT_SOURCE_DIR}/= # the same objects from every checkout
   -ffp-contract=off # contraction changes results from processor to processor
   $<$<CONFIG:Release>:$<IF:$<BOOL:$<TARGET_PROPERTY:STROMAR_IS_TEST>>,-O1,-O3>>) # a test is compiled for longer than it runs
 if(CMAKE_SYSTEM_PROCESSOR STREQUAL "x86_64")

@@ -7,6 +7,7 @@
 #include <glm/common.hpp>
 #include <glm/exponential.hpp>
 #include <glm/geometric.hpp>
+#include <glm/vector_relational.hpp>
 
 namespace stromar {
 
@@ -60,13 +61,14 @@ glm::dvec3 toneMapped(const glm::dvec3& light) {
     return each((c * (2.51 * c + 0.03)) / (c * (2.43 * c + 0.59) + 0.14), encodedOf);
 }
 
-/// Of the places that are seen, 0..1.
-double woodOf(const CrownLook& crown) {
+/// Of what is seen of cards, 0..1.
+double woodOf(const CrownLook& cards) {
     std::size_t wood = 0, all = 0;
-    for (const SeenPixel& pixel : crown.pixels) {
-        all += pixel.size();
-        wood += static_cast<std::size_t>(std::ranges::count_if(pixel, &LitPlace::wood));
-    }
+    for (const SeenPixel& pixel : cards.pixels)
+        for (const LitPlace& place : pixel) {
+            all += !isBesideCards(place.layer);
+            wood += place.layer == CrownLayer::Wood;
+        }
     return double(wood) / double(std::max<std::size_t>(1, all));
 }
 
@@ -81,57 +83,75 @@ void multiply(Pixels& pixels, const glm::dvec3& share) {
 } // namespace
 
 glm::dvec3 CCardLight::colourOf(const LitPlace& place, const MeanLook& look, UnderSides how) {
-    if (place.wood) return look.front;
+    if (isWood(place.layer)) return look.front;
     const bool pictured = how == UnderSides::Pictured, back = place.back != (!pictured && place.behind);
     const glm::dvec3& colour = back ? look.back : look.front;
     return pictured || !place.behind ? colour : 1.15 * glm::mix(colour, glm::dvec3(glm::dot(colour, glm::dvec3(0.3, 0.6, 0.1))), 0.25);
 }
 
-/// sRGB. Of cards `leaf` is all that they show.
-glm::dvec3 CCardLight::shownOf(const SeenPixel& pixel, const glm::dvec3& sun, const MeanLook& leaf, UnderSides how, const Shares* cards) const {
+const MeanLook& CCardLight::lookOf(CrownLayer layer, const MeanLook& leaf, const Shares* cards) const {
+    if (layer == CrownLayer::Blossom) return m_blossom;
+    return layer == CrownLayer::OtherWood || (layer == CrownLayer::Wood && !cards) ? m_bark : leaf;
+}
+
+glm::dvec3 CCardLight::tintOf(const LitPlace& place, const Shares* cards) const {
     constexpr double kLeastOpen = 0.35; // as in the fragments
-    glm::dvec3 sum(0);
-    for (const LitPlace& place : pixel) {
-        const MeanLook& look = place.wood && !cards ? m_bark : leaf;
-        glm::dvec3 colour = colourOf(place, look, how);
-        if (cards) colour *= place.behind ? cards->behind : cards->front;
-        if (cards || !place.wood) colour *= kLeafTint * sunAndShadeAt(std::max(0.0, (double(place.skyVisibility) - kLeastOpen) / (1 - kLeastOpen)), m_sunAndShade);
-        sum += toneMapped(CFragment(place, sun, look).lightOf(colour));
-    }
-    return sum / double(pixel.size());
+    if (place.layer == CrownLayer::Blossom) return kLeafTint;
+    if (place.layer == CrownLayer::OtherWood || (place.layer == CrownLayer::Wood && !cards)) return glm::dvec3(1);
+    return kLeafTint * sunAndShadeAt(std::max(0.0, (double(place.skyVisibility) - kLeastOpen) / (1 - kLeastOpen)), m_sunAndShade);
+}
+
+/// sRGB. Of cards `leaf` is all that they show.
+glm::dvec3 CCardLight::shownOf(const LitPlace& place, const glm::dvec3& sun, const MeanLook& leaf, UnderSides how, const Shares* cards) const {
+    const MeanLook& look = lookOf(place.layer, leaf, cards);
+    glm::dvec3 colour = colourOf(place, look, how) * tintOf(place, cards);
+    if (cards && !isBesideCards(place.layer)) colour *= place.behind ? cards->behind : cards->front;
+    return toneMapped(CFragment(place, sun, look).lightOf(colour));
 }
 
 /// Of the pixels' light.
-glm::dvec3 CCardLight::meanOf(const CrownLook& crown, UnderSides how, const Shares* cards) const {
+glm::dvec3 CCardLight::meanOf(const CrownLook& crown, Whole whole, UnderSides how, const Shares* cards) const {
     glm::dvec3 sum(0);
     double weights = 1e-9;
     const double wood = cards ? woodOf(crown) : 0; // thinner than what is seen apart in their small pictures
     for (const auto& [leaf, weight] : m_leaves) {
         const MeanLook look = mixed(leaf, m_bark, wood);
         for (const SeenPixel& pixel : crown.pixels) {
-            if (pixel.empty()) continue;
-            const double own = weight * double(pixel.size());
-            sum += own * each(shownOf(pixel, glm::dvec3(crown.sun), look, how, cards), linearOf);
-            weights += own;
+            glm::dvec3 shown(0);
+            double count = 0;
+            for (const LitPlace& place : pixel) {
+                if (whole == Whole::CardsAlone && isBesideCards(place.layer)) continue;
+                shown += shownOf(place, glm::dvec3(crown.sun), look, how, cards);
+                ++count;
+            }
+            if (count == 0) continue;
+            sum += weight * count * each(shown / count, linearOf);
+            weights += weight * count;
         }
     }
     return sum / weights;
 }
 
-/// That makes cards as bright as their twigs: sharesOf(it) → Shares.
+/// That makes cards as bright as their twigs, and then the crown as bright: sharesOf(it) → Shares.
 template <typename SharesOf> glm::dvec3 CCardLight::shareOfLight(UnderSides how, SharesOf&& sharesOf) const {
     constexpr int kSteps = 10;
-    constexpr double kPower = 0.9; // of what is wanted over what is shown: light is nearly in proportion to it
-    const auto shownWith = [&](const glm::dvec3& share) {
+    constexpr double kGood = 0.002;
+    constexpr double kPower = 0.9, kOfBeside = 1.3; // of what is wanted over what is shown: light is nearly in proportion; by how much the second may differ
+    const auto shownWith = [&](const glm::dvec3& share, Whole whole) {
         const Shares cards = sharesOf(share);
-        return meanOf(m_twig.cards, how, &cards);
+        return meanOf(m_twig.cards, whole, how, &cards);
     };
-    const glm::dvec3 wanted = meanOf(m_twig.crown, how, nullptr);
-    glm::dvec3 share(1);
-    if (wanted == glm::dvec3(0) || shownWith(share) == glm::dvec3(0)) return share; // nothing is seen of them
-    for (int i = 0; i < kSteps; ++i) {
-        const glm::dvec3 now = glm::max(shownWith(share), glm::dvec3(1e-9));
-        share = glm::clamp(share * glm::pow(wanted / now, glm::dvec3(kPower)), kLeast, kMost);
+    glm::dvec3 share(1), least(kLeast), most(kMost);
+    for (const Whole whole : {Whole::CardsAlone, Whole::Crown}) {
+        const glm::dvec3 wanted = meanOf(m_twig.crown, whole, how, nullptr);
+        if (wanted == glm::dvec3(0) || shownWith(share, whole) == glm::dvec3(0)) return share; // nothing is seen of them
+        for (int i = 0; i < kSteps; ++i) {
+            const glm::dvec3 now = glm::max(shownWith(share, whole), glm::dvec3(1e-9));
+            if (glm::all(glm::lessThan(glm::abs(wanted / now - 1.0), glm::dvec3(kGood)))) break;
+            share = glm::clamp(share * glm::pow(wanted / now, glm::dvec3(kPower)), least, most);
+        }
+        least = glm::max(least, share / kOfBeside);
+        most = glm::min(most, share * kOfBeside);
     }
     return share;
 }

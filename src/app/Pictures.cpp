@@ -59,7 +59,8 @@ void keepPicture(const TextureMaps& maps, const fs::path& file) {
 
 TwigSource twigSource(const TreeModel& model, const fs::path& folder) {
     const Surface bark = shownSurface(model.params, model.twig->wood->surface);
-    TwigSource source{{}, textureOf(model.params, bark, folder), surfaceOf(bark).colour, model.params.common.leafSunShade};
+    TwigSource source{{}, textureOf(model.params, bark, folder), surfaceOf(bark).colour, textureOf(model.params, shownSurface(model.params, Surface::Blossom), folder),
+                      model.params.common.leafSunShade};
     for (std::size_t kind = 0; kind < kLeafKinds; ++kind)
         source.leaves[kind] = textureOf(model.params, shownSurface(model.params, kLeafSurfaces[kind]), folder);
     return source;

@@ -109,7 +109,12 @@ private:
         itsLeaves.stems->stems.back().resize(place->stem + 1);
         itsLeaves.stems->stems.back().back() = true;
         const auto leaves = m_builder.growOrgans(m_params, m_tree, Organ::Leaf, itsLeaves, m_progress);
-        const auto crown = m_builder.growOrgans(m_params, m_tree, Organ::Leaf, {.max = kMeasuredLeaves}, m_progress);
+        const auto some = [&](Organ organ) { return m_builder.growOrgans(m_params, m_tree, organ, {.max = kMeasuredLeaves}, m_progress); };
+        CrownOrgans crown{some(Organ::Leaf), {}, {}};
+        if (m_mesh.seasonOf(Organ::Blossom).share > 0) {
+            crown.blossoms = some(Organ::Blossom);
+            crown.blossomMask = maskOf(m_params, Surface::Blossom, m_progress);
+        }
         made.typical = twigAt(*place, made.twigs, m_tree, *leaves, crown, leafMasksOf(m_params, m_progress), m_mesh, m_progress);
         return made;
     }

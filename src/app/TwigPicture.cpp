@@ -19,7 +19,7 @@ namespace fs = std::filesystem;
 namespace {
 constexpr int kSize = 512;
 constexpr int kSamples = 3;               // of a pixel, each way
-constexpr std::uint64_t kTwigVersion = 16; // rises when the same twig is drawn differently
+constexpr std::uint64_t kTwigVersion = 17; // rises when the same twig is drawn differently
 constexpr float kWoodRoughness = 0.85f, kLeafRoughness = 0.6f, kLeafThrough = 0.6f;
 
 /// What one surface shows at a place.
@@ -235,6 +235,13 @@ std::uint64_t hashOfFile(std::uint64_t hash, const fs::path& file) {
 }
 } // namespace
 
+namespace {
+bool showsBlossoms(const Twig& twig) {
+    const auto isBlossom = [](const LitPlace& place) { return place.layer == CrownLayer::Blossom; };
+    return std::ranges::any_of(twig.crown.pixels, [&](const SeenPixel& pixel) { return std::ranges::any_of(pixel, isBlossom); });
+}
+} // namespace
+
 std::uint64_t twigHash(const Twig& twig, const TwigSource& source) {
     std::uint64_t hash = hashCombine(kTwigVersion, kSize);
     for (const auto& mesh : {twig.wood, twig.leaves}) hash = hashOf(hashOf(hash, mesh->positions), mesh->texCoords);
@@ -242,9 +249,10 @@ std::uint64_t twigHash(const Twig& twig, const TwigSource& source) {
     for (const CrownLook* look : {&twig.crown, &twig.cards})
         for (const SeenPixel& pixel : look->pixels)
             for (const LitPlace& p : pixel)
-                hash = hashOf(hash, std::array{p.normal.x, p.normal.y, p.normal.z, p.skyVisibility, p.sunVisibility, p.back ? 1.0f : 0.0f, p.behind ? 1.0f : 0.0f, p.wood ? 1.0f : 0.0f});
+                hash = hashOf(hash, std::array{p.normal.x, p.normal.y, p.normal.z, p.skyVisibility, p.sunVisibility, p.back ? 1.0f : 0.0f, p.behind ? 1.0f : 0.0f, float(p.layer)});
     for (std::size_t kind = 0; kind < kLeafKinds; ++kind)
         if (twig.kinds[kind] < twig.kinds[kind + 1]) hash = hashOfFile(hash, source.leaves[kind]);
+    if (showsBlossoms(twig)) hash = hashOfFile(hash, source.blossom);
     return hashOfFile(hashOf(hash, std::array{source.sunAndShade}), source.bark);
 }
 
@@ -254,7 +262,8 @@ TextureMaps drawTwig(const Twig& twig, const TwigSource& source, const CProgress
     const Look bark = barkLook(source);
     const glm::dvec3 barkColour(bark.front);
     camera.draw(*twig.wood, 0, twig.wood->indices.size(), [&](const glm::vec2&) { return bark; });
-    CCardLight light(twig, {barkColour, barkColour, bark.roughness, 0}, source.sunAndShade);
+    const MeanLook blossom = showsBlossoms(twig) ? CLeafLook(source.blossom).mean() : MeanLook();
+    CCardLight light(twig, {barkColour, barkColour, bark.roughness, 0}, blossom, source.sunAndShade);
     for (std::size_t kind = 0; kind < kLeafKinds; ++kind) {
         progress.poll();
         if (twig.kinds[kind] == twig.kinds[kind + 1]) continue;

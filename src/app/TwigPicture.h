@@ -11,6 +11,7 @@ struct TwigSource {
     std::array<std::filesystem::path, kLeafKinds> leaves; ///< pictures, by kind
     std::filesystem::path bark; ///< picture; of a bark that is no PNG only `plainBark` is seen
     glm::vec3 plainBark;              ///< 0..1
+    std::filesystem::path blossom;    ///< picture
     double sunAndShade = 0;           ///< LeafSunShade
 };
 

@@ -7,8 +7,9 @@
 namespace stromar::test {
 namespace {
 
-const MeanLook kLeaf{glm::dvec3(0.1, 0.25, 0.05), glm::dvec3(0.3, 0.35, 0.3), 0.6, 0.3}, kBark{glm::dvec3(0.02), glm::dvec3(0.02), 0.85, 0};
-const LitPlace kFront{.normal = {0, 0, 1}, .toViewer = {0, 1, 0}, .sunVisibility = 1, .skyVisibility = 1, .back = false, .behind = false, .wood = false};
+const MeanLook kLeaf{glm::dvec3(0.1, 0.25, 0.05), glm::dvec3(0.3, 0.35, 0.3), 0.6, 0.3}, kBark{glm::dvec3(0.02), glm::dvec3(0.02), 0.85, 0},
+               kBlossom{glm::dvec3(0.8), glm::dvec3(0.8), 0.6, 0.3};
+const LitPlace kFront{.normal = {0, 0, 1}, .toViewer = {0, 1, 0}, .sunVisibility = 1, .skyVisibility = 1, .back = false, .behind = false, .layer = CrownLayer::Leaf};
 
 LitPlace shaded() {
     LitPlace place = kFront;
@@ -20,9 +21,14 @@ LitPlace under() {
     place.back = place.behind = true;
     return place;
 }
-LitPlace wood() {
+LitPlace wood(CrownLayer layer = CrownLayer::Wood) {
     LitPlace place = kFront;
-    place.wood = true;
+    place.layer = layer;
+    return place;
+}
+LitPlace blossom() {
+    LitPlace place = shaded();
+    place.layer = CrownLayer::Blossom;
     return place;
 }
 
@@ -43,7 +49,7 @@ Factors factorsOf(const std::vector<LitPlace>& crown, const std::vector<LitPlace
     Twig twig{};
     twig.crown = crownOf(crown);
     twig.cards = crownOf(cards);
-    CCardLight light(twig, kBark, sunAndShade);
+    CCardLight light(twig, kBark, kBlossom, sunAndShade);
     light.add(kLeaf, 1);
     TextureMaps maps;
     maps.albedo = {{kBefore, kBefore, kBefore, 255}};
@@ -85,8 +91,25 @@ TEST(CardLight, TheTintOfShadeIsOnBoth) {
     EXPECT_GT(factorsOf({insideWood}, {insideWood}, 1).front, 1.15);
 }
 
+TEST(CardLight, WhatIsBesideThemChangesNothingWhereItIsSeenAlike) {
+    for (const LitPlace& beside : {wood(CrownLayer::OtherWood), blossom()})
+        for (const std::vector<LitPlace>& leaves : {std::vector{kFront}, std::vector{shaded()}})
+            EXPECT_NEAR(factorsOf({leaves[0], beside}, {kFront, beside}).front, factorsOf(leaves, {kFront}).front, 0.03);
+}
+
+/// As dark as twigs, and a little darker where blossoms get more sun between cards, or lighter where they get less: not by as much as all of it.
+TEST(CardLight, WhatIsBrighterBetweenCardsMakesThemDarker) {
+    LitPlace sunny = blossom();
+    sunny.sunVisibility = 1;
+    LitPlace less = blossom();
+    less.sunVisibility = 0.1f;
+    EXPECT_NEAR(factorsOf({kFront, blossom()}, {kFront, sunny}).front, 1 / 1.3, 0.03) << "the most";
+    EXPECT_LT(factorsOf({kFront, blossom()}, {kFront, less}).front, 0.97);
+    EXPECT_GT(factorsOf({kFront, less}, {kFront, blossom()}).front, 1.03);
+}
+
 TEST(CardLight, WhatIsNotSeenChangesNothing) {
-    for (const Factors& factors : {factorsOf({}, {kFront}), factorsOf({kFront}, {}), factorsOf({}, {})}) {
+    for (const Factors& factors : {factorsOf({}, {kFront}), factorsOf({kFront}, {}), factorsOf({}, {}), factorsOf({blossom()}, {kFront, blossom()})}) {
         EXPECT_NEAR(factors.front, 1, 0.01);
         EXPECT_NEAR(factors.back, 1, 0.01);
     }
@@ -97,7 +120,7 @@ TEST(CardLight, APixelOfLightAndShadeIsDarkerThanTheTwoBesideEachOther) {
     twig.crown = crownOf({});
     twig.crown.pixels = {{kFront, shaded()}};
     twig.cards = crownOf({kFront, shaded()});
-    CCardLight light(twig, kBark, 0);
+    CCardLight light(twig, kBark, kBlossom, 0);
     light.add(kLeaf, 1);
     TextureMaps maps;
     maps.albedo = {{128, 128, 128, 255}};

@@ -1,4 +1,5 @@
 // What every format has in common: all files or none, pictures beside the model, nothing of this machine in the files.
+#include "Checkout.h"
 #include "stromar/params/methods/weberpenn/WeberPennParams.h"
 #include "stromar/app/Export.h"
 #include "app/SameModel.h"
@@ -95,7 +96,7 @@ TEST_P(Export, HoldsNothingOfThisMachine) {
         if (name.ends_with(".png")) continue;
         const std::string content = readFile(m_folder / name);
         EXPECT_EQ(content.find(m_folder.path().string()), std::string::npos) << name;
-        EXPECT_EQ(content.find(STROMAR_SOURCE), std::string::npos) << name;
+        EXPECT_EQ(content.find(inSource()), std::string::npos) << name;
     }
 }
 

@@ -1,4 +1,5 @@
 // A way to grow that no file of the program names: a class, a table and a row (tests/methods/Pole.cpp).
+#include "Checkout.h"
 #include "app/SameModel.h"
 #include "methods/Pole.h"
 #include "stromar/app/Demonstration.h"
@@ -210,8 +211,8 @@ TEST(Methods, TheListsShowIt) {
 }
 
 TEST(Methods, NoFileOfTheProgramNamesIt) {
-    for (const char* folder : {"/src", "/include"})
-        for (const auto& entry : std::filesystem::recursive_directory_iterator(STROMAR_SOURCE + std::string(folder)))
+    for (const char* folder : {"src", "include"})
+        for (const auto& entry : std::filesystem::recursive_directory_iterator(inSource(folder)))
             if (entry.is_regular_file()) {
                 EXPECT_EQ(readFile(entry.path()).find("PoleHeight"), std::string::npos) << entry.path();
             }

@@ -1,4 +1,5 @@
 // A file that opened once grows the same tree for ever: the first presets, and what they grew then.
+#include "Checkout.h"
 #include "stromar/app/TreeCreator.h"
 #include "stromar/params/TreeFile.h"
 #include "stromar/util/FileSet.h"
@@ -11,7 +12,7 @@ namespace stromar::test {
 
 namespace {
 using Json = nlohmann::json;
-const std::string kFolder = STROMAR_SOURCE "/tests/data/first-presets/";
+const std::string kFolder = inSource("tests/data/first-presets/");
 constexpr double kTolerance = 1e-4;
 
 const Json& expected() {

@@ -1,3 +1,4 @@
+#include "Checkout.h"
 #include "stromar/params/methods/weberpenn/WeberPennParams.h"
 #include "stromar/app/Pictures.h"
 #include "stromar/app/Export.h"
@@ -131,7 +132,7 @@ TEST_F(RecipeTest, GoesWithTheExportedModel) {
 }
 
 TEST_F(RecipeTest, ExportedBlossomsAndFruitsHaveTheirMaterials) {
-    CParams params = CTreeFile::read(STROMAR_SOURCE "/presets/apple.tree").params();
+    CParams params = CTreeFile::read(test::inSource("presets/apple.tree")).params();
     weberPenn(params).level[1].branches = 8;
     weberPenn(params).level[2].branches = 8;
     params.common.season = 9;
@@ -166,7 +167,7 @@ TEST_F(RecipeTest, IsNoPath) {
 }
 
 TEST(Recipes, OfThePresetsAreWellWritten) {
-    for (const auto& file : fs::directory_iterator(fs::path(STROMAR_SOURCE) / "presets")) {
+    for (const auto& file : fs::directory_iterator(fs::path(test::inSource("presets")))) {
         const CParams params = CTreeFile::read(file.path()).params();
         EXPECT_TRUE(isRecipe(params.text.barkTexture)) << file.path();
         CProgress cancelled;

@@ -1,3 +1,4 @@
+#include "Checkout.h"
 #include "stromar/params/methods/weberpenn/WeberPennParams.h"
 #include "stromar/app/Randomise.h"
 #include "stromar/app/Demonstration.h"
@@ -11,7 +12,7 @@
 namespace stromar {
 namespace {
 
-CParams aspen() { return CTreeFile::read(STROMAR_SOURCE "/presets/quaking_aspen.tree").params(); }
+CParams aspen() { return CTreeFile::read(test::inSource("presets/quaking_aspen.tree")).params(); }
 ParamRef param(const char* key) { return *findParam(key); }
 
 TEST(Randomise, MovesNumbersWithinTheAmountAndTheUsefulRange) {
@@ -56,7 +57,7 @@ TEST(Randomise, EverythingByMuchIsStillATree) {
     const auto grown = [](const CParams& params) { return CTreeCreator().create(params, detailOf(Model::Simple), CProgress(2)); };
     int changed = 0;
     for (const char* name : {"quaking_aspen", "apple", "coconut_palm"}) {
-        const CParams params = CTreeFile::read(std::string(STROMAR_SOURCE "/presets/") + name + ".tree").params();
+        const CParams params = CTreeFile::read(test::inSource("presets/") + name + ".tree").params();
         const auto before = grown(params);
         for (std::uint64_t seed = 1; seed <= 8; ++seed) {
             const ParamValues values = randomisedTree(params, numberParams(), 0.4, seed, SizeLimits());

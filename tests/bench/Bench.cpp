@@ -1,4 +1,5 @@
 // How fast trees grow, are meshed, change under an edit and are written. Real time: the work runs on several threads.
+#include "Checkout.h"
 #include "stromar/params/methods/lsystem/LSystemParams.h"
 #include "stromar/params/methods/strands/StrandsParams.h"
 #include "stromar/params/methods/weberpenn/WeberPennParams.h"
@@ -34,7 +35,7 @@ struct Preset {
 
 std::vector<Preset> readPresets() {
     std::vector<Preset> all;
-    for (const auto& entry : fs::directory_iterator(STROMAR_SOURCE "/presets"))
+    for (const auto& entry : fs::directory_iterator(test::inSource("presets")))
         all.push_back({entry.path().stem().string(), CTreeFile::read(entry.path()).params()});
     std::ranges::sort(all, {}, &Preset::name);
     return all;

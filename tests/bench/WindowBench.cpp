@@ -1,3 +1,4 @@
+#include "Checkout.h"
 #include "window/Display.h"
 #include "window/MainWindow.h"
 #include "document/FileController.h"
@@ -16,7 +17,7 @@
 namespace {
 using namespace stromar;
 
-QString preset(const char* name) { return QStringLiteral(STROMAR_SOURCE "/presets/%1.tree").arg(QLatin1String(name)); }
+QString preset(const char* name) { return QString::fromStdString(test::inSource("presets/%1.tree")).arg(QLatin1String(name)); }
 
 constexpr QSize kUsual(1280, 800), k4K(3840, 2160);
 

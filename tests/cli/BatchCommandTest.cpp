@@ -1,3 +1,4 @@
+#include "Checkout.h"
 #include "cli/Cli.h"
 #include "stromar/util/FileSet.h"
 #include <gtest/gtest.h>
@@ -6,7 +7,7 @@ namespace stromar::test {
 
 namespace {
 std::string planFor(const std::string& output) {
-    return "{\"trees\": \"" + std::string(STROMAR_SOURCE) + "/presets/quaking_aspen.tree\", \"lods\": [3], \"seeds\": [1, 2], \"output\": \"" + output + "\"}";
+    return "{\"trees\": \"" + inSource("presets/quaking_aspen.tree") + "\", \"lods\": [3], \"seeds\": [1, 2], \"output\": \"" + output + "\"}";
 }
 } // namespace
 

@@ -1,4 +1,5 @@
 #pragma once
+#include "Checkout.h"
 #include "cli/Process.h"
 #include <nlohmann/json.hpp>
 #include <sstream>
@@ -9,7 +10,7 @@ using Json = nlohmann::ordered_json;
 using Words = std::vector<std::string>;
 
 inline Words cliCommand(const Words& words) {
-    Words command = {STROMAR_BIN "/stromar-cli"};
+    Words command = {inBin("stromar-cli")};
     command.insert(command.end(), words.begin(), words.end());
     return command;
 }
@@ -18,7 +19,7 @@ inline ProcessResult cli(const Words& words, const ProcessSettings& settings = {
     return runProcess(cliCommand(words), settings);
 }
 
-inline std::string presetFile(const std::string& name) { return STROMAR_SOURCE "/presets/" + name + ".tree"; }
+inline std::string presetFile(const std::string& name) { return inSource("presets/" + name + ".tree"); }
 inline const std::string kAspen = presetFile("quaking_aspen");
 
 /// A tree of a few branches: quickly made.

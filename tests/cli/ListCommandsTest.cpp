@@ -1,4 +1,5 @@
 // The lists of parameters and formats.
+#include "Checkout.h"
 #include "cli/Cli.h"
 #include "stromar/app/Formats.h"
 #include "stromar/params/ParamText.h"
@@ -18,14 +19,14 @@ TEST(ParamsCommand, MarkdownIsThePageOfTheManual) {
         const ProcessResult run = cli({"params", "--method", name, "--markdown"});
         EXPECT_EQ(run.status, 0);
         EXPECT_EQ(run.err, "");
-        EXPECT_EQ(run.out, readFile(STROMAR_SOURCE "/docs/" + page + ".md"))
+        EXPECT_EQ(run.out, readFile(inSource("docs/" + page + ".md")))
             << "write it anew with: stromar-cli params --method " << name << " --markdown";
     }
 }
 
 /// A build without OpenSceneGraph has fewer rows.
 TEST(FormatsCommand, MarkdownIsThePageOfTheManual) {
-    const std::string page = readFile(STROMAR_SOURCE "/docs/formats.md");
+    const std::string page = readFile(inSource("docs/formats.md"));
     const ProcessResult run = cli({"formats", "--markdown"});
     EXPECT_EQ(run.status, 0);
     std::istringstream lines(run.out);
@@ -38,7 +39,7 @@ TEST(FormatsCommand, MarkdownIsThePageOfTheManual) {
 TEST(ImportsCommand, MarkdownIsThePageOfTheManual) {
     const ProcessResult run = cli({"imports", "--markdown"});
     EXPECT_EQ(run.status, 0);
-    EXPECT_EQ(run.out, readFile(STROMAR_SOURCE "/docs/import.md")) << "write it anew with: stromar-cli imports --markdown";
+    EXPECT_EQ(run.out, readFile(inSource("docs/import.md"))) << "write it anew with: stromar-cli imports --markdown";
 }
 
 TEST(ImportCommand, WritesATreeAndTellsWhatChanged) {

@@ -1,3 +1,4 @@
+#include "Checkout.h"
 #include "cli/Cli.h"
 #include "cli/Picture.h"
 #include "stromar/params/TreeFile.h"
@@ -14,7 +15,7 @@ namespace {
 class Render : public ::testing::Test {
 protected:
     Picture render(const Words& more, const char* samples = "1") {
-        Words words{"render",    STROMAR_SOURCE "/presets/quaking_aspen.tree",
+        Words words{"render",    inSource("presets/quaking_aspen.tree"),
                     "-o",        path(),
                     "--size",    "200x240",
                     "--samples", samples,
@@ -288,7 +289,7 @@ TEST_F(Render, ViewsDiffer) {
 }
 
 TEST_F(Render, SaysWhatIsWrong) {
-    const std::string preset = STROMAR_SOURCE "/presets/quaking_aspen.tree";
+    const std::string preset = inSource("presets/quaking_aspen.tree");
     for (const auto& [words, said] : {std::pair{Words{"--size", "3x3"}, "WxH"},
                                       {Words{"--size", "wide"}, "WxH"},
                                       {Words{"--view", "below"}, "view"},
@@ -309,7 +310,7 @@ class SpeciesPicture : public ::testing::TestWithParam<std::string> {};
 
 std::vector<std::string> presetNames() {
     std::vector<std::string> names;
-    for (const auto& file : std::filesystem::directory_iterator(STROMAR_SOURCE "/presets"))
+    for (const auto& file : std::filesystem::directory_iterator(inSource("presets")))
         if (file.path().extension() == ".tree") names.push_back(file.path().stem().string());
     std::ranges::sort(names);
     return names;
@@ -325,7 +326,7 @@ TileDifference differenceFromTheManual(const std::string& preset, const Words& m
     words.insert(words.end(), more.begin(), more.end());
     const ProcessResult run = cli(words);
     EXPECT_EQ(run.status, 0) << run.err;
-    const Picture now = readPng(path), shown = readPng(STROMAR_SOURCE "/docs/images/presets/" + preset + ".png");
+    const Picture now = readPng(path), shown = readPng(inSource("docs/images/presets/" + preset + ".png"));
     if (now.rgba.empty() || now.width != shown.width || now.height != shown.height) {
         ADD_FAILURE() << "no pictures of one size: run script/make-species";
         return {};

@@ -1,4 +1,5 @@
 // Species from three distances in four seasons, against what script/make-sheets has drawn.
+#include "Checkout.h"
 #include "cli/Cli.h"
 #include "cli/Picture.h"
 #include "util/TemporaryFolder.h"
@@ -13,11 +14,11 @@ constexpr unsigned kCells = kSide / kTileSide;
 const std::vector<Words> kDistances{{"--fit"}, {"--view", "crown"}, {"--view", "closeup"}};
 const Words kMonths{"spring", "summer", "autumn", "winter"};
 
-std::filesystem::path sheetOf(const std::string& preset) { return STROMAR_SOURCE "/tests/data/sheets/" + preset + ".png"; }
+std::filesystem::path sheetOf(const std::string& preset) { return inSource("tests/data/sheets/" + preset + ".png"); }
 
 std::vector<std::string> speciesNames() {
     std::vector<std::string> names;
-    for (const auto& file : std::filesystem::directory_iterator(STROMAR_SOURCE "/presets"))
+    for (const auto& file : std::filesystem::directory_iterator(inSource("presets")))
         if (const std::string name = file.path().stem().string(); file.path().extension() == ".tree" && !name.starts_with("abop_"))
             names.push_back(name);
     std::ranges::sort(names);

@@ -1,3 +1,4 @@
+#include "Checkout.h"
 #include "window/HelpWindow.h"
 #include "window/MainWindow.h"
 #include "PictureDifference.h"
@@ -112,7 +113,7 @@ TEST_F(Help, AllPagesAreThereWithTheirPictures) {
             if (page.endsWith(QLatin1String(".md")) && !pages.contains(page)) pages << page;
         }
     }
-    EXPECT_EQ(pages.size(), QDir(QStringLiteral(STROMAR_SOURCE "/docs")).entryList({QStringLiteral("*.md")}).size() - 1)
+    EXPECT_EQ(pages.size(), QDir(QString::fromStdString(test::inSource("docs"))).entryList({QStringLiteral("*.md")}).size() - 1)
         << "all but the architecture";
     EXPECT_GT(pictures, 60);
 }
@@ -125,7 +126,7 @@ TEST_F(Help, ShowsThePictureOnThePage) {
     const QUrl name(block.begin().fragment().charFormat().toImageFormat().name());
     const int width = help.browser().loadResource(QTextDocument::ImageResource, name).value<QImage>().width();
     ASSERT_GT(width, help.browser().viewport()->width() / 2);
-    const QImage picture(QStringLiteral(STROMAR_SOURCE "/docs/") + name.path());
+    const QImage picture(QString::fromStdString(test::inSource("docs/")) + name.path());
     const QImage wanted = picture.scaledToWidth(width, Qt::SmoothTransformation);
     const QPoint corner = page.documentLayout()->blockBoundingRect(block).topLeft().toPoint();
     const QImage seen = help.browser().viewport()->grab({corner, wanted.size()}).toImage();

@@ -1,3 +1,4 @@
+#include "Checkout.h"
 #include "window/Languages.h"
 #include "window/MainWindow.h"
 #include "params/ParamPanel.h"
@@ -28,12 +29,12 @@ QString contentOf(const QString& path) {
 TEST(Languages, AllTextsAreTranslated) {
     // A copy is brought up to date with the sources: what is new or gone would show.
     QTemporaryDir folder;
-    const QDir own(QStringLiteral(STROMAR_SOURCE "/translations"));
+    const QDir own(QString::fromStdString(test::inSource("translations")));
     ASSERT_EQ(own.entryList({QStringLiteral("*.ts")}).size(), int(languageTable().size()));
     for (const QString& name : own.entryList({QStringLiteral("*.ts")}))
         ASSERT_TRUE(QFile::copy(own.filePath(name), folder.filePath(name)));
     QProcess update;
-    update.start(QStringLiteral(STROMAR_SOURCE "/script/translate"), {folder.path()});
+    update.start(QString::fromStdString(test::inSource("script/translate")), {folder.path()});
     ASSERT_TRUE(update.waitForFinished(120000));
     ASSERT_EQ(update.exitCode(), 0) << update.readAllStandardError().toStdString();
     for (const Language& language : languageTable()) {
@@ -53,7 +54,7 @@ TEST(Languages, PlaceholdersSurvive) {
     static const QRegularExpression place(QStringLiteral("%[0-9n]"));
     for (const Language& language : languageTable()) {
         const QString text =
-            contentOf(QStringLiteral(STROMAR_SOURCE "/translations/stromar_%1.ts").arg(QLatin1String(language.code)));
+            contentOf(QString::fromStdString(test::inSource("translations/stromar_%1.ts")).arg(QLatin1String(language.code)));
         for (auto match = message.globalMatch(text); match.hasNext();) {
             const QRegularExpressionMatch pair = match.next();
             QStringList wanted;

@@ -1,3 +1,4 @@
+#include "Checkout.h"
 #include "PictureDifference.h"
 #include <QDir>
 #include <QDirIterator>
@@ -20,15 +21,15 @@ std::vector<test::PictureArea> timesIn(const QString& name, const QSize& size) {
     return areas;
 }
 
-QImage manualPicture(const QString& name) { return QImage(QStringLiteral(STROMAR_SOURCE "/docs/images/") + name); }
+QImage manualPicture(const QString& name) { return QImage(QString::fromStdString(test::inSource("docs/images/")) + name); }
 
 TEST(Pictures, OfTheManualShowTheProgramAsItIs) {
     QTemporaryDir folder;
     QProcess script;
     QProcessEnvironment environment = QProcessEnvironment::systemEnvironment();
-    environment.insert(QStringLiteral("STROMAR"), QStringLiteral(STROMAR_BIN "/stromar"));
+    environment.insert(QStringLiteral("STROMAR"), QString::fromStdString(test::inBin("stromar")));
     script.setProcessEnvironment(environment);
-    script.start(QStringLiteral(STROMAR_SOURCE "/script/make-pictures"), {folder.path()});
+    script.start(QString::fromStdString(test::inSource("script/make-pictures")), {folder.path()});
     ASSERT_TRUE(script.waitForFinished(280000));
     ASSERT_EQ(script.exitCode(), 0) << script.readAllStandardError().toStdString();
     int count = 0;

@@ -1,4 +1,5 @@
 #pragma once
+#include "Checkout.h"
 #include "stromar/params/ParamText.h"
 #include <QCoreApplication>
 #include <QElapsedTimer>
@@ -18,7 +19,7 @@ bool waitFor(Condition&& condition, int milliseconds = 20000) {
 }
 
 inline QString presetPath(const char* name) {
-    return QStringLiteral(STROMAR_SOURCE "/presets/%1.tree").arg(QLatin1String(name));
+    return QString::fromStdString(stromar::test::inSource("presets/%1.tree")).arg(QLatin1String(name));
 }
 
 inline stromar::ParamRef paramRef(const char* key) { return *stromar::findParam(key); }

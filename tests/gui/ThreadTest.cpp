@@ -1,3 +1,4 @@
+#include "Checkout.h"
 #include "Support.h"
 #include "work/TreeCreatorThread.h"
 #include "stromar/params/methods/lsystem/LSystemParams.h"
@@ -12,8 +13,8 @@
 namespace stromar {
 namespace {
 
-CParams willow() { return CTreeFile::read(STROMAR_SOURCE "/presets/weeping_willow.tree").params(); }
-CParams aspen() { return CTreeFile::read(STROMAR_SOURCE "/presets/quaking_aspen.tree").params(); }
+CParams willow() { return CTreeFile::read(test::inSource("presets/weeping_willow.tree")).params(); }
+CParams aspen() { return CTreeFile::read(test::inSource("presets/quaking_aspen.tree")).params(); }
 
 /// A thread with its results.
 struct Fixture {

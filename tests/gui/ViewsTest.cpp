@@ -1,3 +1,4 @@
+#include "Checkout.h"
 #include "view/Comparison.h"
 #include "view/SavedCameras.h"
 #include "window/DockFolder.h"
@@ -215,7 +216,7 @@ TEST_F(ViewsTest, TreesStandSideBySide) {
 }
 
 TEST_F(ViewsTest, AViewThatTurnsTooSlowlyShowsASimplerModelUntilItRests) {
-    window.files().open(QStringLiteral(STROMAR_SOURCE "/presets/english_oak.tree"));
+    window.files().open(QString::fromStdString(test::inSource("presets/english_oak.tree")));
     ASSERT_TRUE(waitFor([&] { return !window.busy() && window.shown() && window.shown()->model->detail == &detailOf(Model::Full); }, 120000));
     EXPECT_TRUE(view().scene().hasStandIn());
     const int before = view().framesDrawn();
@@ -237,7 +238,7 @@ TEST_F(ViewsTest, AViewThatTurnsTooSlowlyShowsASimplerModelUntilItRests) {
 }
 
 TEST_F(ViewsTest, ATreeThatFollowsASliderTooSlowlyLeavesOutWhatItsLeavesHide) {
-    window.files().open(QStringLiteral(STROMAR_SOURCE "/presets/english_oak.tree"));
+    window.files().open(QString::fromStdString(test::inSource("presets/english_oak.tree")));
     window.growth().showOnly(Model::Simple);
     ASSERT_TRUE(waitFor([&] { return !window.busy() && window.shown() && window.shown()->model->detail == &detailOf(Model::Simple); }, 120000));
     double degrees = 40;

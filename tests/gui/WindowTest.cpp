@@ -1,3 +1,4 @@
+#include "Checkout.h"
 #include "window/Commands.h"
 #include "work/ExportDialog.h"
 #include "window/MainWindow.h"
@@ -421,7 +422,7 @@ TEST(Program, TakesAScreenshotOfTheWholeWindow) {
     QTemporaryDir folder;
     const QString path = folder.filePath(QStringLiteral("shot.png"));
     QProcess program;
-    program.start(QStringLiteral(STROMAR_BIN "/stromar"),
+    program.start(QString::fromStdString(test::inBin("stromar")),
                   {presetPath("quaking_aspen"), QStringLiteral("--screenshot"), path, QStringLiteral("--size"),
                    QStringLiteral("900x700"), QStringLiteral("--model"), QStringLiteral("simple")});
     ASSERT_TRUE(program.waitForFinished(60000));
@@ -436,7 +437,7 @@ TEST(Program, WorksWithoutOpenGl) {
     QProcessEnvironment environment = QProcessEnvironment::systemEnvironment();
     environment.insert(QStringLiteral("QT_XCB_GL_INTEGRATION"), QStringLiteral("none"));
     program.setProcessEnvironment(environment);
-    program.start(QStringLiteral(STROMAR_BIN "/stromar"),
+    program.start(QString::fromStdString(test::inBin("stromar")),
                   {presetPath("quaking_aspen"), QStringLiteral("--screenshot"), path});
     ASSERT_TRUE(program.waitForFinished(60000));
     EXPECT_EQ(program.exitStatus(), QProcess::NormalExit);
@@ -452,7 +453,7 @@ TEST(Program, SaysWhatIsWrongWithItsCommandLine) {
           {QStringList{QStringLiteral("--model"), QStringLiteral("best")}, 2},
           {QStringList{missing, QStringLiteral("--screenshot"), picture}, 1}}) {
         QProcess program;
-        program.start(QStringLiteral(STROMAR_BIN "/stromar"), arguments);
+        program.start(QString::fromStdString(test::inBin("stromar")), arguments);
         ASSERT_TRUE(program.waitForFinished(60000));
         EXPECT_EQ(program.exitCode(), status);
         EXPECT_FALSE(program.readAllStandardError().isEmpty());

@@ -1,4 +1,5 @@
 // Every format holds what its row says: a tree with all there is, read back by a program that is not ours.
+#include "Checkout.h"
 #include "io/ExportedModels.h"
 #include "io/NodeReads.h"
 #include "io/Tools.h"
@@ -114,7 +115,7 @@ unsigned foundByAssimp(const fs::path& file) {
 }
 
 unsigned foundByOsg(const fs::path& file) {
-    const Json stats = jsonBy({STROMAR_BIN "/osg-stats", file.string()}, file.parent_path());
+    const Json stats = jsonBy({inBin("osg-stats"), file.string()}, file.parent_path());
     CContents contents;
     contents.add(Content::TexCoords, stats.at("tex_max").at(0) > stats.at("tex_min").at(0));
     contents.add(Content::Normals, stats.at("normals"));
@@ -160,7 +161,7 @@ std::string endingOf(const testing::TestParamInfo<std::size_t>& info) { return s
 } // namespace
 
 class Contents : public testing::TestWithParam<std::size_t> {
-    void SetUp() override { needTool(fs::exists(STROMAR_BIN "/../node_modules/three"), "three.js (npm)"); }
+    void SetUp() override { needTool(fs::exists(inBin("../node_modules/three")), "three.js (npm)"); }
 };
 INSTANTIATE_TEST_SUITE_P(All, Contents, testing::Range<std::size_t>(0, formatTable().size()), endingOf);
 

@@ -1,4 +1,5 @@
 // Compressed glTF: read by three.js, checked by the validator, decoded back to what was compressed.
+#include "Checkout.h"
 #include "io/ExportedModels.h"
 #include "io/NodeReads.h"
 #include "io/Tools.h"
@@ -69,7 +70,7 @@ INSTANTIATE_TEST_SUITE_P(All, GltfCompression, testing::Values(ExportedCompressi
                          [](const auto& one) { return std::string(one.param == ExportedCompression::Quantised ? "quantize" : "meshopt"); });
 
 TEST_P(GltfCompression, IsValidAndSmaller) {
-    needTool(fs::exists(STROMAR_BIN "/../node_modules/gltf-validator"), "the validator of glTF files (npm)");
+    needTool(fs::exists(inBin("../node_modules/gltf-validator")), "the validator of glTF files (npm)");
     if (HasFailure() || IsSkipped()) return;
     const CTemporaryFolder folder;
     const TreeModel& model = sampleModel("aspen");
@@ -89,7 +90,7 @@ TEST_P(GltfCompression, IsValidAndSmaller) {
 }
 
 TEST_P(GltfCompression, ThreeReadsTheSameTree) {
-    needTool(fs::exists(STROMAR_BIN "/../node_modules/three"), "three.js (npm)");
+    needTool(fs::exists(inBin("../node_modules/three")), "three.js (npm)");
     if (HasFailure() || IsSkipped()) return;
     const CTemporaryFolder folder;
     const TreeModel& model = sampleModel("aspen");

@@ -1,4 +1,5 @@
 // Fewer draws: one object for each material, one picture for all leaves.
+#include "Checkout.h"
 #include "io/ExportedModels.h"
 #include "io/NodeReads.h"
 #include "io/Tools.h"
@@ -101,7 +102,7 @@ double meanDifference(const std::vector<glm::vec4>& a, const std::vector<glm::ve
 } // namespace
 
 class GltfDraws : public testing::TestWithParam<const char*> {
-    void SetUp() override { needTool(fs::exists(STROMAR_BIN "/../node_modules/three"), "three.js (npm)"); }
+    void SetUp() override { needTool(fs::exists(inBin("../node_modules/three")), "three.js (npm)"); }
 };
 INSTANTIATE_TEST_SUITE_P(All, GltfDraws, testing::Values("0", "2"), [](const auto& one) { return std::string("lod") + one.param; });
 
@@ -187,7 +188,7 @@ TEST(GltfAtlas, IsOneForAllFramesOfAGrowingTree) {
 }
 
 TEST(GltfAtlas, HoldsInstancesAndRows) {
-    needTool(fs::exists(STROMAR_BIN "/../node_modules/three"), "three.js (npm)");
+    needTool(fs::exists(inBin("../node_modules/three")), "three.js (npm)");
     if (::testing::Test::HasFailure() || ::testing::Test::IsSkipped()) return;
     const CTemporaryFolder folder;
     write(folder / "one.glb", cherry(), chosen({{"objects", "materials"}, {"atlas", "leaves"}, {"instances", "leaves"}}));

@@ -1,4 +1,5 @@
 // Leaves of glTF files as instances: three.js reads the tree that the plain file holds.
+#include "Checkout.h"
 #include "io/ExportedModels.h"
 #include "io/NodeReads.h"
 #include "io/Tools.h"
@@ -38,7 +39,7 @@ INSTANTIATE_TEST_SUITE_P(All, GltfInstances,
                          [](const auto& one) { return std::string(one.param.name); });
 
 TEST_P(GltfInstances, ThreeReadsTheSameTree) {
-    needTool(fs::exists(STROMAR_BIN "/../node_modules/three"), "three.js (npm)");
+    needTool(fs::exists(inBin("../node_modules/three")), "three.js (npm)");
     if (HasFailure() || IsSkipped()) return;
     const CTemporaryFolder folder;
     CParams params = preset("wild_cherry"); // leaves and blossoms
@@ -63,7 +64,7 @@ TEST_P(GltfInstances, ThreeReadsTheSameTree) {
 }
 
 TEST(GltfInstancesOfARow, StandWhereTheirTreesDo) {
-    needTool(fs::exists(STROMAR_BIN "/../node_modules/three"), "three.js (npm)");
+    needTool(fs::exists(inBin("../node_modules/three")), "three.js (npm)");
     if (HasFailure() || IsSkipped()) return;
     const CTemporaryFolder folder;
     const std::vector<RowTree> trees{{.params = preset("sapling"), .name = "a"}, {.params = preset("sapling"), .place = 5, .name = "b"}};

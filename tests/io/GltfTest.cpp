@@ -1,4 +1,5 @@
 // glTF by the Khronos validator and by the standard's own rules; large formats by Blender.
+#include "Checkout.h"
 #include "cli/Process.h"
 #include "io/ExportedModels.h"
 #include "io/Tools.h"
@@ -36,12 +37,12 @@ ExportOptions inOneFile() {
 /// What the validator says of a file.
 Json validate(const fs::path& path) {
     const ProcessResult run =
-        runProcess({"node", STROMAR_SOURCE "/tests/io/validate-gltf.js", path.string()}, {.folder = STROMAR_BIN "/.."});
+        runProcess({"node", inSource("tests/io/validate-gltf.js"), path.string()}, {.folder = inBin("..")});
     EXPECT_EQ(run.status, 0) << run.err;
     return Json::parse(run.out);
 }
 
-bool validatorIsInstalled() { return fs::exists(STROMAR_BIN "/../node_modules/gltf-validator"); }
+bool validatorIsInstalled() { return fs::exists(inBin("../node_modules/gltf-validator")); }
 } // namespace
 
 class GltfFile : public testing::TestWithParam<const char*> {
@@ -193,7 +194,7 @@ TEST_P(BlenderReads, TheWholeModel) {
     const TreeModel& model = sampleModel("aspen");
     const CExported file(model, GetParam());
     const ProcessResult run = runProcess(
-        {"blender", "-b", "--factory-startup", "-P", STROMAR_SOURCE "/tests/io/blender-stats.py", "--", file.path()});
+        {"blender", "-b", "--factory-startup", "-P", inSource("tests/io/blender-stats.py"), "--", file.path()});
     const auto at = run.out.find("STATS ");
     ASSERT_NE(at, std::string::npos) << run.out << run.err;
     const Json stats = Json::parse(run.out.substr(at + 6, run.out.find('\n', at) - at - 6));

@@ -1,4 +1,5 @@
 // Models read back by OpenSceneGraph in a fresh process.
+#include "Checkout.h"
 #include "cli/Process.h"
 #include "io/ExportedModels.h"
 #include "stromar/model/JoinedModel.h"
@@ -47,7 +48,7 @@ INSTANTIATE_TEST_SUITE_P(All, OsgReads, testing::ValuesIn(readCases(kOsg, {"smal
 TEST_P(OsgReads, TheWholeModel) {
     const TreeModel& model = sampleModel(GetParam().sample);
     const CExported file(model, GetParam().ending);
-    const ProcessResult run = runProcess({STROMAR_BIN "/osg-stats", file.path()}, {.folder = file.folder()});
+    const ProcessResult run = runProcess({inBin("osg-stats"), file.path()}, {.folder = file.folder()});
     ASSERT_EQ(run.status, 0) << run.err;
     EXPECT_EQ(withoutNotice(run.err), "");
     const auto stats = nlohmann::json::parse(run.out);
@@ -77,7 +78,7 @@ TEST(OsgReadsLods, AllOfThem) {
         const auto path = folder / ("tree" + std::string(ending));
         exportModels(lods, options, {}, path, CProgress(2));
         const ProcessResult run =
-            runProcess({STROMAR_BIN "/osg-stats", path.string()}, {.folder = folder.path().string()});
+            runProcess({inBin("osg-stats"), path.string()}, {.folder = folder.path().string()});
         ASSERT_EQ(run.status, 0) << run.err;
         const auto stats = nlohmann::json::parse(run.out);
         EXPECT_EQ(stats.at("triangles"), triangles) << ending;

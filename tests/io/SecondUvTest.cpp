@@ -1,3 +1,4 @@
+#include "Checkout.h"
 #include "io/ExportedModels.h"
 #include "io/NodeReads.h"
 #include "io/Tools.h"
@@ -23,7 +24,7 @@ void write(const fs::path& path, const Choices& choices) {
 
 class SecondUv : public testing::Test {
 protected:
-    void SetUp() override { needTool(fs::exists(STROMAR_BIN "/../node_modules/three"), "three.js (npm)"); }
+    void SetUp() override { needTool(fs::exists(inBin("../node_modules/three")), "three.js (npm)"); }
 
     /// Every mesh has it, inside the square, and all else is as without.
     void expectIn(const std::string& name, Choices choices, const std::string& read = {}) {

@@ -1,4 +1,5 @@
 // FBX and USD by three.js; what its readers do not look at, by the bytes.
+#include "Checkout.h"
 #include "cli/Process.h"
 #include "io/ExportedModels.h"
 #include "io/NodeReads.h"
@@ -28,7 +29,7 @@ std::uint64_t numberAt(const std::string& bytes, std::size_t at, std::size_t siz
 } // namespace
 
 class ThreeReads : public testing::TestWithParam<const char*> {
-    void SetUp() override { needTool(fs::exists(STROMAR_BIN "/../node_modules/three"), "three.js (npm)"); }
+    void SetUp() override { needTool(fs::exists(inBin("../node_modules/three")), "three.js (npm)"); }
 };
 INSTANTIATE_TEST_SUITE_P(All, ThreeReads, testing::Values(".fbx", ".usda", ".usdz"), [](const auto& one) { return std::string(one.param + 1); });
 
@@ -52,7 +53,7 @@ TEST_P(ThreeReads, TheWholeModel) {
 }
 
 TEST(FbxFiles, InMetresAndInCentimetresAsTheScaleSays) {
-    needTool(fs::exists(STROMAR_BIN "/../node_modules/three"), "three.js (npm)");
+    needTool(fs::exists(inBin("../node_modules/three")), "three.js (npm)");
     if (::testing::Test::HasFailure() || ::testing::Test::IsSkipped()) return;
     const CTemporaryFolder folder;
     const TreeModel& model = sampleModel("small");
@@ -66,7 +67,7 @@ TEST(FbxFiles, InMetresAndInCentimetresAsTheScaleSays) {
 }
 
 TEST(FbxFiles, HoldLevelsOfDetailColoursAndASecondUv) {
-    needTool(fs::exists(STROMAR_BIN "/../node_modules/three"), "three.js (npm)");
+    needTool(fs::exists(inBin("../node_modules/three")), "three.js (npm)");
     if (::testing::Test::HasFailure() || ::testing::Test::IsSkipped()) return;
     const CTemporaryFolder folder;
     ExportOptions options;
@@ -199,7 +200,7 @@ TEST(UsdFiles, HoldLeavesAsInstances) {
 }
 
 TEST(UsdFiles, OfAMotionShowTheGrownTreeWithoutIt) {
-    needTool(fs::exists(STROMAR_BIN "/../node_modules/three"), "three.js (npm)");
+    needTool(fs::exists(inBin("../node_modules/three")), "three.js (npm)");
     const CTemporaryFolder folder;
     const TreeModel& model = sampleModel("small");
     Motion growth;

@@ -1,5 +1,6 @@
 // What lets a tree sway elsewhere, by the Khronos validator, three.js, Blender and a script of our own that knows the
 // file alone.
+#include "Checkout.h"
 #include "cli/Process.h"
 #include "io/Tools.h"
 #include "stromar/app/Export.h"
@@ -19,11 +20,11 @@ namespace {
 namespace fs = std::filesystem;
 using Json = nlohmann::json;
 
-const std::string kTests = STROMAR_SOURCE "/tests/io/";
-bool hasModule(const char* name) { return fs::exists(std::string(STROMAR_BIN "/../node_modules/") + name); }
+const std::string kTests = inSource("tests/io/");
+bool hasModule(const char* name) { return fs::exists(inBin("../node_modules/") + name); }
 
 CParams treeOf(const char* name) {
-    return CTreeFile::read(std::string(STROMAR_SOURCE "/presets/") + name + ".tree").params();
+    return CTreeFile::read(inSource("presets/") + name + ".tree").params();
 }
 
 ExportOptions carrying(ExportedWind wind, ExportedLods lods = ExportedLods::None) {
@@ -60,7 +61,7 @@ TEST_P(WindFiles, HaveNoErrorsOrWarnings) {
     write(m_folder / "lods.glb", "apple", carrying(GetParam(), ExportedLods::InOneFile));
     for (const char* name : {"one.glb", "lods.glb"}) {
         const ProcessResult run = runProcess({"node", kTests + "validate-gltf.js", (m_folder / name).string()},
-                                             {.folder = STROMAR_BIN "/.."});
+                                             {.folder = inBin("..")});
         ASSERT_EQ(run.status, 0) << run.err;
         const Json issues = Json::parse(run.out).at("issues");
         EXPECT_EQ(issues.at("numErrors"), 0) << issues.dump(1);
@@ -193,7 +194,7 @@ TEST(WindBones, ThreeJsPlaysTheClips) {
     write(folder / "bones.glb", "quaking_aspen", carrying(ExportedWind::Bones),
           {.wind = {.strength = 1}, .seconds = 3});
     const ProcessResult run = runProcess({"node", kTests + "three-clips.mjs", (folder / "bones.glb").string()},
-                                         {.folder = STROMAR_BIN "/.."});
+                                         {.folder = inBin("..")});
     ASSERT_EQ(run.status, 0) << run.err;
     const Json file = Json::parse(run.out), wind = file["clips"]["wind"], growth = file["clips"]["growth"];
     EXPECT_EQ(file["bones"], 65) << "64 stems and the ground";
@@ -212,7 +213,7 @@ TEST(WindBones, AFelledTreeHasAClipInWhichItFallsAndAStumpThatStands) {
         write(folder / "fall.glb", "quaking_aspen", carrying(ExportedWind::Bones),
               {.wind = {.strength = 1}, .felling = Felling{30, height}});
         const ProcessResult run = runProcess({"node", kTests + "three-clips.mjs", (folder / "fall.glb").string()},
-                                             {.folder = STROMAR_BIN "/.."});
+                                             {.folder = inBin("..")});
         ASSERT_EQ(run.status, 0) << run.err;
         const Json file = Json::parse(run.out), fall = file["clips"]["fall"];
         EXPECT_GT(fall["ends"].get<double>(), 10) << "its tip has moved by more than its height";

@@ -1,3 +1,4 @@
+#include "Checkout.h"
 #include "mesh/SampleTrees.h"
 #include "stromar/app/Methods.h"
 #include "stromar/params/methods/weberpenn/WeberPennParams.h"
@@ -12,7 +13,7 @@ namespace stromar::test {
 namespace {
 std::vector<Sample> readPresets() {
     std::vector<Sample> all;
-    for (const auto& entry : std::filesystem::directory_iterator(STROMAR_SOURCE "/presets"))
+    for (const auto& entry : std::filesystem::directory_iterator(inSource("presets")))
         if (entry.path().extension() == ".tree")
             all.push_back({entry.path().stem().string(), CTreeFile::read(entry.path()).params()});
     std::ranges::sort(all, {}, &Sample::name);

@@ -1,4 +1,5 @@
 #pragma once
+#include "Checkout.h"
 #include "stromar/params/ParamText.h"
 #include "stromar/params/TreeFile.h"
 #include "stromar/params/methods/lsystem/LSystemParams.h"
@@ -12,7 +13,7 @@ namespace stromar::test {
 inline std::vector<std::filesystem::path> presetFiles() {
     for (const ParamBlock* block : {&lsystemBlock(), &strandsBlock()}) registerBlock(*block); // no table of methods is there
     std::vector<std::filesystem::path> files;
-    for (const auto& entry : std::filesystem::directory_iterator(STROMAR_SOURCE "/presets"))
+    for (const auto& entry : std::filesystem::directory_iterator(inSource("presets")))
         if (entry.path().extension() == ".tree") files.push_back(entry.path());
     return files;
 }

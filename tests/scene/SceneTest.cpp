@@ -1,4 +1,5 @@
 // Nodes and arrays, without an OpenGL context.
+#include "Checkout.h"
 #include "mesh/SampleTrees.h"
 #include "stromar/mesh/MeshBuilder.h"
 #include "stromar/app/TreeCreator.h"
@@ -270,7 +271,7 @@ TEST(ViewScene, SaysWhichPictureIsMissing) {
     CViewScene scene;
     for (const Surface surface : {Surface::Bark, Surface::Leaf}) {
         scene.setSurface(surface, *readSurface(surface, ""));
-        EXPECT_EQ(readSurface(surface, STROMAR_SOURCE "/textures/leaf.png")->problem, "");
+        EXPECT_EQ(readSurface(surface, inSource("textures/leaf.png"))->problem, "");
         EXPECT_NE(readSurface(surface, "/none/such.png")->problem.find("/none/such.png"), std::string::npos);
     }
 }

@@ -1,4 +1,5 @@
 // Trees at an age: continuous, part of the grown tree, and still. Strands have a file of their own.
+#include "Checkout.h"
 #include "stromar/params/TreeFile.h"
 #include "stromar/params/methods/lsystem/LSystemParams.h"
 #include "stromar/params/methods/strands/StrandsParams.h"
@@ -17,7 +18,7 @@ namespace {
 std::vector<std::pair<std::string, CParams>> presetsOf(const ParamBlock& wanted) {
     for (const ParamBlock* block : {&lsystemBlock(), &strandsBlock()}) registerBlock(*block); // no table of methods is there
     std::vector<std::pair<std::string, CParams>> found;
-    for (const auto& entry : std::filesystem::directory_iterator(STROMAR_SOURCE "/presets")) {
+    for (const auto& entry : std::filesystem::directory_iterator(inSource("presets"))) {
         CParams params = CTreeFile::read(entry.path()).params();
         if (&params.block() == &wanted) found.emplace_back(entry.path().stem(), params);
     }

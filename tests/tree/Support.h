@@ -1,4 +1,5 @@
 #pragma once
+#include "Checkout.h"
 #include "stromar/params/TreeFile.h"
 #include "stromar/tree/weberpenn/WeberPennBuilder.h"
 #include "weberpenn/Grown.h"
@@ -34,7 +35,7 @@ inline CParams with(CParams params, Values values) {
 }
 
 inline CParams preset(const std::string& name) {
-    return CTreeFile::read(STROMAR_SOURCE "/presets/" + name + ".tree").params();
+    return CTreeFile::read(inSource("presets/" + name + ".tree")).params();
 }
 
 inline double degrees(double radians) { return radians * 180 / std::numbers::pi; }

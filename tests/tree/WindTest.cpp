@@ -1,4 +1,5 @@
 // The wind pose: lengths keep, joints hold, loops close, crowns lean with the wind, still air moves nothing.
+#include "Checkout.h"
 #include "stromar/tree/Wind.h"
 #include "Support.h"
 #include "stromar/params/TreeFile.h"
@@ -10,7 +11,7 @@ namespace stromar::test {
 namespace {
 
 std::shared_ptr<const CTree> preset(const std::string& name, double age = 1) {
-    const CParams params = CTreeFile::read(std::string(STROMAR_SOURCE "/presets/") + name + ".tree").params();
+    const CParams params = CTreeFile::read(inSource("presets/") + name + ".tree").params();
     return growTree(CWeberPennBuilder(), params, CProgress(), age);
 }
 
@@ -164,7 +165,7 @@ TEST(Wind, FlexibilityAndStrengthBend) {
 }
 
 TEST(Wind, YoungStemsAreAsStiffAsTheyWillBe) {
-    const CParams params = CTreeFile::read(STROMAR_SOURCE "/presets/quaking_aspen.tree").params();
+    const CParams params = CTreeFile::read(inSource("presets/quaking_aspen.tree")).params();
     const auto grown = growTree(CWeberPennBuilder(), params, CProgress()),
                young = growTree(CWeberPennBuilder(), params, CProgress(), 0.6);
     const CWindTable now(young, *grown, 1, 1), then(grown, *grown, 1, 1);

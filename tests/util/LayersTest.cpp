@@ -1,3 +1,4 @@
+#include "Checkout.h"
 #include "stromar/util/FileSet.h"
 #include "stromar/util/Text.h"
 #include "util/TemporaryFolder.h"
@@ -118,7 +119,7 @@ Check checkTree(const fs::path& root) {
 }
 
 TEST(Layers, NoIncludePointsUp) {
-    const Check check = checkTree(STROMAR_SOURCE);
+    const Check check = checkTree(test::inSource());
     for (const std::string& problem : check.problems) ADD_FAILURE() << problem;
     EXPECT_GT(check.files, 40u);
     EXPECT_GT(check.includes, 200u);
@@ -126,7 +127,7 @@ TEST(Layers, NoIncludePointsUp) {
 
 TEST(Layers, EveryLayerWasSeen) {
     for (const auto& [layer, rule] : layers()) {
-        const fs::path folder = fs::path(STROMAR_SOURCE) / "src" / layer;
+        const fs::path folder = fs::path(test::inSource("src")) / layer;
         if (!fs::exists(folder)) {
             EXPECT_EQ(layer, "gui"); // the only layer whose sources another package may leave out
             continue;
@@ -180,8 +181,8 @@ TEST(Layers, TheCheckAcceptsWhatIsAllowed) {
 TEST(Docs, LinksLeadSomewhereAndPicturesHaveATitle) {
     const std::regex link(R"((!?)\[([^\]]*)\]\(([^)#]+)[^)]*\))");
     int count = 0;
-    std::vector<fs::path> pages{fs::path(STROMAR_SOURCE) / "README.md"};
-    for (const auto& entry : fs::directory_iterator(fs::path(STROMAR_SOURCE) / "docs"))
+    std::vector<fs::path> pages{test::inSource("README.md")};
+    for (const auto& entry : fs::directory_iterator(test::inSource("docs")))
         if (entry.path().extension() == ".md") pages.push_back(entry.path());
     for (const fs::path& page : pages) {
         const std::string text = readFile(page);

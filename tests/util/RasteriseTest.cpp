@@ -74,13 +74,19 @@ TEST(Rasterise, TrianglesWithoutAnAreaOrAPlaceHaveNoCells) {
     EXPECT_TRUE(rasterised({{{-kFar, -kFar}, {-kFar, 1 - kFar}, {1 - kFar, -kFar}}}).empty());
 }
 
+/// Cells of which x is twice y, but for the first rows.
+struct Diagonal {
+    bool any(int y, int x0, int x1) const { return y >= kFirst && 2 * y >= x0 && 2 * y <= x1; }
+    template <typename Look> void forEach(int y, int x0, int x1, Look&& look) const {
+        if (any(y, x0, x1)) look(2 * y);
+    }
+    static constexpr int kFirst = 3;
+};
+
 TEST(Rasterise, LooksAtWantedCellsAlone) {
     Cells cells;
-    rasterise({0, 0}, {100, 0}, {0, 100}, kWidth, kHeight, [&](int x, int y, double, double) { cells.emplace(x, y); },
-              [](int y, int x0, int x1, auto&& look) {
-                  if (const int x = 2 * y; x >= x0 && x <= x1) look(x);
-              });
-    EXPECT_EQ(cells.size(), std::size_t(kWidth / 2));
+    rasterise({0, 0}, {100, 0}, {0, 100}, kWidth, kHeight, [&](int x, int y, double, double) { cells.emplace(x, y); }, Diagonal{});
+    EXPECT_EQ(cells.size(), std::size_t(kWidth / 2 - Diagonal::kFirst));
     for (const auto& [x, y] : cells) EXPECT_EQ(x, 2 * y);
 }
 

@@ -69,43 +69,66 @@ bool checkTriangles(const CMesh& mesh, const Part& part, MeshFaults& faults) {
     return faults.badIndices == bad;
 }
 
-/// Numbers vertices so that those with the same `place` have the same number.
-template <typename Place>
-std::vector<std::uint32_t> numberBy(std::size_t vertices, Place&& place) {
-    std::vector<std::uint32_t> order(vertices), number(vertices);
-    std::iota(order.begin(), order.end(), 0u);
-    std::ranges::sort(order, {}, place);
-    std::uint32_t count = 0;
-    for (std::size_t i = 0; i < order.size(); ++i) {
-        if (i > 0 && place(order[i]) != place(order[i - 1])) ++count;
-        number[order[i]] = count;
+/// Values by a number below `groups` that `groupOf(i)` gives them: those of a group lie together.
+template <typename Value> class CGroups {
+public:
+    template <typename GroupOf, typename ValueOf> CGroups(std::size_t groups, std::size_t count, GroupOf&& groupOf, ValueOf&& valueOf) : m_ends(groups + 1), m_values(count) {
+        for (std::size_t i = 0; i < count; ++i) ++m_ends[groupOf(i) + 1];
+        std::partial_sum(m_ends.begin(), m_ends.end(), m_ends.begin());
+        std::vector<std::size_t> next(m_ends.begin(), m_ends.end() - 1);
+        for (std::size_t i = 0; i < count; ++i) m_values[next[groupOf(i)]++] = valueOf(i);
+    }
+    std::size_t count() const { return m_ends.size() - 1; }
+    std::span<Value> of(std::size_t group) { return {m_values.data() + m_ends[group], m_values.data() + m_ends[group + 1]}; }
+
+private:
+    std::vector<std::size_t> m_ends; ///< of the group before
+    std::vector<Value> m_values;
+};
+
+/// Numbers vertices from 0 so that those of the same surface that lie at the same place have the same number.
+std::vector<std::uint32_t> weld(std::span<const glm::vec3> positions, const std::vector<std::uint32_t>& surfaces) {
+    const std::size_t count = surfaces.empty() ? 0 : *std::ranges::max_element(surfaces) + std::size_t{1};
+    CGroups<std::uint32_t> groups(count, positions.size(), [&](std::size_t v) { return surfaces[v]; }, [](std::size_t v) { return static_cast<std::uint32_t>(v); });
+    const auto place = [&](std::uint32_t v) { return std::tuple(positions[v].x, positions[v].y, positions[v].z); };
+    std::vector<std::uint32_t> number(positions.size());
+    std::uint32_t next = 0;
+    for (std::size_t surface = 0; surface < count; ++surface) {
+        const std::span<std::uint32_t> own = groups.of(surface);
+        std::ranges::sort(own, {}, place);
+        for (std::size_t i = 0; i < own.size(); ++i) {
+            next += i == 0 || place(own[i]) != place(own[i - 1]);
+            number[own[i]] = next - 1;
+        }
     }
     return number;
 }
 
-/// For each vertex the number of its position.
-std::vector<std::uint32_t> weld(const CMesh& mesh, const Part& part) {
-    return numberBy(part.vertexCount, [&](std::uint32_t v) {
-        const glm::vec3& p = mesh.positions[part.firstVertex + v];
-        return std::tuple(p.x, p.y, p.z);
-    });
+/// Calls open(v) for each side of a triangle, from the vertex v of such a number, that no other triangle has the other way round, and
+/// tangled(v) for each that another has too.
+template <typename Open, typename Tangled>
+void forEachBadEdge(std::span<const std::uint32_t> indices, const std::vector<std::uint32_t>& number, std::uint32_t firstVertex, Open&& open, Tangled&& tangled) {
+    const auto at = [&](std::size_t i) { return number[indices[i] - firstVertex]; };
+    const auto next = [&](std::size_t i) { return at(i % 3 == 2 ? i - 2 : i + 1); };
+    CGroups<std::uint32_t> ends(number.empty() ? 0 : *std::ranges::max_element(number) + std::size_t{1}, indices.size(), at, next);
+    for (std::size_t v = 0; v < ends.count(); ++v) std::ranges::sort(ends.of(v));
+    for (std::uint32_t v = 0; v < ends.count(); ++v) {
+        const std::span<const std::uint32_t> own = ends.of(v);
+        for (std::size_t i = 0; i < own.size(); ++i) {
+            if (i > 0 && own[i] == own[i - 1]) tangled(v);
+            if (!std::ranges::binary_search(ends.of(own[i]), v)) open(v);
+        }
+    }
 }
 
 void checkEdges(const CMesh& mesh, const Part& part, MeshFaults& faults) {
-    const std::vector<std::uint32_t> number = weld(mesh, part);
-    std::vector<std::pair<std::uint32_t, std::uint32_t>> edges;
-    edges.reserve(part.indexCount);
-    for (std::size_t i = 0; i < part.indexCount; ++i) {
-        const std::size_t next = i % 3 == 2 ? i - 2 : i + 1;
-        edges.emplace_back(number[mesh.indices[part.firstIndex + i] - part.firstVertex],
-                           number[mesh.indices[part.firstIndex + next] - part.firstVertex]);
-    }
-    std::ranges::sort(edges);
-    if (std::ranges::adjacent_find(edges) != edges.end()) ++faults.tangled;
-    const auto hasTwin = [&](const auto& edge) {
-        return std::ranges::binary_search(edges, std::pair(edge.second, edge.first));
-    };
-    if (!std::ranges::all_of(edges, hasTwin)) ++faults.open;
+    const auto number = weld(std::span(mesh.positions).subspan(part.firstVertex, part.vertexCount), std::vector<std::uint32_t>(part.vertexCount));
+    bool open = false, tangled = false;
+    forEachBadEdge(
+        std::span(mesh.indices).subspan(part.firstIndex, part.indexCount), number, static_cast<std::uint32_t>(part.firstVertex),
+        [&](std::uint32_t) { open = true; }, [&](std::uint32_t) { tangled = true; });
+    faults.open += open;
+    faults.tangled += tangled;
 }
 
 /// Which surface each welded vertex is part of: the least vertex that it hangs together with.
@@ -134,19 +157,11 @@ private:
 /// Counts the surfaces, and those that are open or tangled, of vertices that are one where they have the same number.
 void checkSurfaces(const CMesh& mesh, const std::vector<std::uint32_t>& number, MeshFaults& faults) {
     CSurfaces surfaces(number.empty() ? 0 : *std::ranges::max_element(number) + 1);
-    std::vector<std::pair<std::uint32_t, std::uint32_t>> edges;
-    edges.reserve(mesh.indices.size());
-    for (std::size_t i = 0; i < mesh.indices.size(); ++i) {
-        const std::size_t next = i % 3 == 2 ? i - 2 : i + 1;
-        edges.emplace_back(number[mesh.indices[i]], number[mesh.indices[next]]);
-        surfaces.join(edges.back().first, edges.back().second);
-    }
-    std::ranges::sort(edges);
+    for (std::size_t i = 0; i + 2 < mesh.indices.size(); i += 3)
+        for (std::size_t c = 1; c < 3; ++c) surfaces.join(number[mesh.indices[i]], number[mesh.indices[i + c]]);
     std::set<std::uint32_t> open, tangled;
-    for (std::size_t i = 0; i < edges.size(); ++i) {
-        if (i > 0 && edges[i] == edges[i - 1]) tangled.insert(surfaces.of(edges[i].first));
-        if (!std::ranges::binary_search(edges, std::pair(edges[i].second, edges[i].first))) open.insert(surfaces.of(edges[i].first));
-    }
+    forEachBadEdge(
+        mesh.indices, number, 0, [&](std::uint32_t v) { open.insert(surfaces.of(v)); }, [&](std::uint32_t v) { tangled.insert(surfaces.of(v)); });
     faults.surfaces = surfaces.count();
     faults.open = open.size();
     faults.tangled = tangled.size();
@@ -301,12 +316,8 @@ MeshFaults checkJoined(const JoinedStems& joined, std::span<const StemMesh> stem
     }
     MeshFaults faults{0, all.vertexCount(), all.triangleCount()};
     checkVertices(all, faults);
-    const auto place = [&](std::uint32_t v) {
-        const glm::vec3& p = all.positions[v];
-        return std::tuple(surfaces[v], p.x, p.y, p.z);
-    };
     if (checkTriangles(all, {0, all.vertexCount(), 0, all.indices.size()}, faults))
-        checkSurfaces(all, numberBy(all.vertexCount(), place), faults);
+        checkSurfaces(all, weld(all.positions, surfaces), faults);
     return faults;
 }
 

@@ -13,35 +13,44 @@ namespace stromar {
 namespace {
 constexpr std::size_t kCoverViews = 8; // sparse crowns cover a twentieth more or less from one side than from another
 
-/// Cells of a square grid, a bit for each: those that are covered, most of them many times over, are passed by in words.
-class CCellSet {
+/// Cells of a square grid, a bit for each, and those that are not in it as the wanted ones of rasterise(): what is covered, most of it many times
+/// over, is passed by in words.
+class CUncovered {
 public:
-    explicit CCellSet(int side) : m_words((static_cast<std::size_t>(side) + kBits - 1) / kBits), m_bits(m_words * static_cast<std::size_t>(side)) {}
+    explicit CUncovered(int side) : m_words(static_cast<std::size_t>((side + kBits - 1) / kBits)), m_bits(m_words * static_cast<std::size_t>(side)) {}
 
-    void add(int x, int y) { wordAt(x, y) |= std::uint64_t{1} << (static_cast<std::size_t>(x) % kBits); }
-    std::size_t count() const {
+    void cover(int x, int y) { m_bits[placeOf(x, y)] |= std::uint64_t{1} << (x % kBits); }
+    std::size_t countCovered() const {
         std::size_t sum = 0;
         for (const std::uint64_t word : m_bits) sum += static_cast<std::size_t>(std::popcount(word));
         return sum;
     }
-    /// visit(x) for the cells x0..x1 of a row that are not in it, each once.
-    template <typename Visit> void forEachMissing(int y, int x0, int x1, Visit&& visit) const {
+    bool any(int y, int x0, int x1) const {
         for (int first = x0; first <= x1;) {
-            const auto bit = static_cast<std::size_t>(first) % kBits;
-            const int count = std::min(x1 - first + 1, static_cast<int>(kBits - bit));
-            const std::uint64_t wanted = (~std::uint64_t{0} >> (kBits - static_cast<std::size_t>(count))) << bit;
-            for (std::uint64_t missing = wanted & ~wordAt(first, y); missing; missing &= missing - 1)
-                visit(first - static_cast<int>(bit) + std::countr_zero(missing));
+            const auto [missing, count] = wordFrom(first, x1, y);
+            if (missing) return true;
+            first += count;
+        }
+        return false;
+    }
+    template <typename Look> void forEach(int y, int x0, int x1, Look&& look) const {
+        for (int first = x0; first <= x1;) {
+            auto [missing, count] = wordFrom(first, x1, y);
+            for (const int start = first - first % kBits; missing; missing &= missing - 1) look(start + std::countr_zero(missing));
             first += count;
         }
     }
 
 private:
-    static constexpr std::size_t kBits = 64;
+    static constexpr int kBits = 64;
 
-    std::size_t placeOf(int x, int y) const { return static_cast<std::size_t>(y) * m_words + static_cast<std::size_t>(x) / kBits; }
-    const std::uint64_t& wordAt(int x, int y) const { return m_bits[placeOf(x, y)]; }
-    std::uint64_t& wordAt(int x, int y) { return m_bits[placeOf(x, y)]; }
+    /// Those uncovered of the cells from `first`, up to `last`, that lie in one word, and how many cells these are.
+    std::pair<std::uint64_t, int> wordFrom(int first, int last, int y) const {
+        const int bit = first % kBits, count = std::min(last - first + 1, kBits - bit);
+        const std::uint64_t wanted = (~std::uint64_t{0} >> (kBits - count)) << bit;
+        return {wanted & ~m_bits[placeOf(first, y)], count};
+    }
+    std::size_t placeOf(int x, int y) const { return static_cast<std::size_t>(y) * m_words + static_cast<std::size_t>(x / kBits); }
 
     std::size_t m_words; ///< of a row
     std::vector<std::uint64_t> m_bits;
@@ -51,7 +60,7 @@ private:
 class CCrownOutline : CCrownGrid {
 public:
     CCrownOutline(const CrownFrame& crown, const glm::dvec3& viewer, int cells, double pixels)
-        : CCrownGrid(crown, viewer, cells), m_covered(cells), m_pixelsPerCell(pixels / cells) {}
+        : CCrownGrid(crown, viewer, cells), m_uncovered(cells), m_pixelsPerCell(pixels / cells) {}
 
     void draw(const std::vector<CrownPart>& parts, const CProgress& progress) {
         forEachTriangle(parts, progress, [this](const CrownPart& part, const std::uint32_t* corners) {
@@ -63,13 +72,13 @@ public:
                 p[0], p[1], p[2], m_side, m_side,
                 [&](int x, int y, double u, double v) {
                     if (cutOut && !soft) soft = softnessOf(mesh, corners, p, *cutOut);
-                    if (!cutOut || shows(*cutOut, mixed(mesh.texCoords, corners, u, v), *soft, x, y, corners[0])) m_covered.add(x, y);
+                    if (!cutOut || shows(*cutOut, mixed(mesh.texCoords, corners, u, v), *soft, x, y, corners[0])) m_uncovered.cover(x, y);
                 },
-                [&](int y, int x0, int x1, auto&& look) { m_covered.forEachMissing(y, x0, x1, look); });
+                m_uncovered);
         });
     }
 
-    double count() const { return double(m_covered.count()); }
+    double count() const { return double(m_uncovered.countCovered()); }
 
 private:
     /// How a triangle's picture is drawn.
@@ -100,7 +109,7 @@ private:
         return soft >= 1 ? whole : soft * (whole ? 1 : 0) + (1 - soft) * cover > unitOf(hashCombine(ofPixel, cellAt(x, y)));
     }
 
-    CCellSet m_covered;
+    CUncovered m_uncovered;
     double m_pixelsPerCell;
 };
 } // namespace

@@ -12,7 +12,7 @@ namespace stromar {
 
 namespace {
 constexpr int kSunCells = 2048;
-constexpr std::size_t kSeenPixels = 1024, kLookViews = 4;
+constexpr std::size_t kSeenPixels = 4096, kLookViews = 4;
 constexpr double kSunHeight = 51 * std::numbers::pi / 180;
 // Cells of the sun's view: by which a leaf is lifted out of its own shadow; over which shadows are soft, a radius. As the viewport's.
 constexpr double kLift = 1.5, kDisc = 2.5;
@@ -22,12 +22,12 @@ struct Facing {
     glm::vec3 normal{0}; ///< of the side that is seen
     bool back = false;   ///< it is a leaf's under side
     bool behind = false; ///< of the leaf or the card
-    bool wood = false;
+    CrownLayer layer = CrownLayer::Leaf;
 };
 
 /// The derivatives of places by a triangle's texture coordinates, unit.
 struct Axes {
-    glm::vec3 right, along;
+    glm::vec3 right{0}, along{0};
 };
 Axes axesOf(const CMesh& mesh, const std::uint32_t* corners) {
     const auto place = [&](int i) { return mesh.positions[corners[i]]; };
@@ -107,25 +107,34 @@ private:
                 const std::size_t cell = cellAt(x, y);
                 const auto depth = static_cast<float>((1 - u - v) * p[0].z + u * p[1].z + v * p[2].z);
                 if (depth <= m_depths[cell]) return;
-                const glm::vec2 at = part.isWood() ? glm::vec2(0) : mixed(mesh.texCoords, corners, u, v);
+                const glm::vec2 at = part.cutOut() ? mixed(mesh.texCoords, corners, u, v) : glm::vec2(0);
                 if ((part.leaf && !part.leaf->covers(at)) || (part.twig && !part.twig->shows(at))) return;
                 m_depths[cell] = depth;
                 if (m_facings.empty()) return;
                 if (part.twig && !axes) axes = axesOf(mesh, corners);
-                m_facings[cell] = facingOf(mixed(mesh.normals, corners, u, v), part.twig ? part.twig->at(at, level) : CTwigMask::Texel{{0, 0, 1}, false, part.isWood()}, axes);
+                const glm::vec3 front = mixed(mesh.normals, corners, u, v);
+                m_facings[cell] = part.twig ? facingOf(front, part.twig->at(at, level), *axes) : facingOf(front, {{0, 0, 1}}, {}, part.layer);
             },
-            [&](int y, int x0, int x1, auto&& look) {
-                for (int x = x0; x <= x1; ++x)
-                    if (m_depths[cellAt(x, y)] < nearest) look(x);
-            });
+            Farther{*this, nearest});
     }
 
+    /// The cells where what is seen is farther away than `nearest`.
+    struct Farther {
+        const CCrownView& view;
+        float nearest;
+        bool any(int, int, int) const { return true; }
+        template <typename Look> void forEach(int y, int x0, int x1, Look&& look) const {
+            for (int x = x0; x <= x1; ++x)
+                if (view.m_depths[view.cellAt(x, y)] < nearest) look(x);
+        }
+    };
+
     /// Of a card's front, what its picture shows there; of a leaf's, itself.
-    Facing facingOf(const glm::vec3& front, const CTwigMask::Texel& shown, const std::optional<Axes>& axes) const {
+    Facing facingOf(const glm::vec3& front, const CTwigMask::Texel& shown, const Axes& axes, CrownLayer layer = CrownLayer::Leaf) const {
+        if (shown.wood) layer = CrownLayer::Wood;
         const bool behind = glm::dot(glm::dvec3(front), m_viewer) < 0;
-        glm::vec3 normal = shown.normal.z * (behind ? -front : front);
-        if (axes) normal += shown.normal.x * axes->right + shown.normal.y * axes->along;
-        return {normal / std::max(1e-6f, glm::length(normal)), !shown.wood && behind != shown.back, behind, shown.wood};
+        const glm::vec3 normal = shown.normal.z * (behind ? -front : front) + shown.normal.x * axes.right + shown.normal.y * axes.along;
+        return {normal / std::max(1e-6f, glm::length(normal)), !isWood(layer) && behind != shown.back, behind, layer};
     }
 
     /// Of the mask, that a card of so many pixels shows.
@@ -174,7 +183,7 @@ CrownLook crownLook(const std::vector<CrownPart>& parts, const CrownFrame& frame
         const glm::vec3 toViewer(sideOf(i, kLookViews));
         views[i + 1].forEachSeen(kOfSide, [&](std::size_t pixel, const glm::dvec3& place, const Facing& facing) {
             const float sunVisibility = views.front().seenOf(place, glm::dvec3(facing.normal));
-            look.pixels[i * kOfSide + pixel].push_back({facing.normal, toViewer, sunVisibility, room.skyVisibilityAt(place), facing.back, facing.behind, facing.wood});
+            look.pixels[i * kOfSide + pixel].push_back({facing.normal, toViewer, sunVisibility, room.skyVisibilityAt(place), facing.back, facing.behind, facing.layer});
         });
     });
     return look;

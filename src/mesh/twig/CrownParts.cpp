@@ -54,6 +54,22 @@ std::vector<CrownPart> leafParts(const std::shared_ptr<const COrgans>& leaves, c
     return parts;
 }
 
+std::vector<CrownPart> blossomParts(const CrownOrgans& organs, const CTree& tree, const MeshParams& params, const Detail& detail, const CProgress& progress) {
+    const SeasonShare season = params.seasonOf(Organ::Blossom);
+    if (!organs.blossoms || season.share <= 0) return {};
+    std::vector<std::uint32_t> shown;
+    for (std::uint32_t i = 0; i < organs.blossoms->grown.size(); ++i) {
+        const CLeaf& blossom = organs.blossoms->grown[i];
+        if (!hasFallen(tree.generation(blossom.generation).stems[blossom.stem], blossom.number, season.share)) shown.push_back(i);
+    }
+    if (shown.empty()) return {};
+    LeafBlade blade = bladeOf(params, Organ::Blossom, detail, 0);
+    const double part = thin(shown, kMaxVertices / blade.points.size()) * double(organs.blossoms->grown.size()) / double(organs.blossoms->total);
+    const COrganMesh own(Organ::Blossom, 0, std::move(blade), organs.blossoms, std::move(shown), season.size / std::sqrt(part),
+                         roundingOf(tree, *organs.blossoms, params.leaf), CrownShade());
+    return {{own.expanded(progress), &organs.blossomMask, nullptr, CrownLayer::Blossom}};
+}
+
 std::vector<CrownPart> partsOf(const OrganMeshes& leaves, const LeafMasks& masks, const CProgress& progress) {
     std::vector<CrownPart> parts;
     if (verticesOf(leaves) > kMaxVertices) return parts;

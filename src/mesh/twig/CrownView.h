@@ -19,13 +19,13 @@ struct CrownFrame {
 /// That show the ball's diameter where a level of detail, 1 or more, of a tree so high takes over.
 double pixelsOf(const CrownFrame& frame, double height, const Detail& detail);
 
-/// Triangles that are measured: leaves of a kind, cards of twigs, or wood.
+/// Triangles that are measured: leaves of a kind, cards of twigs, wood or blossoms.
 struct CrownPart {
     std::shared_ptr<const CMesh> mesh;
     const CCutOut* leaf = nullptr;
     const CTwigMask* twig = nullptr;
+    CrownLayer layer = CrownLayer::Leaf; ///< of cards their masks say it
 
-    bool isWood() const { return !leaf && !twig; }
     const CCutOut* cutOut() const { return twig ? &twig->cutOut() : leaf; } ///< none: all is there
 };
 
@@ -40,6 +40,9 @@ CrownLook crownLook(const std::vector<CrownPart>& parts, const CrownFrame& frame
 /// larger.
 std::vector<CrownPart> leafParts(const std::shared_ptr<const COrgans>& leaves, const StemSet* stems, double present, const CTree& tree,
                                  const MeshParams& params, const LeafMasks& masks, const Detail& detail, const CProgress& progress);
+
+/// Likewise the blossoms that the season left; none where there are none.
+std::vector<CrownPart> blossomParts(const CrownOrgans& organs, const CTree& tree, const MeshParams& params, const Detail& detail, const CProgress& progress);
 
 /// None where they have more than two million vertices: those of large trees would take too much memory.
 std::vector<CrownPart> partsOf(const OrganMeshes& leaves, const LeafMasks& masks, const CProgress& progress);

@@ -8,6 +8,8 @@
 namespace stromar {
 
 namespace {
+constexpr std::size_t kMaxPrisms = 100'000; // as many paths' or segments'
+
 /// From the base of one segment to the end of another, so many times as wide.
 void addPrism(const CSegment& first, const CSegment& last, double minRadius, double wider, CMesh& mesh) {
     constexpr int kSides = 3;
@@ -45,10 +47,9 @@ double leavesOn(const std::vector<LeafyTwig>& twigs) {
 }
 
 std::shared_ptr<const CMesh> woodOfTwigs(const std::vector<LeafyTwig>& twigs, const CTree& tree, double minRadius) {
-    constexpr std::size_t kMaxPaths = 100'000;
     std::size_t total = 0;
     for (const LeafyTwig& twig : twigs) total += twig.of(tree).pathCount;
-    const std::size_t count = std::min(total, kMaxPaths);
+    const std::size_t count = std::min(total, kMaxPrisms);
     const double wider = double(total) / double(std::max<std::size_t>(1, count));
     const auto mesh = allocateMesh("wood", Surface::Bark, 0, 0);
     std::size_t path = 0, chosen = 0;
@@ -63,6 +64,27 @@ std::shared_ptr<const CMesh> woodOfTwigs(const std::vector<LeafyTwig>& twigs, co
             if (middle > 0) addPrism(segments.front(), segments[middle - 1], minRadius, wider, *mesh);
             addPrism(segments[middle], segments.back(), minRadius, wider, *mesh);
         }
+    }
+    return mesh;
+}
+
+std::shared_ptr<const CMesh> woodBeside(const StemSet& twigs, const CTree& tree, double minRadius) {
+    std::vector<const CSegment*> all;
+    for (std::uint32_t g = 0; g < tree.generationCount(); ++g) {
+        const CGeneration& generation = tree.generation(g);
+        for (std::uint32_t s = 0; s < generation.stems.size(); ++s) {
+            if (twigs.has(g, s)) continue;
+            const CStem& stem = generation.stems[s];
+            for (std::size_t path = stem.firstPath; path < stem.firstPath + stem.pathCount; ++path)
+                for (const CSegment& segment : generation.segmentsOf(generation.paths[path])) all.push_back(&segment);
+        }
+    }
+    const std::size_t count = std::min(all.size(), kMaxPrisms);
+    const double wider = double(all.size()) / double(std::max<std::size_t>(1, count));
+    const auto mesh = allocateMesh("wood", Surface::Bark, 0, 0);
+    for (std::size_t i = 0; i < count; ++i) {
+        const CSegment& segment = *all[evenly(i, count, all.size())];
+        addPrism(segment, segment, minRadius, wider, *mesh);
     }
     return mesh;
 }

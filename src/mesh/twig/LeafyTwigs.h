@@ -20,8 +20,10 @@ double leavesOn(const std::vector<LeafyTwig>& twigs);
 /// It has no texture coordinates. Of more than 100,000 paths some, which are wider, stand for all: less than 100 MB.
 std::shared_ptr<const CMesh> woodOfTwigs(const std::vector<LeafyTwig>& twigs, const CTree& tree, double minRadius);
 
+/// That of all other stems, a prism for each segment; no more than 100,000.
+std::shared_ptr<const CMesh> woodBeside(const StemSet& twigs, const CTree& tree, double minRadius);
+
 /// Finds what is seen of the crown and of its cards (Twig::crown, cards, cardFit).
-void measureCrown(Twig& twig, const StemSet& twigs, const CTree& tree, const std::shared_ptr<const COrgans>& leaves, const MeshParams& params,
-                  const CProgress& progress);
+void measureCrown(Twig& twig, const StemSet& twigs, const CTree& tree, const CrownOrgans& organs, const MeshParams& params, const CProgress& progress);
 
 } // namespace stromar

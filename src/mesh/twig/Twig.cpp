@@ -212,8 +212,7 @@ std::optional<TwigPlace> typicalOf(const StemSet& twigs, const CTree& tree, cons
 }
 
 std::shared_ptr<const Twig> twigAt(const TwigPlace& place, const StemSet& twigs, const CTree& tree, const COrgans& organs,
-                                   const std::shared_ptr<const COrgans>& crown, const LeafMasks& masks, const MeshParams& params,
-                                   const CProgress& progress) {
+                                   const CrownOrgans& crown, const LeafMasks& masks, const MeshParams& params, const CProgress& progress) {
     const SeasonShare season = params.seasonOf(Organ::Leaf);
     const CGeneration& all = tree.generation(place.generation);
     const CStem& own = all.stems[place.stem];
@@ -244,7 +243,7 @@ std::shared_ptr<const Twig> typicalTwig(const CTree& tree, const MeshParams& par
     const auto& leaves = tree.organs(Organ::Leaf);
     const StemSet twigs = twigsOf(tree, *leaves);
     const auto place = typicalOf(twigs, tree, *leaves, params);
-    return place ? twigAt(*place, twigs, tree, *leaves, leaves, {}, params, progress) : nullptr;
+    return place ? twigAt(*place, twigs, tree, *leaves, {leaves, {}, {}}, {}, params, progress) : nullptr;
 }
 
 } // namespace stromar

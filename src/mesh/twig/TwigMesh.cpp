@@ -220,13 +220,22 @@ public:
     }
     /// What cards show of the twigs besides leaves.
     std::vector<CrownPart> withWood(std::vector<CrownPart> leaves) const {
-        leaves.push_back({woodOfTwigs(m_twigs, m_tree, m_minRadius)});
+        leaves.push_back({woodOfTwigs(m_twigs, m_tree, m_minRadius), nullptr, nullptr, CrownLayer::Wood});
         return leaves;
+    }
+    /// What is seen beside twigs or their cards.
+    std::vector<CrownPart> partsBeside(const StemSet& twigs, const CrownOrgans& organs, const MeshParams& params) const {
+        std::vector<CrownPart> parts = blossomParts(organs, m_tree, params, detailOf(Model::Full, 1), m_progress);
+        parts.push_back({woodBeside(twigs, m_tree, m_minRadius), nullptr, nullptr, CrownLayer::OtherWood});
+        return parts;
     }
     std::vector<CrownPart> cardsAlone(const CardPlan& plan, double fit) const { return {{cards(plan, fit), nullptr, &m_mask}}; }
 
     /// As it is seen where a level of detail takes over.
-    CrownLook lookOf(const std::vector<CrownPart>& parts, const Detail& detail) const { return crownLook(parts, m_frame, pixelsAt(detail), m_progress); }
+    CrownLook lookOf(std::vector<CrownPart> parts, const std::vector<CrownPart>& beside, const Detail& detail) const {
+        parts.insert(parts.end(), beside.begin(), beside.end());
+        return crownLook(parts, m_frame, pixelsAt(detail), m_progress);
+    }
     double coverOf(const std::vector<CrownPart>& parts, const Detail& detail) const { return crownCover(parts, m_frame, pixelsAt(detail), m_progress); }
 
     std::shared_ptr<const CMesh> cards(const CardPlan& plan, double fit) const {
@@ -278,18 +287,19 @@ private:
 };
 } // namespace
 
-void measureCrown(Twig& twig, const StemSet& twigs, const CTree& tree, const std::shared_ptr<const COrgans>& leaves, const MeshParams& params,
-                  const CProgress& progress) {
+void measureCrown(Twig& twig, const StemSet& twigs, const CTree& tree, const CrownOrgans& organs, const MeshParams& params, const CProgress& progress) {
+    const auto& leaves = organs.leaves;
     const CCrown crown(twigs, tree, *leaves, params, twig, progress);
     const Detail &near = detailOf(Model::Full, 2), &far = detailOf(Model::Full, 3);
     const std::vector<CrownPart> own = crown.withWood(crown.leavesOfTwigs(leaves, twigs, params));
-    twig.crown = crown.lookOf(own, near);
+    const std::vector<CrownPart> beside = crown.partsBeside(twigs, organs, params);
+    twig.crown = crown.lookOf(own, beside, near);
     twig.twigsCover = crown.coverOf(own, near);
     const CardPlan plan = crown.plan(near);
     const CrownFit fit = crown.fitOf(plan, near, twig.twigsCover);
     const std::vector<CrownPart> cards = crown.cardsAlone(plan, fit.areas);
     twig.cardFit = fit.areas;
-    twig.cards = crown.lookOf(cards, near);
+    twig.cards = crown.lookOf(cards, beside, near);
     twig.cardsCover = {fit.covered, crown.coverOf(cards, far)};
     twig.allCover = {twig.twigsCover, twig.cardsCover.far};
     if (leaves->countOn(twigs) == leaves->total) return;

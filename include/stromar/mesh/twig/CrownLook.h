@@ -6,32 +6,49 @@
 #include "stromar/tree/Tree.h"
 #include "stromar/util/Progress.h"
 #include <array>
+#include <cstdint>
 #include <glm/vec3.hpp>
 #include <memory>
 #include <vector>
 
 namespace stromar {
 
-/// A place of a crown, on a leaf or a twig, that is seen.
+/// What is seen of a crown.
+enum class CrownLayer : std::uint8_t {
+    Leaf,
+    Wood,      ///< of twigs that cards stand for
+    OtherWood, ///< what cards do not stand for: this and
+    Blossom
+};
+constexpr bool isBesideCards(CrownLayer layer) { return layer >= CrownLayer::OtherWood; }
+constexpr bool isWood(CrownLayer layer) { return layer == CrownLayer::Wood || layer == CrownLayer::OtherWood; }
+
+/// A place of a crown that is seen.
 struct LitPlace {
     glm::vec3 normal; ///< of the side that is seen
     glm::vec3 toViewer;
     float sunVisibility, skyVisibility; ///< 0..1: how much of them the rest of the crown leaves
     bool back;                          ///< it is the under side of a leaf
     bool behind;                        ///< of a card that is seen from behind; of a leaf the same as `back`
-    bool wood;
+    CrownLayer layer;
 };
 
 /// What shows in a pixel: up to four places.
 using SeenPixel = std::vector<LitPlace>;
 
-/// What is seen of a crown from four sides where cards take over, in the light of a sun that stands as the viewport's does at ten o'clock.
+/// What is seen of a crown, with the wood and the blossoms between its leaves, from four sides where cards take over, in the light of a sun that stands as the viewport's does at ten o'clock.
 struct CrownLook {
     glm::vec3 sun{0, 0, 1};        ///< towards it
-    std::vector<SeenPixel> pixels; ///< about a thousand, evenly chosen
+    std::vector<SeenPixel> pixels; ///< about four thousand, evenly chosen: of fewer, chance decides how much sun is seen
 };
 
 using LeafMasks = std::array<CCutOut, kLeafKinds>;
+
+/// Of the whole tree: all, or some, evenly chosen (OrganDemand::max).
+struct CrownOrgans {
+    std::shared_ptr<const COrgans> leaves, blossoms; ///< null: no blossoms
+    CCutOut blossomMask;
+};
 
 constexpr double kMeasuredLeaves = 250'000; ///< are enough to see how a crown looks
 

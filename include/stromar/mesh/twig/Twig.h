@@ -36,7 +36,7 @@ struct Twig {
     double twigsCover = 0;  ///< TwigCover::near of the leaves and wood of all twigs
     TwigCover allCover;     ///< of all leaves of the tree, with that wood
     TwigCover cardsCover;   ///< of the cards at level of detail 2
-    CrownLook crown, cards; ///< all twigs with their leaves; the cards that stand for them at level of detail 2
+    CrownLook crown, cards; ///< all twigs with their leaves; the cards that stand for them at level of detail 2; both with what is beside them
     double cardFit = 1;     ///< by how much the area of those differs from what is right for a single twig
 
     double cardArea() const { return (high.x - low.x) * (high.y - low.y); }
@@ -54,11 +54,9 @@ struct TwigPlace {
 /// The one of the twigs that is nearest to their mean; nothing where none bears leaves. Of the leaves only the counts
 /// are looked at.
 std::optional<TwigPlace> typicalOf(const StemSet& twigs, const CTree& tree, const COrgans& leaves, const MeshParams& params);
-/// What that one with its leaves, which are grown, looks like. `crown`: all leaves, or some, evenly chosen (OrganDemand::max).
-/// About a tenth of a second.
+/// What that one with its leaves, which are grown, looks like. About a tenth of a second.
 std::shared_ptr<const Twig> twigAt(const TwigPlace& place, const StemSet& twigs, const CTree& tree, const COrgans& leaves,
-                                   const std::shared_ptr<const COrgans>& crown, const LeafMasks& masks, const MeshParams& params,
-                                   const CProgress& progress);
+                                   const CrownOrgans& crown, const LeafMasks& masks, const MeshParams& params, const CProgress& progress);
 /// The typical one of twigsOf() a tree whose leaves are all grown, without masks; null when it has none.
 std::shared_ptr<const Twig> typicalTwig(const CTree& tree, const MeshParams& params, const CProgress& progress);
 
