@@ -37,10 +37,10 @@ bool meshIsStale(const std::optional<CParams>& made, const CParams& wanted, int 
 /// Whether two trees have the same stems and bases; their organs may be others.
 bool haveSameStems(const CTree& a, const CTree& b) { return a.generations() == b.generations() && a.base() == b.base(); }
 
-/// Whether organs show the same pictures: they are fitted by what those cover.
+/// Whether organs show the same pictures, blossoms among leaves that do: they are fitted by what those cover.
 bool haveSamePictures(const CParams& a, const CParams& b, Organ organ) {
     const auto isSame = [&](Surface surface) { return textureOf(a, shownSurface(a, surface), a.folder) == textureOf(b, shownSurface(b, surface), b.folder); };
-    return organ == Organ::Leaf ? std::ranges::all_of(kLeafSurfaces, isSame) : organ != Organ::Blossom || isSame(Surface::Blossom);
+    return organ == Organ::Fruit || (std::ranges::all_of(kLeafSurfaces, isSame) && (organ == Organ::Leaf || isSame(Surface::Blossom)));
 }
 
 /// With its memory.
@@ -243,7 +243,9 @@ private:
         organs.fill(std::make_shared<const COrgans>());
         organs[static_cast<std::size_t>(Organ::Blossom)] = m_builder.growOrgans(m_params, m_tree, Organ::Blossom, {}, m_progress);
         const auto whole = meshOfOrgans(m_tree.withOrgans(organs), Organ::Blossom, m_plans, m_mesh, stromar::detailOf(Model::Full), m_progress);
-        meshes = fittingBlossoms(meshes, whole, m_tree.height(), maskOf(m_params, Surface::Blossom, m_progress), m_detail, m_progress);
+        CrownOrgans crown{{}, {}, maskOf(m_params, Surface::Blossom, m_progress)};
+        if (m_detail.lod > 1) crown.leaves = m_builder.growOrgans(m_params, m_tree, Organ::Leaf, {.max = kMeasuredLeaves}, m_progress);
+        meshes = fittingBlossoms(meshes, whole, crown, m_tree, leafMasksOf(m_params, m_progress), m_mesh, m_detail, m_progress);
     }
 
     const CTree& m_tree;

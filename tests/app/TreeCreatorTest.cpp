@@ -120,19 +120,21 @@ TEST(TreeCreator, LevelsOfDetailShareTheTwigThatCardsShow) {
 
 /// Thinned organs are as large as their pictures want.
 TEST(TreeCreator, AnotherPictureGivesWhatANewCreatorGives) {
-    const auto expectSame = [](const CParams& before, const CParams& after) {
+    const auto expectSame = [](const CParams& before, const CParams& after, int lod) {
         CTreeCreator creator;
-        const auto old = creator.create(before, detailOf(Model::Full, 1), CProgress(2)), now = creator.create(after, detailOf(Model::Full, 1), CProgress(2));
+        const Detail& detail = detailOf(Model::Full, lod);
+        const auto old = creator.create(before, detail, CProgress(2)), now = creator.create(after, detail, CProgress(2));
         EXPECT_NE(modelDifference(*now, *old), "");
-        EXPECT_EQ(modelDifference(*now, *createAnew(after, detailOf(Model::Full, 1))), "");
+        EXPECT_EQ(modelDifference(*now, *createAnew(after, detail)), "");
     };
     CParams leafy = preset("quaking_aspen"), blooming = preset("rowan");
     blooming.common.season = 5.5;
-    CParams otherLeaf = leafy, otherBlossom = blooming;
-    otherLeaf.text.leafTexture = "leaf:spruce";
+    CParams otherLeaf = leafy, otherBlossom = blooming, otherLeaves = blooming;
+    otherLeaf.text.leafTexture = otherLeaves.text.leafTexture = "leaf:spruce";
     otherBlossom.text.blossomTexture = "leaf:candle";
-    expectSame(leafy, otherLeaf);
-    expectSame(blooming, otherBlossom);
+    expectSame(leafy, otherLeaf, 1);
+    expectSame(blooming, otherBlossom, 1);
+    expectSame(blooming, otherLeaves, 2); // which hide blossoms
 }
 
 TEST(TreeCreator, AnEditOfAnyParameterGivesWhatANewCreatorGives) {

@@ -93,7 +93,7 @@ private:
 };
 
 std::vector<std::string> trees() {
-    if (!allAreWanted()) return {"quaking_aspen", "apple", "wild_cherry", "coconut_palm", "hazel", "bamboo", "strand_acacia"};
+    if (!allAreWanted()) return {"quaking_aspen", "apple", "wild_cherry", "horse_chestnut", "coconut_palm", "hazel", "bamboo", "strand_acacia"};
     std::vector<std::string> names;
     for (const Sample& sample : presets())
         if (!sample.name.starts_with("abop")) names.push_back(sample.name);

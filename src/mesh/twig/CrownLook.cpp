@@ -6,6 +6,7 @@
 #include <array>
 #include <glm/common.hpp>
 #include <limits>
+#include <numeric>
 #include <optional>
 
 namespace stromar {
@@ -46,6 +47,13 @@ public:
 
     void draw(const std::vector<CrownPart>& parts, const CProgress& progress) {
         forEachTriangle(parts, progress, [this](const CrownPart& part, const std::uint32_t* corners) { drawTriangle(part, corners); });
+    }
+
+    /// In how many cells something else is seen than in another view of the same side.
+    std::size_t countOther(const CCrownView& before) const {
+        std::size_t count = 0;
+        for (std::size_t cell = 0; cell < m_depths.size(); ++cell) count += m_depths[cell] != before.m_depths[cell];
+        return count;
     }
 
     /// visit(pixel, place, facing) for what is seen in at most so many pixels, evenly chosen.
@@ -169,6 +177,25 @@ private:
     glm::vec3 m_middle, m_half;
 };
 } // namespace
+
+double seenOverSeen(const std::vector<CrownPart>& one, const std::vector<CrownPart>& other, const std::vector<CrownPart>& hiding, const CrownFrame& frame,
+                    double pixels, const CProgress& progress) {
+    const int cells = static_cast<int>(std::clamp(CCrownView::kSamples * pixels, kViewCells / 2.0, 2.0 * kViewCells));
+    std::array<std::size_t, kLookViews> ones{}, others{};
+    forEachOf(kLookViews, progress, [&](std::size_t i) {
+        CCrownView before(frame, sideOf(i, kLookViews), cells, false);
+        before.draw(hiding, progress);
+        const auto seenOf = [&](const std::vector<CrownPart>& parts) {
+            CCrownView view = before;
+            view.draw(parts, progress);
+            return view.countOther(before);
+        };
+        ones[i] = seenOf(one);
+        others[i] = seenOf(other);
+    });
+    const auto sum = [](const auto& counts) { return double(std::accumulate(counts.begin(), counts.end(), std::size_t{0})); };
+    return sum(ones) / std::max(1.0, sum(others));
+}
 
 CrownLook crownLook(const std::vector<CrownPart>& parts, const CrownFrame& frame, double pixels, const CProgress& progress) {
     const glm::dvec3 sun = directionTo(0, kSunHeight);

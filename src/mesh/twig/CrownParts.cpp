@@ -79,23 +79,29 @@ std::vector<CrownPart> partsOf(const OrganMeshes& leaves, const LeafMasks& masks
 }
 
 namespace {
+/// With room for larger ones.
+CrownFrame frameOf(const std::vector<CrownPart>& parts) {
+    Bounds box = parts.front().mesh->bounds();
+    for (const CrownPart& part : parts) box = {glm::min(box.min, part.mesh->bounds().min), glm::max(box.max, part.mesh->bounds().max)};
+    return {glm::dvec3(box.min + box.max) / 2.0, 0.55 * glm::length(glm::dvec3(box.max - box.min))};
+}
+
+OrganMeshes resized(const OrganMeshes& meshes, double areas) {
+    OrganMeshes sized;
+    for (const auto& mesh : meshes) sized.push_back(mesh->resized(std::sqrt(areas)));
+    return sized;
+}
+
 /// In the size in which they cover as much as the whole.
 OrganMeshes fittingTo(const std::vector<CrownPart>& whole, const OrganMeshes& thinned, double treeHeight, const LeafMasks& masks, const Detail& detail,
                       const CProgress& progress) {
     if (whole.empty() || verticesOf(thinned) > kMaxVertices) return thinned;
-    Bounds box = whole.front().mesh->bounds();
-    for (const CrownPart& part : whole) box = {glm::min(box.min, part.mesh->bounds().min), glm::max(box.max, part.mesh->bounds().max)};
-    const CrownFrame frame{glm::dvec3(box.min + box.max) / 2.0, 0.55 * glm::length(glm::dvec3(box.max - box.min))}; // with room for larger ones
+    const CrownFrame frame = frameOf(whole);
     const double pixels = pixelsOf(frame, treeHeight, detail);
-    const auto resized = [&](double fit) {
-        OrganMeshes sized;
-        for (const auto& mesh : thinned) sized.push_back(mesh->resized(std::sqrt(fit)));
-        return sized;
-    };
     const CrownFit fit = fitTo(crownCover(whole, frame, pixels, progress), 1, [&](double areas) {
-        return crownCover(partsOf(resized(areas), masks, progress), frame, pixels, progress);
+        return crownCover(partsOf(resized(thinned, areas), masks, progress), frame, pixels, progress);
     });
-    return resized(fit.areas);
+    return resized(thinned, fit.areas);
 }
 } // namespace
 
@@ -106,10 +112,22 @@ OrganMeshes fittingLeaves(const OrganMeshes& thinned, const std::shared_ptr<cons
     return fittingTo(leafParts(all, nullptr, present, tree, params, masks, detailOf(Model::Full), progress), thinned, tree.height(), masks, detail, progress);
 }
 
-OrganMeshes fittingBlossoms(const OrganMeshes& thinned, const OrganMeshes& whole, double treeHeight, const CCutOut& mask, const Detail& detail,
-                            const CProgress& progress) {
-    const LeafMasks masks{mask};
-    return fittingTo(partsOf(whole, masks, progress), thinned, treeHeight, masks, detail, progress);
+OrganMeshes fittingBlossoms(const OrganMeshes& thinned, const OrganMeshes& whole, const CrownOrgans& crown, const CTree& tree, const LeafMasks& masks,
+                            const MeshParams& params, const Detail& detail, const CProgress& progress) {
+    constexpr double kPower = 0.8, kMost = 1.4; // by which of its area as much of a blossom is seen; what hangs out more than that is no blossom among leaves
+    const LeafMasks own{crown.blossomMask};
+    const std::vector<CrownPart> all = partsOf(whole, own, progress);
+    const OrganMeshes fitted = fittingTo(all, thinned, tree.height(), own, detail, progress);
+    const double present = crown.leaves ? double(crown.leaves->total) * params.seasonOf(Organ::Leaf).share : 0;
+    if (all.empty() || present < 1 || verticesOf(fitted) > kMaxVertices) return fitted;
+    const std::vector<CrownPart> now = partsOf(fitted, own, progress),
+                                 leaves = leafParts(crown.leaves, nullptr, present, tree, params, masks, detailOf(Model::Full, 1), progress);
+    const CrownFrame frame = frameOf(all);
+    const auto overAll = [&](const std::vector<CrownPart>& hiding) {
+        return seenOverSeen(now, all, hiding, frame, pixelsOf(frame, tree.height(), detail), progress);
+    };
+    const double more = overAll(leaves) / std::max(1e-6, overAll({}));
+    return resized(fitted, std::pow(std::clamp(more, 1 / kMost, kMost), -1 / kPower));
 }
 
 } // namespace stromar

@@ -46,7 +46,7 @@ using LeafMasks = std::array<CCutOut, kLeafKinds>;
 
 /// Of the whole tree: all, or some, evenly chosen (OrganDemand::max).
 struct CrownOrgans {
-    std::shared_ptr<const COrgans> leaves, blossoms; ///< null: no blossoms
+    std::shared_ptr<const COrgans> leaves, blossoms; ///< null: none
     CCutOut blossomMask;
 };
 
@@ -57,8 +57,9 @@ constexpr double kMeasuredLeaves = 250'000; ///< are enough to see how a crown l
 /// worth it: they come back as they are.
 OrganMeshes fittingLeaves(const OrganMeshes& thinned, const std::shared_ptr<const COrgans>& all, const CTree& tree, const LeafMasks& masks,
                           const MeshParams& params, const Detail& detail, const CProgress& progress);
-/// Likewise blossoms: `whole` is all of them as seen from near. `treeHeight` in metres.
-OrganMeshes fittingBlossoms(const OrganMeshes& thinned, const OrganMeshes& whole, double treeHeight, const CCutOut& mask, const Detail& detail,
-                            const CProgress& progress);
+/// Likewise blossoms: `whole` is all of them as seen from near. Fewer and larger ones hang out of the leaves: where `crown` has any, as much is seen
+/// of them between these.
+OrganMeshes fittingBlossoms(const OrganMeshes& thinned, const OrganMeshes& whole, const CrownOrgans& crown, const CTree& tree, const LeafMasks& masks,
+                            const MeshParams& params, const Detail& detail, const CProgress& progress);
 
 } // namespace stromar
