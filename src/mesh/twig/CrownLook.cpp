@@ -13,7 +13,7 @@ namespace stromar {
 
 namespace {
 constexpr int kSunCells = 2048;
-constexpr std::size_t kSeenPixels = 4096, kLookViews = 4;
+constexpr std::size_t kSeenPixels = 4096, kLookViews = 8;
 constexpr double kSunHeight = 51 * std::numbers::pi / 180;
 // Cells of the sun's view: by which a leaf is lifted out of its own shadow; over which shadows are soft, a radius. As the viewport's.
 constexpr double kLift = 1.5, kDisc = 2.5;

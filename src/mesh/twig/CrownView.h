@@ -32,10 +32,10 @@ struct CrownPart {
 /// The share of pictures from eight sides that is covered, where so many pixels show the ball's diameter: cut-outs are as soft as the viewport
 /// draws them.
 double crownCover(const std::vector<CrownPart>& parts, const CrownFrame& frame, double pixels, const CProgress& progress);
-/// How many times as much is seen of one as of the other, each among what hides it, from four sides.
+/// How many times as much is seen of one as of the other, each among what hides it, from eight sides.
 double seenOverSeen(const std::vector<CrownPart>& one, const std::vector<CrownPart>& other, const std::vector<CrownPart>& hiding, const CrownFrame& frame,
                     double pixels, const CProgress& progress);
-/// How what is seen from four sides lies in the light of one sun, where so many pixels show the ball's diameter.
+/// How what is seen from eight sides lies in the light of one sun, where so many pixels show the ball's diameter.
 /// Takes 100 MB at most while it looks.
 CrownLook crownLook(const std::vector<CrownPart>& parts, const CrownFrame& frame, double pixels, const CProgress& progress);
 

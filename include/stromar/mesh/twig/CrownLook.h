@@ -36,7 +36,7 @@ struct LitPlace {
 /// What shows in a pixel: up to four places.
 using SeenPixel = std::vector<LitPlace>;
 
-/// What is seen of a crown, with the wood and the blossoms between its leaves, from four sides where cards take over, in the light of a sun that stands as the viewport's does at ten o'clock.
+/// What is seen of a crown, with the wood and the blossoms between its leaves, from eight sides where cards take over, in the light of a sun that stands as the viewport's does at ten o'clock.
 struct CrownLook {
     glm::vec3 sun{0, 0, 1};        ///< towards it
     std::vector<SeenPixel> pixels; ///< about four thousand, evenly chosen: of fewer, chance decides how much sun is seen
