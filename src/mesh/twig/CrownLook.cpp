@@ -200,19 +200,25 @@ double seenOverSeen(const std::vector<CrownPart>& one, const std::vector<CrownPa
 CrownLook crownLook(const std::vector<CrownPart>& parts, const CrownFrame& frame, double pixels, const CProgress& progress) {
     const glm::dvec3 sun = directionTo(0, kSunHeight);
     const int cells = static_cast<int>(std::clamp(CCrownView::kSamples * pixels, kViewCells / 2.0, 2.0 * kViewCells));
-    std::vector<CCrownView> views{CCrownView(frame, sun, kSunCells, false)};
-    for (std::size_t i = 0; i < kLookViews; ++i) views.emplace_back(frame, sideOf(i, kLookViews), cells);
-    forEachOf(views.size(), progress, [&](std::size_t i) { views[i].draw(parts, progress); });
+    CCrownView shadows(frame, sun, kSunCells, false);
     const CRoom room(parts);
-    constexpr std::size_t kOfSide = kSeenPixels / kLookViews;
     CrownLook look{glm::vec3(sun), std::vector<SeenPixel>(kSeenPixels)};
-    forEachOf(kLookViews, progress, [&](std::size_t i) {
-        const glm::vec3 toViewer(sideOf(i, kLookViews));
-        views[i + 1].forEachSeen(kOfSide, [&](std::size_t pixel, const glm::dvec3& place, const Facing& facing) {
-            const float sunVisibility = views.front().seenOf(place, glm::dvec3(facing.normal));
-            look.pixels[i * kOfSide + pixel].push_back({facing.normal, toViewer, sunVisibility, room.skyVisibilityAt(place), facing.back, facing.behind, facing.layer});
+    const auto read = [&](const CCrownView& view, std::size_t side) {
+        constexpr std::size_t kOfSide = kSeenPixels / kLookViews;
+        const glm::vec3 toViewer(sideOf(side, kLookViews));
+        view.forEachSeen(kOfSide, [&](std::size_t pixel, const glm::dvec3& place, const Facing& facing) {
+            const float sunVisibility = shadows.seenOf(place, glm::dvec3(facing.normal));
+            look.pixels[side * kOfSide + pixel].push_back({facing.normal, toViewer, sunVisibility, room.skyVisibilityAt(place), facing.back, facing.behind, facing.layer});
         });
-    });
+    };
+    constexpr std::size_t kAtOnce = 4; // for their memory
+    for (std::size_t first = 0; first < kLookViews; first += kAtOnce) {
+        std::vector<CCrownView> views;
+        for (std::size_t i = 0; i < kAtOnce; ++i) views.emplace_back(frame, sideOf(first + i, kLookViews), cells);
+        const std::size_t shadowsToo = first == 0 ? 1 : 0;
+        forEachOf(kAtOnce + shadowsToo, progress, [&](std::size_t i) { (i < kAtOnce ? views[i] : shadows).draw(parts, progress); });
+        forEachOf(kAtOnce, progress, [&](std::size_t i) { read(views[i], first + i); });
+    }
     return look;
 }
 
