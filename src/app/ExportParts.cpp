@@ -13,8 +13,12 @@
 #include "stromar/util/Translatable.h"
 #include <algorithm>
 #include <cassert>
+#include <cmath>
+#include <cstdint>
+#include <cstring>
 #include <glm/geometric.hpp>
 #include <optional>
+#include <type_traits>
 #include <utility>
 
 namespace stromar {
@@ -155,12 +159,29 @@ Instances placesOf(const COrganMesh& organs, const Arrangement& arrangement, flo
     return all;
 }
 
-/// What the first vertex of each instance carries; its name is one of the program's own, as those of instances have to be.
+template <typename Value> std::string meansOfInstances(const VertexChannel& channel, const COrganMesh& organs) {
+    const auto components = static_cast<std::size_t>(channel.components);
+    const std::size_t points = organs.blade().points.size();
+    std::vector<Value> all(channel.bytes.size() / sizeof(Value));
+    std::memcpy(all.data(), channel.bytes.data(), all.size() * sizeof(Value));
+    std::string means;
+    for (std::size_t i = 0; i < organs.count(); ++i)
+        for (std::size_t c = 0; c < components; ++c) {
+            double sum = 0;
+            for (std::size_t point = i * points; point < (i + 1) * points; ++point) sum += double(all[point * components + c]);
+            const double mean = sum / double(points);
+            const auto value = static_cast<Value>(std::is_integral_v<Value> ? std::round(mean) : mean);
+            means.append(reinterpret_cast<const char*>(&value), sizeof value);
+        }
+    return means;
+}
+
+/// The mean of what the vertices of each instance carry; its name is one of the program's own, as those of instances have to be.
 VertexChannel channelOfInstances(const VertexChannel& channel, const COrganMesh& organs) {
-    VertexChannel own{channel.name.starts_with('_') ? channel.name : "_" + channel.name, channel.type, channel.components, {}};
-    const std::size_t bytes = channel.bytes.size() / organs.vertexCount(), points = organs.blade().points.size();
-    for (std::size_t i = 0; i < organs.count(); ++i) own.bytes.append(channel.bytes, i * points * bytes, bytes);
-    return own;
+    assert(channel.type != VertexChannel::Type::Short && "joints have no mean");
+    const bool bytes = channel.type == VertexChannel::Type::Byte;
+    return {channel.name.starts_with('_') ? channel.name : "_" + channel.name, channel.type, channel.components,
+            bytes ? meansOfInstances<std::uint8_t>(channel, organs) : meansOfInstances<float>(channel, organs)};
 }
 } // namespace
 
