@@ -89,15 +89,20 @@ glm::dvec3 CCardLight::colourOf(const LitPlace& place, const MeanLook& look, Und
     return pictured || !place.behind ? colour : 1.15 * glm::mix(colour, glm::dvec3(glm::dot(colour, glm::dvec3(0.3, 0.6, 0.1))), 0.25);
 }
 
+namespace {
+/// A card's picture shows the wood of its twig as leaf.
+bool showsBark(CrownLayer layer, bool onCards) { return layer == CrownLayer::OtherWood || (layer == CrownLayer::Wood && !onCards); }
+} // namespace
+
 const MeanLook& CCardLight::lookOf(CrownLayer layer, const MeanLook& leaf, const Shares* cards) const {
     if (layer == CrownLayer::Blossom) return m_blossom;
-    return layer == CrownLayer::OtherWood || (layer == CrownLayer::Wood && !cards) ? m_bark : leaf;
+    return showsBark(layer, cards) ? m_bark : leaf;
 }
 
 glm::dvec3 CCardLight::tintOf(const LitPlace& place, const Shares* cards) const {
     constexpr double kLeastOpen = 0.35; // as in the fragments
     if (place.layer == CrownLayer::Blossom) return kLeafTint;
-    if (place.layer == CrownLayer::OtherWood || (place.layer == CrownLayer::Wood && !cards)) return glm::dvec3(1);
+    if (showsBark(place.layer, cards)) return glm::dvec3(1);
     return kLeafTint * sunAndShadeAt(std::max(0.0, (double(place.skyVisibility) - kLeastOpen) / (1 - kLeastOpen)), m_sunAndShade);
 }
 

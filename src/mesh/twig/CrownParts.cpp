@@ -114,7 +114,8 @@ OrganMeshes fittingLeaves(const OrganMeshes& thinned, const std::shared_ptr<cons
 
 OrganMeshes fittingBlossoms(const OrganMeshes& thinned, const OrganMeshes& whole, const CrownOrgans& crown, const CTree& tree, const LeafMasks& masks,
                             const MeshParams& params, const Detail& detail, const CProgress& progress) {
-    constexpr double kPower = 0.8, kMost = 1.4; // by which of its area as much of a blossom is seen; what hangs out more than that is no blossom among leaves
+    constexpr double kPower = 0.8; // of its area that is seen of a blossom among leaves
+    constexpr double kMost = 1.4;  // how many times as much may be seen of larger ones
     const LeafMasks own{crown.blossomMask};
     const std::vector<CrownPart> all = partsOf(whole, own, progress);
     const OrganMeshes fitted = fittingTo(all, thinned, tree.height(), own, detail, progress);

@@ -68,24 +68,32 @@ std::shared_ptr<const CMesh> woodOfTwigs(const std::vector<LeafyTwig>& twigs, co
     return mesh;
 }
 
-std::shared_ptr<const CMesh> woodBeside(const StemSet& twigs, const CTree& tree, double minRadius) {
-    std::vector<const CSegment*> all;
+namespace {
+template <typename Visit> void forEachSegmentBeside(const StemSet& twigs, const CTree& tree, Visit&& visit) {
     for (std::uint32_t g = 0; g < tree.generationCount(); ++g) {
         const CGeneration& generation = tree.generation(g);
         for (std::uint32_t s = 0; s < generation.stems.size(); ++s) {
             if (twigs.has(g, s)) continue;
             const CStem& stem = generation.stems[s];
             for (std::size_t path = stem.firstPath; path < stem.firstPath + stem.pathCount; ++path)
-                for (const CSegment& segment : generation.segmentsOf(generation.paths[path])) all.push_back(&segment);
+                for (const CSegment& segment : generation.segmentsOf(generation.paths[path])) visit(segment);
         }
     }
-    const std::size_t count = std::min(all.size(), kMaxPrisms);
-    const double wider = double(all.size()) / double(std::max<std::size_t>(1, count));
+}
+} // namespace
+
+std::shared_ptr<const CMesh> woodBeside(const StemSet& twigs, const CTree& tree, double minRadius) {
+    std::size_t total = 0;
+    forEachSegmentBeside(twigs, tree, [&](const CSegment&) { ++total; });
+    const std::size_t count = std::min(total, kMaxPrisms);
+    const double wider = double(total) / double(std::max<std::size_t>(1, count));
     const auto mesh = allocateMesh("wood", Surface::Bark, 0, 0);
-    for (std::size_t i = 0; i < count; ++i) {
-        const CSegment& segment = *all[evenly(i, count, all.size())];
+    std::size_t next = 0, chosen = 0;
+    forEachSegmentBeside(twigs, tree, [&](const CSegment& segment) {
+        if (chosen == count || next++ != evenly(chosen, count, total)) return;
         addPrism(segment, segment, minRadius, wider, *mesh);
-    }
+        ++chosen;
+    });
     return mesh;
 }
 

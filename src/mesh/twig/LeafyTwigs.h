@@ -20,7 +20,7 @@ double leavesOn(const std::vector<LeafyTwig>& twigs);
 /// It has no texture coordinates. Of more than 100,000 paths some, which are wider, stand for all: less than 100 MB.
 std::shared_ptr<const CMesh> woodOfTwigs(const std::vector<LeafyTwig>& twigs, const CTree& tree, double minRadius);
 
-/// That of all other stems, a prism for each segment; no more than 100,000.
+/// That of all other stems, a prism for each segment; of more than 100,000 some, which are wider, stand for all: less than 25 MB.
 std::shared_ptr<const CMesh> woodBeside(const StemSet& twigs, const CTree& tree, double minRadius);
 
 /// Finds what is seen of the crown and of its cards (Twig::crown, cards, cardFit).
