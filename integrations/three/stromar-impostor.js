@@ -70,11 +70,11 @@ void addView(vec2 frame, float weight, vec3 ray, vec2 dx, vec2 dy, inout vec4 co
     basis(towards, right, up);
     float slope = min(-0.05, dot(ray, towards)), depth = 0.0;
     vec2 inFrame, uv;
-    for (int i = 0; i < 3; ++i) {
+    for (int i = 0; i < 4; ++i) {
         vec3 place = vOrigin + ray * (depth - dot(vOrigin, towards)) / slope;
         inFrame = 0.5 + 0.5 * vec2(dot(place, right), -dot(place, up));
         uv = (frame + clamp(inFrame, 0.5 / framePixels, 1.0 - 0.5 / framePixels)) / frames;
-        if (i < 2) depth = 2.0 * textureGrad(normalDepth, uv, dx, dy).a - 1.0;
+        if (i < 3) depth = mix(depth, 2.0 * textureGrad(normalDepth, uv, dx, dy).a - 1.0, i > 0 ? 0.7 : 1.0);
     }
     if (clamp(inFrame, 0.0, 1.0) != inFrame) return;
     vec4 seen = textureGrad(albedo, uv, dx, dy);

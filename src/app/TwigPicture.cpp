@@ -19,7 +19,7 @@ namespace fs = std::filesystem;
 namespace {
 constexpr int kSize = 512;
 constexpr int kSamples = 3;               // of a pixel, each way
-constexpr std::uint64_t kTwigVersion = 17; // rises when the same twig is drawn differently
+constexpr std::uint64_t kTwigVersion = 18; // rises when the same twig is drawn differently
 constexpr float kWoodRoughness = 0.85f, kLeafRoughness = 0.6f, kLeafThrough = 0.6f;
 
 /// What one surface shows at a place.

@@ -103,7 +103,7 @@ Difference differenceFrom(const CImpostorCamera& camera, const ImpostorAtlas& at
 }
 
 std::vector<std::string> trees() {
-    std::vector<std::string> names{"quaking_aspen", "norway_spruce"};
+    std::vector<std::string> names{"quaking_aspen", "norway_spruce", "hop"};
     if (std::getenv("STROMAR_ALL_TREES"))
         for (const Sample& sample : presets())
             if (!sample.name.starts_with("abop") && std::ranges::find(names, sample.name) == names.end()) names.push_back(sample.name);

@@ -65,4 +65,13 @@ TEST(LSystemMesh, FiguresAreSoundAtEveryLevelOfDetail) {
     }
 }
 
+TEST(LSystemMesh, AStraightStemThinsWhereItsWidthDoesAtEveryLevelOfDetail) {
+    const CWord word = CRewriter(parseGrammar("axiom: !(10)F(1)F(1)!(3)F(1)F(1)F(1)F(1)F(1)F(1)F(1)!(1)F(1)"), 1).derive(0, CProgress());
+    const auto generations = stemsOf(word, interpret(word, {.lengthUnit = 1, .widthUnit = 0.03}, CProgress()), CProgress());
+    const CTree tree(10, {generations.begin(), generations.end()});
+    const auto volumeAt = [&](const Detail& detail) { return signedVolume(*meshAllStems(tree, {}, detail, CProgress()).front().mesh); };
+    const double full = volumeAt(detailOf(Model::Full));
+    for (const Detail& detail : detailTable()) EXPECT_NEAR(volumeAt(detail), full, 0.2 * full) << detail.name;
+}
+
 } // namespace stromar::test

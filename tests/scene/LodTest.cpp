@@ -20,8 +20,10 @@ constexpr int kSamples = 4;
 constexpr double kPitch = 5;            // degrees
 constexpr double kMaxCoverage = 0.05;   // of change
 constexpr double kMaxColour = 3;        // ΔE, CIE76
+/// But for bare trees of many thin sticks, of which a fifth as thick as all shade one another less.
+constexpr std::pair<std::string_view, double> kLargerColours[] = {{"abop_2_8b", 3.8}, {"abop_2_8c", 4.3}};
 
-/// All of them take a quarter of an hour.
+/// All of them take half an hour.
 bool allAreWanted() { return std::getenv("STROMAR_ALL_TREES") != nullptr; }
 
 /// Of a tree on nothing.
@@ -95,9 +97,13 @@ private:
 std::vector<std::string> trees() {
     if (!allAreWanted()) return {"quaking_aspen", "apple", "wild_cherry", "horse_chestnut", "coconut_palm", "hazel", "bamboo", "strand_acacia"};
     std::vector<std::string> names;
-    for (const Sample& sample : presets())
-        if (!sample.name.starts_with("abop")) names.push_back(sample.name);
+    for (const Sample& sample : presets()) names.push_back(sample.name);
     return names;
+}
+
+double maxColourOf(std::string_view tree) {
+    const auto own = std::ranges::find_if(kLargerColours, [&](const auto& larger) { return larger.first == tree; });
+    return own == std::end(kLargerColours) ? kMaxColour : own->second;
 }
 
 std::string nameOf(const ::testing::TestParamInfo<std::string>& one) { return one.param; }
@@ -117,7 +123,7 @@ TEST_P(LevelsOfDetail, DoNotPop) {
         const Seen before = eye.look(fine, cameras, side), after = eye.look(coarse, cameras, side);
         const double coverage = after.covered / before.covered - 1, colour = glm::distance(before.lab(), after.lab());
         EXPECT_LE(std::abs(coverage), kMaxCoverage) << "to level " << lod;
-        EXPECT_LE(colour, kMaxColour) << "to level " << lod;
+        EXPECT_LE(colour, maxColourOf(GetParam())) << "to level " << lod;
         fine = std::move(coarse);
     }
 }

@@ -18,6 +18,7 @@ struct Detail {
     double maxTurn;       ///< degrees between rings of a stem as thick as the trunk, thinner ones bend more; 0: mitres
     double minTurn;      ///< degrees, likewise: rings between smaller turns are left out; 0 draws all
     double maxSag;       ///< parts of the tree's height: bends that stand out less between two rings, or rows of a card, are left out
+    double maxTaperError; ///< parts of its radius by which a trunk, thinner stems more, may differ from a cone between two rings: else none is left out
     int helixRings;        ///< per turn of a helix
     int smoothGenerations; ///< the first so many get rings between their segments' ends
     int collarRings;       ///< between a parent's surface and a branch's own rings

@@ -8,7 +8,8 @@
 namespace stromar {
 
 namespace {
-constexpr int kSteps = 3; // along a ray to the depth that a view says
+constexpr int kSteps = 4;        // along a ray to the depth that a view says
+constexpr double kOnTheWay = 0.7; // it after the first: of a narrow crown seen from above they would go to and fro
 
 const std::array<double, 256>& lightOfBytes() {
     static const auto table = [] {
@@ -62,7 +63,7 @@ ImpostorSample sampleAlong(const ImpostorAtlas& atlas, const glm::dvec3& origin,
             const glm::dvec3 place = origin + ray * ((depth - glm::dot(origin, view.towards)) / slope);
             inFrame = 0.5 + 0.5 * glm::dvec2(glm::dot(place, view.right), -glm::dot(place, view.up));
             pixel = glm::dvec2(share.column, share.row) * double(atlas.frame) + glm::clamp(inFrame * double(atlas.frame), 0.5, atlas.frame - 0.5);
-            if (i + 1 < kSteps) depth = depthOf(atlas.picture, pixel);
+            if (i + 1 < kSteps) depth = glm::mix(depth, depthOf(atlas.picture, pixel), i > 0 ? kOnTheWay : 1.0);
         }
         if (glm::clamp(inFrame, 0.0, 1.0) != inFrame) continue;
         const ImpostorSample one = sampleOf(atlas.picture, pixel);

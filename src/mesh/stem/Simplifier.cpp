@@ -1,6 +1,7 @@
 #include "stem/Simplifier.h"
 #include <algorithm>
 #include <cmath>
+#include <glm/common.hpp>
 #include <glm/geometric.hpp>
 #include <numbers>
 
@@ -135,11 +136,14 @@ bool CSimplifier::addRings(const CStem& stem, const CPath& path, double start, T
         const Ring ring{segment, tube.points, place};
         if (alongOf(ring) > m_clear) addRing(stem, tube, discAt(stem, ring), needed, plan);
     };
+    const auto radiusAbove = [&, own = m_generation.segmentsOf(path)](std::uint32_t i) { // that is drawn: the width of an L-system's stem jumps at nodes
+        return i + 1 < path.segmentCount ? own[i + 1].radiusBase : own[i].radiusEnd;
+    };
     Bend left;
     for (std::uint32_t i = addFirstRings(stem, path, start, tube, plan); i < path.segmentCount; ++i) {
         const std::uint32_t segment = path.firstSegment + i;
         const bool forks = i > 0 && m_line.forksBelow(segment);
-        if (i > 0 && !(forks && addFork(stem, tube, segment, plan)) && !isLeftOut(stem, segment, left))
+        if (i > 0 && !(forks && addFork(stem, tube, segment, plan)) && !isLeftOut(stem, segment, radiusAbove(i), left))
             add(segment, 0, forks);
         if (m_smooth) addBetween(stem, segment, add);
         if (i + 1 == path.segmentCount) add(segment, 1, true);
@@ -285,15 +289,19 @@ double CSimplifier::alongOf(const Ring& ring) const {
     return segment.start + ring.t * segment.length;
 }
 
-/// Whether a ring between segments changes too little to be drawn.
-bool CSimplifier::isLeftOut(const CStem& stem, std::uint32_t segment, Bend& left) const {
-    const CSegment& above = m_generation.segments[segment];
+/// Whether a ring between segments changes too little to be drawn; `radiusAbove`: of the next one.
+bool CSimplifier::isLeftOut(const CStem& stem, std::uint32_t segment, double radiusAbove, Bend& left) const {
+    const CSegment &below = m_generation.segments[segment - 1], &above = m_generation.segments[segment];
+    if (left.length == 0) left.radius = below.radiusBase;
     left.turn += m_line.turnBelow(segment);
-    left.length += m_generation.segments[segment - 1].length;
+    left.length += below.length;
     const bool bends = left.turn >= turnOf(stem, m_detail.minTurn) ||
                        left.turn * above.length > 2 * above.radiusBase; // the chord would leave the wood
     const double sag = left.turn * (left.length + above.length) / 8; // of an arc
-    const bool needed = m_line.forksBelow(segment) || m_surface.uneven(stem) || above.helixRadius > m_maxSag || (bends && sag >= m_maxSag);
+    const double ofCone = glm::mix(left.radius, radiusAbove, left.length / (left.length + above.length));
+    const double maxTaperError = m_detail.maxTaperError * above.radiusBase / std::max(1e-6, m_surface.thickness(stem.radius));
+    const bool offCone = std::abs(above.radiusBase - ofCone) > maxTaperError;
+    const bool needed = m_line.forksBelow(segment) || m_surface.uneven(stem) || above.helixRadius > m_maxSag || (bends && sag >= m_maxSag) || offCone;
     if (needed) left = {};
     return !needed;
 }

@@ -57,8 +57,9 @@ private:
     /// Since the last ring.
     struct Bend {
         double turn = 0, length = 0; ///< radians; metres
+        double radius = 0;           ///< of the last ring, metres
     };
-    bool isLeftOut(const CStem& stem, std::uint32_t segment, Bend& left) const;
+    bool isLeftOut(const CStem& stem, std::uint32_t segment, double radiusAbove, Bend& left) const;
 
     void halvePoints(const CStem& stem, const Tube& tube, MeshPlan& plan) const;
     bool canHalve(const CStem& stem, std::uint32_t points, const Ring& ring) const;

@@ -9,8 +9,8 @@ namespace {
 constexpr std::size_t kMaxStems = 64;  // of a subtree, a branch with all that grows on it, that may be left out
 constexpr double kMaxRadius = 0.002;   // likewise, of the tree's height: a fifth of a pixel where the last level of detail is shown
 // Likewise, of a bare tree of so many thin stems that this leaves too many triangles: more than so many, and than this part of those at LOD 0.
-constexpr double kMaxRadiusOfMany = 0.004, kLeastShareOfMany = 0.23, kTooMany = 2 * kFewWoodTriangles, kTooLarge = 0.055;
-constexpr double kOverlap = 1.04; // of those few that are as thick as all: they hide more of one another
+constexpr double kMaxRadiusOfMany = 0.004, kLeastShareOfMany = 0.222, kTooMany = 2 * kFewWoodTriangles, kTooLarge = 0.055;
+constexpr double kOverlap = 1.025, kOverlapOfMany = 1.04; // of those few that are as thick as all: they hide more of one another
 constexpr std::size_t kSampled = 2000; // stems of a generation that tell how many triangles all have at LOD 0
 constexpr std::size_t kAllStems = ~std::size_t{0};
 
@@ -153,7 +153,7 @@ StemChoice chooseStems(const CTree& tree, const MeshParams& params, const Detail
     const double budget = joined ? wanted : std::max(wanted, 3.0 * kFewWoodTriangles);
     const PerStem<std::size_t> sizes = joined ? PerStem<std::size_t>() : stemsOn(tree);
     Subtrees subtrees;
-    double share = 0, overlap = 1, least = joined ? detail.share : kLeastShareOfThinBranches;
+    double share = 0, overlap = joined ? 1 : kOverlap, least = joined ? detail.share : kLeastShareOfThinBranches;
     const auto look = [&](std::size_t most, double thin) {
         subtrees = subtreesThatMayGo(tree, [&](std::size_t g, std::size_t s) {
             return g == last || (!joined && sizes[g][s] <= most && tree.generation(g).stems[s].radius <= thin * tree.height());
@@ -166,7 +166,7 @@ StemChoice chooseStems(const CTree& tree, const MeshParams& params, const Detail
     for (std::size_t most = 2; !joined && most <= kMaxStems && share < least; most *= 2) kept = look(most, kMaxRadius);
     if (!joined && kept > std::max(3 * kTooMany, kTooLarge * (full.stems + full.collars))) {
         least = kLeastShareOfMany;
-        overlap = kOverlap;
+        overlap = kOverlapOfMany;
         look(kMaxStems, kMaxRadiusOfMany);
     }
     if (share >= 1) return choice;

@@ -118,16 +118,32 @@ double pixelsOf(const CrownFrame& frame, double height, const Detail& detail) {
     return kScreenHeight * kScreenCoverage[static_cast<std::size_t>(detail.lod) - 1] * 2 * frame.radius / std::max(height, 0.01 * frame.radius);
 }
 
-double crownCover(const std::vector<CrownPart>& parts, const CrownFrame& frame, double pixels, const CProgress& progress) {
+class CCrownCover::CBackground {
+public:
+    std::vector<CCrownOutline> outlines; ///< a side each
+};
+
+CCrownCover::CCrownCover(const CrownFrame& frame, double pixels, const std::vector<CrownPart>& background, const CProgress& progress)
+    : m_progress(progress) {
     constexpr double kPerPixel = 1.25;
     const int cells = static_cast<int>(std::clamp(kPerPixel * pixels, kViewCells / 2.0, double(kViewCells)));
+    m_cells = double(cells) * cells;
+    auto own = std::make_unique<CBackground>();
+    for (std::size_t i = 0; i < kCoverViews; ++i) own->outlines.emplace_back(frame, sideOf(i, kCoverViews), cells, pixels);
+    forEachOf(kCoverViews, progress, [&](std::size_t i) { own->outlines[i].draw(background, progress); });
+    m_background = std::move(own);
+}
+
+CCrownCover::~CCrownCover() = default;
+
+double CCrownCover::with(const std::vector<CrownPart>& parts) const {
     std::array<double, kCoverViews> covered{};
-    forEachOf(kCoverViews, progress, [&](std::size_t i) {
-        CCrownOutline outline(frame, sideOf(i, kCoverViews), cells, pixels);
-        outline.draw(parts, progress);
+    forEachOf(kCoverViews, m_progress, [&](std::size_t i) {
+        CCrownOutline outline = m_background->outlines[i];
+        outline.draw(parts, m_progress);
         covered[i] = outline.count();
     });
-    return std::accumulate(covered.begin(), covered.end(), 0.0) / (double(kCoverViews) * cells * cells);
+    return std::accumulate(covered.begin(), covered.end(), 0.0) / (double(kCoverViews) * m_cells);
 }
 
 } // namespace stromar

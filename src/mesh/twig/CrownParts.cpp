@@ -1,6 +1,7 @@
 #include "foliage/Foliage.h"
 #include "foliage/LeafBlade.h"
 #include "twig/CrownView.h"
+#include "twig/LeafyTwigs.h"
 #include <algorithm>
 #include <array>
 #include <cmath>
@@ -70,6 +71,10 @@ std::vector<CrownPart> blossomParts(const CrownOrgans& organs, const CTree& tree
     return {{own.expanded(progress), &organs.blossomMask, nullptr, CrownLayer::Blossom}};
 }
 
+CrownPart otherWood(const StemSet& twigs, const CTree& tree, double minRadius) {
+    return {woodBeside(twigs, tree, minRadius), nullptr, nullptr, CrownLayer::OtherWood};
+}
+
 std::vector<CrownPart> partsOf(const OrganMeshes& leaves, const LeafMasks& masks, const CProgress& progress) {
     std::vector<CrownPart> parts;
     if (verticesOf(leaves) > kMaxVertices) return parts;
@@ -92,15 +97,13 @@ OrganMeshes resized(const OrganMeshes& meshes, double areas) {
     return sized;
 }
 
-/// In the size in which they cover as much as the whole.
-OrganMeshes fittingTo(const std::vector<CrownPart>& whole, const OrganMeshes& thinned, double treeHeight, const LeafMasks& masks, const Detail& detail,
-                      const CProgress& progress) {
+/// In the size in which they cover as much as the whole: beside the wood, for what lies before or behind it covers nothing.
+OrganMeshes fittingTo(const std::vector<CrownPart>& whole, const OrganMeshes& thinned, const CTree& tree, double minRadius, const LeafMasks& masks,
+                      const Detail& detail, const CProgress& progress) {
     if (whole.empty() || verticesOf(thinned) > kMaxVertices) return thinned;
     const CrownFrame frame = frameOf(whole);
-    const double pixels = pixelsOf(frame, treeHeight, detail);
-    const CrownFit fit = fitTo(crownCover(whole, frame, pixels, progress), 1, [&](double areas) {
-        return crownCover(partsOf(resized(thinned, areas), masks, progress), frame, pixels, progress);
-    });
+    const CCrownCover cover(frame, pixelsOf(frame, tree.height(), detail), {otherWood({}, tree, minRadius)}, progress);
+    const CrownFit fit = fitTo(cover.with(whole), 1, [&](double areas) { return cover.with(partsOf(resized(thinned, areas), masks, progress)); });
     return resized(thinned, fit.areas);
 }
 } // namespace
@@ -109,7 +112,7 @@ OrganMeshes fittingLeaves(const OrganMeshes& thinned, const std::shared_ptr<cons
                           const MeshParams& params, const Detail& detail, const CProgress& progress) {
     const double present = double(all->grown.size()) * params.seasonOf(Organ::Leaf).share;
     if (present < 1 || double(all->grown.size()) > kMeasuredLeaves || verticesOf(thinned) > kMaxVertices) return thinned;
-    return fittingTo(leafParts(all, nullptr, present, tree, params, masks, detailOf(Model::Full), progress), thinned, tree.height(), masks, detail, progress);
+    return fittingTo(leafParts(all, nullptr, present, tree, params, masks, detailOf(Model::Full), progress), thinned, tree, params.minRadius, masks, detail, progress);
 }
 
 OrganMeshes fittingBlossoms(const OrganMeshes& thinned, const OrganMeshes& whole, const CrownOrgans& crown, const CTree& tree, const LeafMasks& masks,
@@ -118,7 +121,7 @@ OrganMeshes fittingBlossoms(const OrganMeshes& thinned, const OrganMeshes& whole
     constexpr double kMost = 1.4;  // how many times as much may be seen of larger ones
     const LeafMasks own{crown.blossomMask};
     const std::vector<CrownPart> all = partsOf(whole, own, progress);
-    const OrganMeshes fitted = fittingTo(all, thinned, tree.height(), own, detail, progress);
+    const OrganMeshes fitted = fittingTo(all, thinned, tree, params.minRadius, own, detail, progress);
     const double present = crown.leaves ? double(crown.leaves->total) * params.seasonOf(Organ::Leaf).share : 0;
     if (all.empty() || present < 1 || verticesOf(fitted) > kMaxVertices) return fitted;
     const std::vector<CrownPart> now = partsOf(fitted, own, progress),

@@ -6,6 +6,7 @@
 #include <array>
 #include <cmath>
 #include <glm/mat3x3.hpp>
+#include <memory>
 #include <vector>
 
 namespace stromar {
@@ -29,9 +30,24 @@ struct CrownPart {
     const CCutOut* cutOut() const { return twig ? &twig->cutOut() : leaf; } ///< none: all is there
 };
 
-/// The share of pictures from eight sides that is covered, where so many pixels show the ball's diameter: cut-outs are as soft as the viewport
-/// draws them.
-double crownCover(const std::vector<CrownPart>& parts, const CrownFrame& frame, double pixels, const CProgress& progress);
+/// What a crown covers of pictures from eight sides, where so many pixels show the ball's diameter: cut-outs are as soft as the viewport draws them.
+class CCrownCover {
+public:
+    /// `background`: what is there whatever else is, drawn once.
+    CCrownCover(const CrownFrame& frame, double pixels, const std::vector<CrownPart>& background, const CProgress& progress);
+    ~CCrownCover();
+
+    /// The share of the pictures that is covered by these parts and the background. Throws CCancelled.
+    double with(const std::vector<CrownPart>& parts) const;
+
+private:
+    class CBackground;
+
+    const CProgress& m_progress;
+    std::unique_ptr<const CBackground> m_background;
+    double m_cells = 0; ///< of a picture
+};
+
 /// How many times as much is seen of one as of the other, each among what hides it, from eight sides.
 double seenOverSeen(const std::vector<CrownPart>& one, const std::vector<CrownPart>& other, const std::vector<CrownPart>& hiding, const CrownFrame& frame,
                     double pixels, const CProgress& progress);
@@ -47,6 +63,9 @@ std::vector<CrownPart> leafParts(const std::shared_ptr<const COrgans>& leaves, c
 /// Likewise the blossoms that the season left; none where there are none.
 std::vector<CrownPart> blossomParts(const CrownOrgans& organs, const CTree& tree, const MeshParams& params, const Detail& detail, const CProgress& progress);
 
+/// The wood of all stems but twigs that cards stand for (woodBeside()).
+CrownPart otherWood(const StemSet& twigs, const CTree& tree, double minRadius);
+
 /// None where they have more than two million vertices: those of large trees would take too much memory.
 std::vector<CrownPart> partsOf(const OrganMeshes& leaves, const LeafMasks& masks, const CProgress& progress);
 
@@ -57,8 +76,8 @@ struct CrownFit {
 
 /// For something to cover as much as is wanted: by secants from `start`.
 template <typename CoverAt> CrownFit fitTo(double wanted, double start, CoverAt&& coverAt) {
-    constexpr int kSteps = 3;
-    constexpr double kGood = 0.01, kMin = 0.4, kMax = 2.5, kMinSlope = 0.2;
+    constexpr int kSteps = 4;
+    constexpr double kGood = 0.003, kMin = 0.4, kMax = 2.5, kMinSlope = 0.2;
     CrownFit fit{start, coverAt(start)};
     double slope = 0.6; // by which power of its area a crown covers more
     for (int i = 0; i < kSteps && fit.covered > 0 && std::abs(fit.covered / wanted - 1) > kGood; ++i) {

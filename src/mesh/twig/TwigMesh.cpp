@@ -202,7 +202,7 @@ namespace {
 class CCrown {
 public:
     CCrown(const StemSet& twigs, const CTree& tree, const COrgans& leaves, const MeshParams& params, const Twig& typical, const CProgress& progress)
-        : m_twigs(leafyTwigs(twigs, tree, leaves, params.seasonOf(Organ::Leaf).share)), m_tree(tree), m_twig(typical),
+        : m_all(twigs), m_twigs(leafyTwigs(twigs, tree, leaves, params.seasonOf(Organ::Leaf).share)), m_tree(tree), m_twig(typical),
           m_rounding(roundingOf(tree, leaves, params.leaf)), m_mask(typical), m_minRadius(params.minRadius), m_progress(progress) {
         const std::shared_ptr<const CMesh> ends = bases();
         const Bounds box = ends->bounds();
@@ -224,9 +224,9 @@ public:
         return leaves;
     }
     /// What is seen beside twigs or their cards.
-    std::vector<CrownPart> partsBeside(const StemSet& twigs, const CrownOrgans& organs, const MeshParams& params) const {
+    std::vector<CrownPart> partsBeside(const CrownOrgans& organs, const MeshParams& params) {
         std::vector<CrownPart> parts = blossomParts(organs, m_tree, params, detailOf(Model::Full, 1), m_progress);
-        parts.push_back({woodBeside(twigs, m_tree, m_minRadius), nullptr, nullptr, CrownLayer::OtherWood});
+        parts.push_back(wood());
         return parts;
     }
     std::vector<CrownPart> cardsAlone(const CardPlan& plan, double fit) const { return {{cards(plan, fit), nullptr, &m_mask}}; }
@@ -236,7 +236,12 @@ public:
         parts.insert(parts.end(), beside.begin(), beside.end());
         return crownLook(parts, m_frame, pixelsAt(detail), m_progress);
     }
-    double coverOf(const std::vector<CrownPart>& parts, const Detail& detail) const { return crownCover(parts, m_frame, pixelsAt(detail), m_progress); }
+    /// With the wood that cards do not stand for: what lies before or behind it covers nothing.
+    double coverOf(const std::vector<CrownPart>& parts, const Detail& detail) {
+        auto& cover = m_covers[static_cast<std::size_t>(detail.lod)];
+        if (!cover) cover = std::make_unique<CCrownCover>(m_frame, pixelsAt(detail), std::vector{wood()}, m_progress);
+        return cover->with(parts);
+    }
 
     std::shared_ptr<const CMesh> cards(const CardPlan& plan, double fit) const {
         const std::size_t count = plan.twigs.size();
@@ -252,7 +257,7 @@ public:
     }
 
     /// Of the areas of cards that are right for a single twig: so that they, with what is drawn `beside` them, cover as much as is wanted.
-    CrownFit fitOf(const CardPlan& plan, const Detail& detail, double wanted, std::vector<CrownPart> beside = {}) const {
+    CrownFit fitOf(const CardPlan& plan, const Detail& detail, double wanted, std::vector<CrownPart> beside = {}) {
         beside.emplace_back();
         return fitTo(wanted, m_twig.cardFit, [&](double fit) {
             beside.back() = {cards(plan, fit), nullptr, &m_mask};
@@ -261,6 +266,10 @@ public:
     }
 
 private:
+    const CrownPart& wood() {
+        if (!m_wood.mesh) m_wood = otherWood(m_all, m_tree, m_minRadius);
+        return m_wood;
+    }
     double pixelsAt(const Detail& detail) const { return pixelsOf(m_frame, m_tree.height(), detail); }
     std::vector<CrownPart> partsOfLeaves(const std::shared_ptr<const COrgans>& leaves, const StemSet* twigs, double present, const MeshParams& params) const {
         return leafParts(leaves, twigs, present, m_tree, params, m_twig.masks, detailOf(Model::Full, 1), m_progress);
@@ -276,6 +285,7 @@ private:
         return mesh;
     }
 
+    const StemSet& m_all; ///< twigs, with those that bear no leaves
     std::vector<LeafyTwig> m_twigs;
     const CTree& m_tree;
     const Twig& m_twig;
@@ -284,15 +294,17 @@ private:
     double m_minRadius;
     CrownFrame m_frame;
     const CProgress& m_progress;
+    CrownPart m_wood;                                                    ///< made when it is asked for, likewise
+    std::array<std::unique_ptr<const CCrownCover>, kMaxLod + 1> m_covers; ///< of each level of detail
 };
 } // namespace
 
 void measureCrown(Twig& twig, const StemSet& twigs, const CTree& tree, const CrownOrgans& organs, const MeshParams& params, const CProgress& progress) {
     const auto& leaves = organs.leaves;
-    const CCrown crown(twigs, tree, *leaves, params, twig, progress);
+    CCrown crown(twigs, tree, *leaves, params, twig, progress);
     const Detail &near = detailOf(Model::Full, 2), &far = detailOf(Model::Full, 3);
     const std::vector<CrownPart> own = crown.withWood(crown.leavesOfTwigs(leaves, twigs, params));
-    const std::vector<CrownPart> beside = crown.partsBeside(twigs, organs, params);
+    const std::vector<CrownPart> beside = crown.partsBeside(organs, params);
     twig.crown = crown.lookOf(own, beside, near);
     twig.twigsCover = crown.coverOf(own, near);
     const CardPlan plan = crown.plan(near);
@@ -309,7 +321,7 @@ void measureCrown(Twig& twig, const StemSet& twigs, const CTree& tree, const Cro
 
 namespace {
 /// The fit of cards that have leaves `beside` them, or none.
-double fitBeside(const CCrown& crown, const CardPlan& plan, const Twig& typical, const Detail& detail, const std::vector<CrownPart>& beside) {
+double fitBeside(CCrown& crown, const CardPlan& plan, const Twig& typical, const Detail& detail, const std::vector<CrownPart>& beside) {
     const bool far = detail.lod == kMaxLod;
     if (!beside.empty()) return crown.fitOf(plan, detail, far ? typical.allCover.far : typical.allCover.near, beside).areas;
     return far ? crown.fitOf(plan, detail, typical.cardsCover.far).areas : typical.cardFit; // as it was measured
@@ -319,7 +331,7 @@ double fitBeside(const CCrown& crown, const CardPlan& plan, const Twig& typical,
 std::shared_ptr<const CMesh> meshOfTwigs(const StemSet& twigs, const CTree& tree, const COrgans& leaves, const Twig& typical,
                                          const MeshParams& params, const Detail& detail,
                                          const CProgress& progress, const OrganMeshes& beside) {
-    const CCrown crown(twigs, tree, leaves, params, typical, progress);
+    CCrown crown(twigs, tree, leaves, params, typical, progress);
     const CardPlan plan = crown.plan(detail);
     return crown.cards(plan, fitBeside(crown, plan, typical, detail, partsOf(beside, typical.masks, progress)));
 }

@@ -33,9 +33,9 @@ struct Twig {
     double seenPerLeaf;   ///< m² that are seen of its leaves' cards, on the average from all sides, over their number
     double allLeafArea;   ///< m² of all the tree's leaves that the season left
     LeafMasks masks;        ///< of its leaves
-    double twigsCover = 0;  ///< TwigCover::near of the leaves and wood of all twigs
-    TwigCover allCover;     ///< of all leaves of the tree, with that wood
-    TwigCover cardsCover;   ///< of the cards at level of detail 2
+    double twigsCover = 0;  ///< TwigCover::near of the leaves of all twigs, with the wood of the tree
+    TwigCover allCover;     ///< of all leaves of the tree, likewise
+    TwigCover cardsCover;   ///< of the cards at level of detail 2, with the wood that they do not stand for
     CrownLook crown, cards; ///< all twigs with their leaves; the cards that stand for them at level of detail 2; both with what is beside them
     double cardFit = 1;     ///< by how much the area of those differs from what is right for a single twig
 
