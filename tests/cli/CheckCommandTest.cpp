@@ -28,7 +28,7 @@ TEST(Info, SaysWhatLeafAreaIsKept) {
     const auto kept = [](const std::string& set, const char* lod) {
         return Json::parse(cli({"info", kAspen, "--set", set, "--lod", lod}).out).at("leaf_area_kept").get<double>();
     };
-    for (const char* lod : {"0", "1", "2", "3"}) EXPECT_GT(kept("Leaves=25", lod), *lod < '2' ? 0.9 : 0.48) << lod; // cards cover as much with less: LevelsOfDetail
+    for (const char* lod : {"0", "1", "2", "3"}) EXPECT_GT(kept("Leaves=25", lod), *lod < '2' ? 0.9 : 0.5) << lod; // cards cover as much with less
     EXPECT_GT(kept("Leaves=5", "3"), 0.9) << "too few for cards of twigs: thinned and enlarged";
     const Json simple = Json::parse(cli({"info", kAspen, "--set", "Leaves=800", "--model", "simple"}).out);
     EXPECT_LT(simple.at("leaf_area_kept").get<double>(), 0.6) << "as many as a slider can be followed with";

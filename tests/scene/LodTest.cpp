@@ -20,8 +20,6 @@ constexpr int kSamples = 4;
 constexpr double kPitch = 5;            // degrees
 constexpr double kMaxCoverage = 0.05;   // of change
 constexpr double kMaxColour = 3;        // ΔE, CIE76
-/// But for bare trees of many thin sticks, of which a fifth as thick as all shade one another less.
-constexpr std::pair<std::string_view, double> kLargerColours[] = {{"abop_2_8b", 3.8}, {"abop_2_8c", 4.3}};
 
 /// All of them take half an hour.
 bool allAreWanted() { return std::getenv("STROMAR_ALL_TREES") != nullptr; }
@@ -101,11 +99,6 @@ std::vector<std::string> trees() {
     return names;
 }
 
-double maxColourOf(std::string_view tree) {
-    const auto own = std::ranges::find_if(kLargerColours, [&](const auto& larger) { return larger.first == tree; });
-    return own == std::end(kLargerColours) ? kMaxColour : own->second;
-}
-
 std::string nameOf(const ::testing::TestParamInfo<std::string>& one) { return one.param; }
 
 class LevelsOfDetail : public ::testing::TestWithParam<std::string> {};
@@ -123,7 +116,7 @@ TEST_P(LevelsOfDetail, DoNotPop) {
         const Seen before = eye.look(fine, cameras, side), after = eye.look(coarse, cameras, side);
         const double coverage = after.covered / before.covered - 1, colour = glm::distance(before.lab(), after.lab());
         EXPECT_LE(std::abs(coverage), kMaxCoverage) << "to level " << lod;
-        EXPECT_LE(colour, maxColourOf(GetParam())) << "to level " << lod;
+        EXPECT_LE(colour, kMaxColour) << "to level " << lod;
         fine = std::move(coarse);
     }
 }

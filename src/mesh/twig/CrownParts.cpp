@@ -103,7 +103,7 @@ OrganMeshes fittingTo(const std::vector<CrownPart>& whole, const OrganMeshes& th
     if (whole.empty() || verticesOf(thinned) > kMaxVertices) return thinned;
     const CrownFrame frame = frameOf(whole);
     const CCrownCover cover(frame, pixelsOf(frame, tree.height(), detail), {otherWood({}, tree, minRadius)}, progress);
-    const CrownFit fit = fitTo(cover.with(whole), 1, [&](double areas) { return cover.with(partsOf(resized(thinned, areas), masks, progress)); });
+    const CrownFit fit = fitTo(cover.with(whole), 1, kGoodFit, [&](double areas) { return cover.with(partsOf(resized(thinned, areas), masks, progress)); });
     return resized(thinned, fit.areas);
 }
 } // namespace

@@ -74,13 +74,16 @@ struct CrownFit {
     double areas, covered;
 };
 
-/// For something to cover as much as is wanted: by secants from `start`.
-template <typename CoverAt> CrownFit fitTo(double wanted, double start, CoverAt&& coverAt) {
+constexpr double kGoodFit = 0.003; ///< parts of what is wanted
+constexpr double kGoodFarFit = 0.01; ///< where level of detail 3 is first seen, in a few thousand pixels
+
+/// For something to cover as much as is wanted, up to a part of it (`good`): by secants from `start`.
+template <typename CoverAt> CrownFit fitTo(double wanted, double start, double good, CoverAt&& coverAt) {
     constexpr int kSteps = 4;
-    constexpr double kGood = 0.003, kMin = 0.4, kMax = 2.5, kMinSlope = 0.2;
+    constexpr double kMin = 0.4, kMax = 2.5, kMinSlope = 0.2;
     CrownFit fit{start, coverAt(start)};
     double slope = 0.6; // by which power of its area a crown covers more
-    for (int i = 0; i < kSteps && fit.covered > 0 && std::abs(fit.covered / wanted - 1) > kGood; ++i) {
+    for (int i = 0; i < kSteps && fit.covered > 0 && std::abs(fit.covered / wanted - 1) > good; ++i) {
         const double next = std::clamp(fit.areas * std::pow(wanted / fit.covered, 1 / slope), kMin, kMax);
         if (next == fit.areas) break;
         const double now = coverAt(next);

@@ -259,7 +259,7 @@ public:
     /// Of the areas of cards that are right for a single twig: so that they, with what is drawn `beside` them, cover as much as is wanted.
     CrownFit fitOf(const CardPlan& plan, const Detail& detail, double wanted, std::vector<CrownPart> beside = {}) {
         beside.emplace_back();
-        return fitTo(wanted, m_twig.cardFit, [&](double fit) {
+        return fitTo(wanted, m_twig.cardFit, detail.lod == kMaxLod ? kGoodFarFit : kGoodFit, [&](double fit) {
             beside.back() = {cards(plan, fit), nullptr, &m_mask};
             return coverOf(beside, detail);
         });
@@ -294,8 +294,8 @@ private:
     double m_minRadius;
     CrownFrame m_frame;
     const CProgress& m_progress;
-    CrownPart m_wood;                                                    ///< made when it is asked for, likewise
-    std::array<std::unique_ptr<const CCrownCover>, kMaxLod + 1> m_covers; ///< of each level of detail
+    CrownPart m_wood;                                                     ///< of stems that are no twigs; made when it is asked for
+    std::array<std::unique_ptr<const CCrownCover>, kMaxLod + 1> m_covers; ///< by level of detail, likewise
 };
 } // namespace
 
