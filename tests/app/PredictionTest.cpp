@@ -80,16 +80,12 @@ std::size_t expectWithin(CTreeCreator& creator, const CParams& params, const Det
     return model->triangleCount();
 }
 
-/// What the last level of detail has of the triangles of the first, at most, unless it has no more than kFew: a twentieth, but for bare trees of
-/// many thin stems, which nothing stands for.
+/// What the last level of detail has of the triangles of the first, at most, unless it has no more than kFew.
 constexpr std::size_t kFew = 5000;
-constexpr double kUsualShare = 0.05;
-constexpr std::pair<const char*, double> kLargerShares[] = {{"abop_2_8b", 0.058}};
+constexpr double kLargestShare = 0.05;
 
 void expectFewTriangles(const std::string& name, std::size_t finest, std::size_t coarsest) {
-    const auto own = std::ranges::find_if(kLargerShares, [&](const auto& larger) { return name == larger.first; });
-    const double share = own == std::end(kLargerShares) ? kUsualShare : own->second;
-    EXPECT_LE(coarsest, std::max(kFew, static_cast<std::size_t>(share * double(finest)))) << name << " of " << finest;
+    EXPECT_LE(coarsest, std::max(kFew, static_cast<std::size_t>(kLargestShare * double(finest)))) << name << " of " << finest;
 }
 
 /// The numbers before " million vertices" in a refusal.

@@ -274,8 +274,11 @@ TEST_F(MotionTest, AFelledTreeFallsAndStandsAgain) {
 }
 
 TEST_F(MotionTest, TheLineOfASelectedStemFallsWithIt) {
+    ASSERT_TRUE(rests());
     QTest::mouseClick(&window.viewport(), Qt::LeftButton, {},
                       window.viewport().overlay().toWidget({0, 0, 2})->toPoint());
+    const auto selected = [&] { return window.viewport().overlay().model().selection.lines.size(); };
+    ASSERT_EQ(selected(), 1u);
     const auto orange = [&] { // pixels of the line, left and right of the trunk's place
         const QImage seen = window.viewport().overlay().grab().toImage();
         const double middle = window.viewport().overlay().toWidget({0, 0, 2})->x();
@@ -289,6 +292,7 @@ TEST_F(MotionTest, TheLineOfASelectedStemFallsWithIt) {
     window.fall().fell({0, 0});
     ASSERT_TRUE(waitFor([&] { return window.timeline().playing(); }));
     ASSERT_TRUE(waitFor([&] { return !window.timeline().playing(); }, 60000));
+    ASSERT_EQ(selected(), 1u) << "falling changes no selection";
     EXPECT_GT(orange(), 100) << "it lies";
     action("fell")->setChecked(false);
     EXPECT_EQ(orange(), 0) << "it stands again";

@@ -31,6 +31,7 @@ void CPointGenerator::startTube(const Tube& tube) {
     m_rings.clear();
     for (std::uint32_t i = 0; i < tube.ringCount; ++i)
         m_rings.push_back(shapeOf(tube, m_plan.rings[tube.firstRing + i]));
+    lightFoot(tube);
     lookAtForks(tube);
     setSlopes();
     measureButtresses();
@@ -48,21 +49,39 @@ void CPointGenerator::lookAtForks(const Tube& tube) {
     }
 }
 
-CPointGenerator::DrawnRing CPointGenerator::shapeOf(const Tube& tube, const Ring& ring) const {
-    DrawnRing shape{m_path.shapeAt(ring.segment, ring.t), {}, ring.points};
-    shape.look = {skyVisibilityAt(tube, shape.along), m_surface.thinness(shape.radius)};
-    return shape;
-}
+/// Where a tube leaves its parent, a fork or the ground: it is darker there.
+struct CPointGenerator::Foot {
+    double start, radius; ///< metres
+    double hidden;        ///< of the sky
 
-/// Darker towards where the tube leaves its parent, a fork or the ground.
-std::uint8_t CPointGenerator::skyVisibilityAt(const Tube& tube, double along) const {
+    /// In units of the reach.
+    double above(double along) const { return std::max(0.0, along - start) / (kHiddenReach * std::max(1e-9, radius)); }
+    std::uint8_t skyVisibility(double share) const { return static_cast<std::uint8_t>(255 * (1 - hidden * share) + 0.5); }
+};
+
+CPointGenerator::Foot CPointGenerator::footOf(const Tube& tube) const {
     const CStem& stem = m_generation.stems[tube.stem];
     const CPath& path = m_generation.paths[tube.path];
     const bool inside = path.source >= 0 && !tube.joined; // where it starts
-    const double start = inside ? m_generation.segments[path.firstSegment].start : 0;
-    const double hidden = inside ? kHiddenInFork : stem.parent >= 0 ? kHiddenInCollar : kHiddenAtGround;
-    const double radii = (along - start) / std::max(1e-9, stem.radius);
-    return static_cast<std::uint8_t>(255 * (1 - hidden * std::exp(-std::max(0.0, radii) / kHiddenReach)) + 0.5);
+    return {inside ? m_generation.segments[path.firstSegment].start : 0, stem.radius,
+            inside ? kHiddenInFork : stem.parent >= 0 ? kHiddenInCollar : kHiddenAtGround};
+}
+
+CPointGenerator::DrawnRing CPointGenerator::shapeOf(const Tube& tube, const Ring& ring) const {
+    DrawnRing shape{m_path.shapeAt(ring.segment, ring.t), {}, ring.points};
+    const Foot foot = footOf(tube);
+    shape.look = {foot.skyVisibility(std::exp(-foot.above(shape.along))), m_surface.thinness(shape.radius)};
+    return shape;
+}
+
+/// Without a collar the second ring may be far: the lowest one is as bright as the wall between them needs for the mean it has with many rings.
+void CPointGenerator::lightFoot(const Tube& tube) {
+    if (tube.collarRings > 0 || m_rings.size() < 2) return;
+    const Foot foot = footOf(tube);
+    const double low = foot.above(m_rings[0].along), wall = foot.above(m_rings[1].along) - low;
+    if (wall < 1e-3) return;
+    const double end = std::exp(-wall), mean = (1 - end) / wall;
+    m_rings[0].look.skyVisibility = foot.skyVisibility(std::exp(-low) * (2 * mean - end));
 }
 
 VertexLook CPointGenerator::lookAt(const DrawnRing& ring, double skyVisibility) const {

@@ -47,7 +47,9 @@ private:
     };
 
     DrawnRing shapeOf(const Tube& tube, const Ring& ring) const;
-    std::uint8_t skyVisibilityAt(const Tube& tube, double along) const;
+    struct Foot;
+    Foot footOf(const Tube& tube) const;
+    void lightFoot(const Tube& tube);
     VertexLook lookAt(const DrawnRing& ring, double skyVisibility) const;
     void setSlopes();
     void measureButtresses();

@@ -8,8 +8,10 @@ namespace stromar {
 namespace {
 constexpr std::size_t kMaxStems = 64;  // of a subtree, a branch with all that grows on it, that may be left out
 constexpr double kMaxRadius = 0.002;   // likewise, of the tree's height: a fifth of a pixel where the last level of detail is shown
-// Likewise, of a bare tree of so many thin stems that this leaves too many triangles: more than so many, and than this part of those at LOD 0.
-constexpr double kMaxRadiusOfMany = 0.004, kLeastShareOfMany = 0.222, kTooMany = 2 * kFewWoodTriangles, kTooLarge = 0.055;
+// Likewise, of a bare tree of so many thin stems that this leaves too many triangles: more than so many, and than this part of those at
+// LOD 0. As many stay as make it no larger than the second part, within a share of them.
+constexpr double kMaxRadiusOfMany = 0.004, kTooMany = 2 * kFewWoodTriangles, kTooLarge = 0.055, kLarge = 0.0495;
+constexpr double kLeastShareOfMany = 0.185, kLargestShareOfMany = 0.222;
 constexpr double kOverlap = 1.025, kOverlapOfMany = 1.04; // of those few that are as thick as all: they hide more of one another
 constexpr std::size_t kSampled = 2000; // stems of a generation that tell how many triangles all have at LOD 0
 constexpr std::size_t kAllStems = ~std::size_t{0};
@@ -150,7 +152,7 @@ StemChoice chooseStems(const CTree& tree, const MeshParams& params, const Detail
     const FullCost full = fullCost(tree, params, detailOf(detail.model, 0), joined ? kAllStems : kSampled, progress);
     const double wanted = detail.woodShare * full.stems;
     choice.fullTriangles = (full.stems + full.collars) / 3;
-    const double budget = joined ? wanted : std::max(wanted, 3.0 * kFewWoodTriangles);
+    double budget = joined ? wanted : std::max(wanted, 3.0 * kFewWoodTriangles);
     const PerStem<std::size_t> sizes = joined ? PerStem<std::size_t>() : stemsOn(tree);
     Subtrees subtrees;
     double share = 0, overlap = joined ? 1 : kOverlap, least = joined ? detail.share : kLeastShareOfThinBranches;
@@ -165,9 +167,11 @@ StemChoice chooseStems(const CTree& tree, const MeshParams& params, const Detail
     double kept = look(1, kMaxRadius);
     for (std::size_t most = 2; !joined && most <= kMaxStems && share < least; most *= 2) kept = look(most, kMaxRadius);
     if (!joined && kept > std::max(3 * kTooMany, kTooLarge * (full.stems + full.collars))) {
+        budget = std::max(3 * kTooMany, kLarge * (full.stems + full.collars));
         least = kLeastShareOfMany;
         overlap = kOverlapOfMany;
         look(kMaxStems, kMaxRadiusOfMany);
+        share = std::min(share, kLargestShareOfMany);
     }
     if (share >= 1) return choice;
     std::vector<bool> stay, go;
