@@ -74,4 +74,30 @@ TEST(LSystemMesh, AStraightStemThinsWhereItsWidthDoesAtEveryLevelOfDetail) {
     for (const Detail& detail : detailTable()) EXPECT_NEAR(volumeAt(detail), full, 0.2 * full) << detail.name;
 }
 
+/// Of a branch's surface, 0..255.
+double meanSkyVisibility(const CMesh& mesh) {
+    double sum = 0, areas = 0;
+    for (std::size_t t = 0; t < mesh.indices.size(); t += 3) {
+        const std::uint32_t* v = &mesh.indices[t];
+        const double area = glm::length(glm::cross(mesh.positions[v[1]] - mesh.positions[v[0]], mesh.positions[v[2]] - mesh.positions[v[0]]));
+        for (int c = 0; c < 3; ++c) sum += area * mesh.looks[v[c]].skyVisibility / 3;
+        areas += area;
+    }
+    return sum / areas;
+}
+
+TEST(LSystemMesh, ABranchOfOnePieceIsAsBrightAsOneOfManyWithoutACollar) {
+    const auto brightnessOf = [](const std::string& branch) {
+        const CWord word = CRewriter(parseGrammar("axiom: !(4)F(5)[&(90)!(1)" + branch + "]F(5)"), 1).derive(0, CProgress());
+        const auto generations = stemsOf(word, interpret(word, {.lengthUnit = 1, .widthUnit = 0.06}, CProgress()), CProgress());
+        const CTree tree(10, {generations.begin(), generations.end()});
+        return meanSkyVisibility(*meshAllStems(tree, {}, detailOf(Model::Full, 3), CProgress()).at(1).mesh);
+    };
+    std::string pieces;
+    for (int i = 0; i < 20; ++i) pieces += i % 2 == 0 ? "+(30)F(0.03)" : "-(30)F(0.03)";
+    const double one = brightnessOf("F(0.6)"), many = brightnessOf(pieces);
+    EXPECT_NEAR(one, many, 6);
+    EXPECT_LT(one, 250) << "it is darker at its foot";
+}
+
 } // namespace stromar::test

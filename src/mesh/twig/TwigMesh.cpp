@@ -24,6 +24,7 @@ struct CardPlan {
     std::vector<LeafyTwig> twigs; ///< that get one
     std::uint32_t planes, rows;
     double each; ///< for how many twigs a card stands
+    VertexLook look;
 
     std::size_t verticesOfCard() const { return std::size_t{planes} * (rows + 1) * 2; }
     std::size_t indicesOfCard() const { return std::size_t{planes} * rows * 6; }
@@ -46,6 +47,7 @@ CardPlan planCards(const std::vector<LeafyTwig>& twigs, const Twig& typical, con
     const auto max = static_cast<std::size_t>(budget) / (plan.planes * plan.rows);
     const std::size_t count = std::min(twigs.size(), max);
     for (std::size_t i = 0; i < count; ++i) plan.twigs.push_back(twigs[evenly(i, count, twigs.size())]);
+    plan.look.skyVisibility = static_cast<std::uint8_t>(std::lround(255 * detail.cardSky));
     plan.each = count > 0 ? double(twigs.size()) / double(count) : 1;
     return plan;
 }
@@ -74,7 +76,7 @@ public:
                 facePoints();
             }
             for (std::size_t i = 0; i < m_points.size(); ++i)
-                sink.add(m_points[i].place, normalOf(m_points[i]), double(i % 2), double(i / 2) / m_plan.rows, {});
+                sink.add(m_points[i].place, normalOf(m_points[i]), double(i % 2), double(i / 2) / m_plan.rows, m_plan.look);
             for (const std::uint32_t corner : m_corners) *index++ = first + corner;
             first += static_cast<std::uint32_t>(m_points.size());
         }
