@@ -144,11 +144,11 @@ template <typename SharesOf> glm::dvec3 CCardLight::shareOfLight(UnderSides how,
     constexpr double kPower = 0.9, kOfBeside = 1.3; // of what is wanted over what is shown: light is nearly in proportion; by how much the second may differ
     const auto shownWith = [&](const glm::dvec3& share, Whole whole) {
         const Shares cards = sharesOf(share);
-        return meanOf(m_twig.cards, whole, how, &cards);
+        return meanOf(m_looks.cards, whole, how, &cards);
     };
     glm::dvec3 share(1), least(kLeast), most(kMost);
     for (const Whole whole : {Whole::CardsAlone, Whole::Crown}) {
-        const glm::dvec3 wanted = meanOf(m_twig.crown, whole, how, nullptr);
+        const glm::dvec3 wanted = meanOf(m_looks.crown, whole, how, nullptr);
         if (wanted == glm::dvec3(0) || shownWith(share, whole) == glm::dvec3(0)) return share; // nothing is seen of them
         for (int i = 0; i < kSteps; ++i) {
             const glm::dvec3 now = glm::max(shownWith(share, whole), glm::dvec3(1e-9));

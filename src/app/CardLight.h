@@ -1,5 +1,5 @@
 #pragma once
-#include "stromar/mesh/twig/Twig.h"
+#include "stromar/mesh/twig/CrownLook.h"
 #include "stromar/texture/TextureMaps.h"
 #include <glm/vec3.hpp>
 #include <utility>
@@ -20,8 +20,8 @@ struct MeanLook {
 class CCardLight {
 public:
     /// `sunAndShade`: LeafSunShade.
-    CCardLight(const Twig& twig, const MeanLook& bark, const MeanLook& blossom, double sunAndShade)
-        : m_twig(twig), m_bark(bark), m_blossom(blossom), m_sunAndShade(sunAndShade) {}
+    CCardLight(const CardLooks& looks, const MeanLook& bark, const MeanLook& blossom, double sunAndShade)
+        : m_looks(looks), m_bark(bark), m_blossom(blossom), m_sunAndShade(sunAndShade) {}
 
     /// One kind of leaf; `weight`: how much of all.
     void add(const MeanLook& leaf, double weight) { m_leaves.emplace_back(leaf, weight); }
@@ -51,7 +51,7 @@ private:
     glm::dvec3 meanOf(const CrownLook& crown, Whole whole, UnderSides how, const Shares* cards) const; ///< without shares of twigs
     template <typename SharesOf> glm::dvec3 shareOfLight(UnderSides how, SharesOf&& sharesOf) const;
 
-    const Twig& m_twig;
+    const CardLooks& m_looks;
     MeanLook m_bark, m_blossom;
     double m_sunAndShade;
     std::vector<std::pair<MeanLook, double>> m_leaves; ///< of each kind, and how many

@@ -224,14 +224,14 @@ LeafMasks leafMasksOf(const CParams& params, const CProgress& progress) {
     return masks;
 }
 
-fs::path textureOf(const TreeModel& model, Surface surface, const fs::path& folder) {
+fs::path textureOf(const TreeModel& model, Surface surface, const fs::path& folder, const CProgress& progress) {
     if (surface != Surface::Twig) return textureOf(model.params, surface, folder);
-    return model.twig ? pictureCache() / "twigs" / nameOf(twigHash(*model.twig, twigSource(model, folder))) : fs::path();
+    return model.twig ? pictureCache() / "twigs" / nameOf(twigHash(*model.twig, twigSource(model, folder), progress)) : fs::path();
 }
 
 void makePictures(const TreeModel& model, const fs::path& folder, const CProgress& progress) {
     makePictures(model.params, progress);
-    const fs::path file = textureOf(model, Surface::Twig, folder);
+    const fs::path file = textureOf(model, Surface::Twig, folder, progress);
     if (file.empty() || isKept(file)) return;
     keepPicture(drawTwig(*model.twig, twigSource(model, folder), progress), file);
 }

@@ -236,23 +236,24 @@ std::uint64_t hashOfFile(std::uint64_t hash, const fs::path& file) {
 } // namespace
 
 namespace {
-bool showsBlossoms(const Twig& twig) {
+bool showsBlossoms(const CrownLook& crown) {
     const auto isBlossom = [](const LitPlace& place) { return place.layer == CrownLayer::Blossom; };
-    return std::ranges::any_of(twig.crown.pixels, [&](const SeenPixel& pixel) { return std::ranges::any_of(pixel, isBlossom); });
+    return std::ranges::any_of(crown.pixels, [&](const SeenPixel& pixel) { return std::ranges::any_of(pixel, isBlossom); });
 }
 } // namespace
 
-std::uint64_t twigHash(const Twig& twig, const TwigSource& source) {
+std::uint64_t twigHash(const Twig& twig, const TwigSource& source, const CProgress& progress) {
+    const CardLooks& looks = twig.looks->get(progress);
     std::uint64_t hash = hashCombine(kTwigVersion, kSize);
     for (const auto& mesh : {twig.wood, twig.leaves}) hash = hashOf(hashOf(hash, mesh->positions), mesh->texCoords);
     hash = hashOf(hash, twig.kinds);
-    for (const CrownLook* look : {&twig.crown, &twig.cards})
+    for (const CrownLook* look : {&looks.crown, &looks.cards})
         for (const SeenPixel& pixel : look->pixels)
             for (const LitPlace& p : pixel)
                 hash = hashOf(hash, std::array{p.normal.x, p.normal.y, p.normal.z, p.skyVisibility, p.sunVisibility, p.back ? 1.0f : 0.0f, p.behind ? 1.0f : 0.0f, float(p.layer)});
     for (std::size_t kind = 0; kind < kLeafKinds; ++kind)
         if (twig.kinds[kind] < twig.kinds[kind + 1]) hash = hashOfFile(hash, source.leaves[kind]);
-    if (showsBlossoms(twig)) hash = hashOfFile(hash, source.blossom);
+    if (showsBlossoms(looks.crown)) hash = hashOfFile(hash, source.blossom);
     return hashOfFile(hashOf(hash, std::array{source.sunAndShade}), source.bark);
 }
 
@@ -262,8 +263,9 @@ TextureMaps drawTwig(const Twig& twig, const TwigSource& source, const CProgress
     const Look bark = barkLook(source);
     const glm::dvec3 barkColour(bark.front);
     camera.draw(*twig.wood, 0, twig.wood->indices.size(), [&](const glm::vec2&) { return bark; });
-    const MeanLook blossom = showsBlossoms(twig) ? CLeafLook(source.blossom).mean() : MeanLook();
-    CCardLight light(twig, {barkColour, barkColour, bark.roughness, 0}, blossom, source.sunAndShade);
+    const CardLooks& looks = twig.looks->get(progress);
+    const MeanLook blossom = showsBlossoms(looks.crown) ? CLeafLook(source.blossom).mean() : MeanLook();
+    CCardLight light(looks, {barkColour, barkColour, bark.roughness, 0}, blossom, source.sunAndShade);
     for (std::size_t kind = 0; kind < kLeafKinds; ++kind) {
         progress.poll();
         if (twig.kinds[kind] == twig.kinds[kind + 1]) continue;

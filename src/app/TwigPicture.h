@@ -16,7 +16,7 @@ struct TwigSource {
 };
 
 /// Other twigs, sources and sizes give others, and so do newer files of the same name.
-std::uint64_t twigHash(const Twig& twig, const TwigSource& source);
+std::uint64_t twigHash(const Twig& twig, const TwigSource& source, const CProgress& progress);
 
 /// Draws a twig with all maps. Some tenths of a second; uses one thread. Throws CError when the leaf's picture cannot
 /// be read, and CCancelled.

@@ -46,10 +46,8 @@ struct Factors {
 
 Factors factorsOf(const std::vector<LitPlace>& crown, const std::vector<LitPlace>& cards, double sunAndShade = 0) {
     constexpr std::uint8_t kBefore = 128;
-    Twig twig{};
-    twig.crown = crownOf(crown);
-    twig.cards = crownOf(cards);
-    CCardLight light(twig, kBark, kBlossom, sunAndShade);
+    const CardLooks looks{crownOf(crown), crownOf(cards)};
+    CCardLight light(looks, kBark, kBlossom, sunAndShade);
     light.add(kLeaf, 1);
     TextureMaps maps;
     maps.albedo = {{kBefore, kBefore, kBefore, 255}};
@@ -116,11 +114,9 @@ TEST(CardLight, WhatIsNotSeenChangesNothing) {
 }
 
 TEST(CardLight, APixelOfLightAndShadeIsDarkerThanTheTwoBesideEachOther) {
-    Twig twig{};
-    twig.crown = crownOf({});
-    twig.crown.pixels = {{kFront, shaded()}};
-    twig.cards = crownOf({kFront, shaded()});
-    CCardLight light(twig, kBark, kBlossom, 0);
+    CardLooks looks{crownOf({}), crownOf({kFront, shaded()})};
+    looks.crown.pixels = {{kFront, shaded()}};
+    CCardLight light(looks, kBark, kBlossom, 0);
     light.add(kLeaf, 1);
     TextureMaps maps;
     maps.albedo = {{128, 128, 128, 255}};

@@ -53,8 +53,9 @@ CCutOut maskOf(const CParams& params, Surface surface, const CProgress& progress
 /// Of leaves, by kind.
 LeafMasks leafMasksOf(const CParams& params, const CProgress& progress);
 
-/// The same with what a model shows, and the picture of its twigs, if it has some.
-std::filesystem::path textureOf(const TreeModel& model, Surface surface, const std::filesystem::path& folder);
+/// The same with what a model shows, and the picture of its twigs, if it has some: by how their crown looks, which is measured when it is first
+/// asked for (Twig::looks). Throws CCancelled.
+std::filesystem::path textureOf(const TreeModel& model, Surface surface, const std::filesystem::path& folder, const CProgress& progress = CProgress());
 void makePictures(const TreeModel& model, const std::filesystem::path& folder, const CProgress& progress);
 
 } // namespace stromar

@@ -167,6 +167,7 @@ std::shared_ptr<const ViewModel> CTreeCreatorThread::create(const Request& reque
     m_fitting = request.params;
     auto view = std::make_shared<ViewModel>();
     view->model = m_creator->create(request.params, *request.detail, progress);
+    if (view->model->twig) view->model->twig->looks->get(progress); // cards are not seen for long without the picture that needs it
     m_shown = request.detail;
     m_parts = view->parts = viewPartsOf(*view->model, m_parts, progress);
     m_sway = view->sway = request.sways ? swayOf(view->model, m_sway.get(), progress) : nullptr;

@@ -301,21 +301,30 @@ private:
 };
 } // namespace
 
+namespace {
+CardLooks looksOf(const Twig& twig, const StemSet& twigs, const CTree& tree, const CrownOrgans& organs, const MeshParams& params, const CProgress& progress) {
+    CCrown crown(twigs, tree, *organs.leaves, params, twig, progress);
+    const Detail& near = detailOf(Model::Full, 2);
+    const std::vector<CrownPart> beside = crown.partsBeside(organs, params);
+    return {crown.lookOf(crown.withWood(crown.leavesOfTwigs(organs.leaves, twigs, params)), beside, near),
+            crown.lookOf(crown.cardsAlone(crown.plan(near), twig.cardFit), beside, near)};
+}
+} // namespace
+
 void measureCrown(Twig& twig, const StemSet& twigs, const CTree& tree, const CrownOrgans& organs, const MeshParams& params, const CProgress& progress) {
     const auto& leaves = organs.leaves;
     CCrown crown(twigs, tree, *leaves, params, twig, progress);
     const Detail &near = detailOf(Model::Full, 2), &far = detailOf(Model::Full, 3);
     const std::vector<CrownPart> own = crown.withWood(crown.leavesOfTwigs(leaves, twigs, params));
-    const std::vector<CrownPart> beside = crown.partsBeside(organs, params);
-    twig.crown = crown.lookOf(own, beside, near);
     twig.twigsCover = crown.coverOf(own, near);
     const CardPlan plan = crown.plan(near);
     const CrownFit fit = crown.fitOf(plan, near, twig.twigsCover);
     const std::vector<CrownPart> cards = crown.cardsAlone(plan, fit.areas);
     twig.cardFit = fit.areas;
-    twig.cards = crown.lookOf(cards, beside, near);
     twig.cardsCover = {fit.covered, crown.coverOf(cards, far)};
     twig.allCover = {twig.twigsCover, twig.cardsCover.far};
+    twig.looks = std::make_shared<const CLazy<CardLooks>>(
+        [twig, twigs, tree, organs, params](const CProgress& later) { return looksOf(twig, twigs, tree, organs, params, later); });
     if (leaves->countOn(twigs) == leaves->total) return;
     const std::vector<CrownPart> all = crown.withWood(crown.allLeaves(leaves, params));
     twig.allCover = {crown.coverOf(all, near), crown.coverOf(all, far)};

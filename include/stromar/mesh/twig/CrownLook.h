@@ -42,6 +42,11 @@ struct CrownLook {
     std::vector<SeenPixel> pixels; ///< about four thousand, evenly chosen: of fewer, chance decides how much sun is seen
 };
 
+/// All twigs with their leaves, and the cards that stand for them at level of detail 2; both with what is beside them.
+struct CardLooks {
+    CrownLook crown, cards;
+};
+
 using LeafMasks = std::array<CCutOut, kLeafKinds>;
 
 /// Of the whole tree: all, or some, evenly chosen (OrganDemand::max).

@@ -5,7 +5,7 @@
 #include "stromar/mesh/twig/CrownLook.h"
 #include "stromar/tree/SizeBound.h"
 #include "stromar/tree/Tree.h"
-#include "stromar/util/Progress.h"
+#include "stromar/util/Lazy.h"
 #include <array>
 #include <glm/vec2.hpp>
 #include <memory>
@@ -36,8 +36,8 @@ struct Twig {
     double twigsCover = 0;  ///< TwigCover::near of the leaves of all twigs, with the wood of the tree
     TwigCover allCover;     ///< of all leaves of the tree, likewise
     TwigCover cardsCover;   ///< of the cards at level of detail 2, with the wood that they do not stand for
-    CrownLook crown, cards; ///< all twigs with their leaves; the cards that stand for them at level of detail 2; both with what is beside them
-    double cardFit = 1;     ///< by how much the area of those differs from what is right for a single twig
+    double cardFit = 1;     ///< by how much the area of cards at level of detail 2 differs from what is right for a single twig
+    std::shared_ptr<const CLazy<CardLooks>> looks; ///< for the picture alone: some tenths of a second
 
     double cardArea() const { return (high.x - low.x) * (high.y - low.y); }
 };
