@@ -36,7 +36,7 @@ public:
         const double collars = m_trunk ? 0 : points() > 3 ? m_detail.collarRings : std::min(1, m_detail.collarRings);
         return m_bound.segments + 2 * m_bound.paths + collars + addedRings() + forkRings();
     }
-    double vertices() const { return (rings() + 2 * m_bound.paths) * (points() + 1); }
+    double vertices() const { return rings() * (points() + 1) + 2 * m_bound.paths * lidVertices(); }
     /// Of the triangles: walls have two for each point of a ring, whose seam is doubled; lids have fewer.
     double corners() const { return vertices() * 6 * points() / (points() + 1); }
     /// Of wood that is joined for a file: once more its mesh, with where its vertices come from, and the points of all collars. Its plan
@@ -57,6 +57,8 @@ public:
     }
 
 private:
+    /// One in the middle where Tube::middleOfLid() may be.
+    double lidVertices() const { return points() + (m_trunk || m_detail.collarRings > 0 ? 1 : 0); }
     /// Rings that CSmoother and CCentreLine may add between the ends of a stem's segments.
     double addedRings() const {
         if (!m_smooth) return 0;
