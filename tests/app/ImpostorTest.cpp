@@ -190,7 +190,8 @@ TEST_F(ImpostorFiles, ACrossIsTheLastLevelOfOneFile) {
     EXPECT_FALSE(last.contains("skin")) << "it hangs on no bone";
 }
 
-TEST_F(ImpostorFiles, AGridOfViewsLiesBesideTheModel) {
+using SlowImpostorFiles = ImpostorFiles;
+TEST_F(SlowImpostorFiles, AGridOfViewsLiesBesideTheModel) {
     write("none", "hemi-octahedral");
     EXPECT_EQ(m_folder.names(), (std::set<std::string>{"tree.glb", "tree_impostor.json", "tree_impostor_albedo.dds", "tree_impostor_albedo.png", "tree_impostor_normal_depth.png"}));
     const Json json = Json::parse(readFile(m_folder / "tree_impostor.json"));

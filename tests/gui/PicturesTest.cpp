@@ -23,7 +23,7 @@ std::vector<test::PictureArea> timesIn(const QString& name, const QSize& size) {
 
 QImage manualPicture(const QString& name) { return QImage(QString::fromStdString(test::inSource("docs/images/")) + name); }
 
-TEST(Pictures, OfTheManualShowTheProgramAsItIs) {
+TEST(SlowPictures, OfTheManualShowTheProgramAsItIs) {
     QTemporaryDir folder;
     QProcess script;
     QProcessEnvironment environment = QProcessEnvironment::systemEnvironment();

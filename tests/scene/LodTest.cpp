@@ -102,7 +102,7 @@ std::vector<std::string> trees() {
 std::string nameOf(const ::testing::TestParamInfo<std::string>& one) { return one.param; }
 
 class LevelsOfDetail : public ::testing::TestWithParam<std::string> {};
-INSTANTIATE_TEST_SUITE_P(Some, LevelsOfDetail, ::testing::ValuesIn(trees()), nameOf);
+INSTANTIATE_TEST_SUITE_P(Slow, LevelsOfDetail, ::testing::ValuesIn(trees()), nameOf);
 
 TEST_P(LevelsOfDetail, DoNotPop) {
     CTreeCreator creator;
