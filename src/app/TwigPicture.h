@@ -15,7 +15,7 @@ struct TwigSource {
     double sunAndShade = 0;           ///< LeafSunShade
 };
 
-/// Other twigs, sources and sizes give others, and so do newer files of the same name.
+/// Other twigs, sources and sizes give others, and so do newer files of the same name. Measures how the crown looks, if nobody has. Throws CCancelled.
 std::uint64_t twigHash(const Twig& twig, const TwigSource& source, const CProgress& progress);
 
 /// Draws a twig with all maps. Some tenths of a second; uses one thread. Throws CError when the leaf's picture cannot

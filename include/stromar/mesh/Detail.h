@@ -28,7 +28,8 @@ struct Detail {
     double maxLeafGrowth;   ///< thinned leaves grow at most to this times their length, to cover what all would
     int twigPlanes;         ///< of a card that shows a whole twig; 0: every leaf is drawn by itself
     double cardShare;       ///< how many rectangles all cards have at most, for each leaf of the tree
-    double cardSky;         ///< the part of the sky that cards see: few large ones lie more in the sun than the leaves they stand for, and look as bright with less
+    double cardSky;         ///< ambient light on cards: few large ones lie more in the sun than their picture, which is that of level 2, makes up for;
+                            ///< no less, since in the shade they are right
 };
 
 /// Parts of what a detail draws.

@@ -212,7 +212,7 @@ CImpostorCamera::CImpostorCamera(const TreeModel& model, const Meshes& meshes, c
         const Surface surface = shownSurface(model.params, meshes[i]->surface);
         std::shared_ptr<const CTexture>& texture = textures[static_cast<std::size_t>(surface)];
         progress.poll();
-        if (!texture) m_textures.push_back(texture = std::make_shared<CTexture>(textureOf(model, surface, treeFolder), surfaceOf(surface)));
+        if (!texture) m_textures.push_back(texture = std::make_shared<CTexture>(textureOf(model, surface, treeFolder, progress), surfaceOf(surface)));
         m_parts.push_back({meshes[i], texture.get(), std::move(tints[i])});
     }
 }

@@ -154,7 +154,7 @@ void CTreeCreatorThread::makeTwigs(const TreeModel& model, const std::filesystem
     if (!model.cards) return;
     stromar::makePictures(model, folder, progress);
     std::filesystem::path& read = m_read[static_cast<std::size_t>(Surface::Twig)];
-    const std::filesystem::path file = textureOf(model, Surface::Twig, folder);
+    const std::filesystem::path file = textureOf(model, Surface::Twig, folder, progress);
     if (file == std::exchange(read, file)) return;
     emit surfaceRead(Surface::Twig, readSurface(Surface::Twig, file.string()));
 }

@@ -31,7 +31,7 @@ void CPointGenerator::startTube(const Tube& tube) {
     m_rings.clear();
     for (std::uint32_t i = 0; i < tube.ringCount; ++i)
         m_rings.push_back(shapeOf(tube, m_plan.rings[tube.firstRing + i]));
-    lightFoot(tube);
+    averageBaseOcclusion(tube);
     lookAtForks(tube);
     setSlopes();
     measureButtresses();
@@ -49,8 +49,8 @@ void CPointGenerator::lookAtForks(const Tube& tube) {
     }
 }
 
-/// Where a tube leaves its parent, a fork or the ground: it is darker there.
-struct CPointGenerator::Foot {
+/// Where a tube leaves its parent, a fork or the ground less of the sky is seen.
+struct CPointGenerator::BaseOcclusion {
     double start, radius; ///< metres
     double hidden;        ///< of the sky
 
@@ -59,7 +59,7 @@ struct CPointGenerator::Foot {
     std::uint8_t skyVisibility(double share) const { return static_cast<std::uint8_t>(255 * (1 - hidden * share) + 0.5); }
 };
 
-CPointGenerator::Foot CPointGenerator::footOf(const Tube& tube) const {
+CPointGenerator::BaseOcclusion CPointGenerator::baseOcclusionOf(const Tube& tube) const {
     const CStem& stem = m_generation.stems[tube.stem];
     const CPath& path = m_generation.paths[tube.path];
     const bool inside = path.source >= 0 && !tube.joined; // where it starts
@@ -69,19 +69,19 @@ CPointGenerator::Foot CPointGenerator::footOf(const Tube& tube) const {
 
 CPointGenerator::DrawnRing CPointGenerator::shapeOf(const Tube& tube, const Ring& ring) const {
     DrawnRing shape{m_path.shapeAt(ring.segment, ring.t), {}, ring.points};
-    const Foot foot = footOf(tube);
-    shape.look = {foot.skyVisibility(std::exp(-foot.above(shape.along))), m_surface.thinness(shape.radius)};
+    const BaseOcclusion base = baseOcclusionOf(tube);
+    shape.look = {base.skyVisibility(std::exp(-base.above(shape.along))), m_surface.thinness(shape.radius)};
     return shape;
 }
 
-/// Without a collar the second ring may be far: the lowest one is as bright as the wall between them needs for the mean it has with many rings.
-void CPointGenerator::lightFoot(const Tube& tube) {
+/// Without a collar the second ring may be far: the lowest one gets the value with which the wall between them has the mean of many rings.
+void CPointGenerator::averageBaseOcclusion(const Tube& tube) {
     if (tube.collarRings > 0 || m_rings.size() < 2) return;
-    const Foot foot = footOf(tube);
-    const double low = foot.above(m_rings[0].along), wall = foot.above(m_rings[1].along) - low;
+    const BaseOcclusion base = baseOcclusionOf(tube);
+    const double low = base.above(m_rings[0].along), wall = base.above(m_rings[1].along) - low;
     if (wall < 1e-3) return;
     const double end = std::exp(-wall), mean = (1 - end) / wall;
-    m_rings[0].look.skyVisibility = foot.skyVisibility(std::exp(-low) * (2 * mean - end));
+    m_rings[0].look.skyVisibility = base.skyVisibility(std::exp(-low) * (2 * mean - end));
 }
 
 VertexLook CPointGenerator::lookAt(const DrawnRing& ring, double skyVisibility) const {

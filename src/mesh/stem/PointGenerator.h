@@ -47,9 +47,9 @@ private:
     };
 
     DrawnRing shapeOf(const Tube& tube, const Ring& ring) const;
-    struct Foot;
-    Foot footOf(const Tube& tube) const;
-    void lightFoot(const Tube& tube);
+    struct BaseOcclusion;
+    BaseOcclusion baseOcclusionOf(const Tube& tube) const;
+    void averageBaseOcclusion(const Tube& tube);
     VertexLook lookAt(const DrawnRing& ring, double skyVisibility) const;
     void setSlopes();
     void measureButtresses();

@@ -8,8 +8,8 @@ namespace stromar {
 namespace {
 constexpr std::size_t kMaxStems = 64;  // of a subtree, a branch with all that grows on it, that may be left out
 constexpr double kMaxRadius = 0.002;   // likewise, of the tree's height: a fifth of a pixel where the last level of detail is shown
-// Likewise, of a bare tree of so many thin stems that this leaves too many triangles: more than so many, and than this part of those at
-// LOD 0. As many stay as make it no larger than the second part, within a share of them.
+// Likewise, of a bare tree of so many thin stems that this leaves too many triangles: more than kTooMany, and than kTooLarge of those at LOD 0.
+// As many stay as make about kLarge of those, from the least to the largest share.
 constexpr double kMaxRadiusOfMany = 0.004, kTooMany = 2 * kFewWoodTriangles, kTooLarge = 0.055, kLarge = 0.0495;
 constexpr double kLeastShareOfMany = 0.185, kLargestShareOfMany = 0.222;
 constexpr double kOverlap = 1.025, kOverlapOfMany = 1.04; // of those few that are as thick as all: they hide more of one another

@@ -299,9 +299,7 @@ private:
     CrownPart m_wood;                                                     ///< of stems that are no twigs; made when it is asked for
     std::array<std::unique_ptr<const CCrownCover>, kMaxLod + 1> m_covers; ///< by level of detail, likewise
 };
-} // namespace
 
-namespace {
 CardLooks looksOf(const Twig& twig, const StemSet& twigs, const CTree& tree, const CrownOrgans& organs, const MeshParams& params, const CProgress& progress) {
     CCrown crown(twigs, tree, *organs.leaves, params, twig, progress);
     const Detail& near = detailOf(Model::Full, 2);
