@@ -132,11 +132,16 @@ private:
     }
 
     GenerationChoice choiceOf(std::size_t g) const {
-        GenerationChoice own{{}, {}, m_model->choice->thickening(g)};
+        const StemChoice& choice = *m_model->choice;
+        GenerationChoice own{{}, {}, choice.thickening(g), nullptr, {}, {}};
         for (std::size_t s = 0; s < m_tree.generation(g).stems.size(); ++s) {
-            own.drawn.push_back(m_model->choice->draws(g, s));
-            own.bears.push_back(m_model->choice->bears(g, s));
+            own.drawn.push_back(choice.draws(g, s));
+            own.bears.push_back(choice.bears(g, s));
         }
+        if (!m_tree.branchesAtNodes(g)) return own;
+        own.branches = m_tree.generations()[g + 1];
+        for (std::size_t s = 0; s < own.branches->stems.size(); ++s) own.branchesDrawn.push_back(choice.draws(g + 1, s));
+        own.branchThickening = choice.thickening(g + 1);
         return own;
     }
 

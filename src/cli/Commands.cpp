@@ -207,7 +207,7 @@ void printSegments(const TreeModel& model, std::size_t g, std::size_t index, std
 
 void printFaultsHead(std::ostream& out) {
     out << std::left << std::setw(12) << "mesh" << std::right << std::setw(10) << "surfaces" << std::setw(9)
-        << "collars" << std::setw(12) << "vertices" << std::setw(12) << "triangles";
+        << "attached" << std::setw(12) << "vertices" << std::setw(12) << "triangles";
     for (const MeshCheck& check : meshChecks()) out << "  " << check.name;
     out << "\n";
 }
@@ -219,7 +219,7 @@ void refuseUnlessPng(const std::string& path) {
 /// One line of the table; false when something is wrong.
 bool printFaults(const std::string& name, const MeshFaults& faults, std::ostream& out) {
     out << std::left << std::setw(12) << name << std::right << std::setw(10) << faults.surfaces << std::setw(9)
-        << faults.collars << std::setw(12) << faults.vertices << std::setw(12) << faults.triangles;
+        << faults.attached << std::setw(12) << faults.vertices << std::setw(12) << faults.triangles;
     for (const MeshCheck& check : meshChecks())
         out << "  " << std::setw(static_cast<int>(check.name.size())) << faults.*check.count;
     out << "\n";

@@ -16,6 +16,7 @@ constexpr double kRoundEndRings = 40; // likewise a round end
 constexpr double kBytesPerVertex = 2 * sizeof(glm::vec3) + sizeof(glm::vec2) + sizeof(VertexLook);
 constexpr double kCopies = 2;           // the mesh, and what the graphics card or a writer gets
 constexpr double kJoinedGrowth = 1.3;   // of wood that is joined for a file: points of collars, copies at seams and creases
+constexpr double kAroundFork = 2.5;     // rings of a limb: half the common one, a share of it, and the ring that turns the seam back
 constexpr double kBytesPerChosenStem = 64; // while chooseStems() counts triangles and stems, and of its sets
 constexpr double kBytesPerWall = 100;   // of a triangle while its tube is joined: unrolled, and in the tries
 
@@ -28,15 +29,15 @@ public:
           m_smooth(static_cast<int>(generation) < detail.smoothGenerations), m_detail(detail) {}
 
     double points() const {
-        const int round = roundRingPoints(m_detail, std::sqrt(m_thickness));
+        const double round = roundRingPoints(m_detail, std::sqrt(m_thickness));
         const int ridges = m_trunk ? std::max(m_base.lobeCount(), m_base.rootCount()) : 0;
-        return std::max(round, m_detail.lobePoints * ridges);
+        return std::max(round * parentsPoints(), double(m_detail.lobePoints * ridges));
     }
     double rings() const {
         const double collars = m_trunk ? 0 : points() > 3 ? m_detail.collarRings : std::min(1, m_detail.collarRings);
-        return m_bound.segments + 2 * m_bound.paths + collars + addedRings() + forkRings();
+        return m_bound.segments + 2 * m_bound.paths + byCollar() * collars + addedRings() + forkRings();
     }
-    double vertices() const { return rings() * (points() + 1) + 2 * m_bound.paths * lidVertices(); }
+    double vertices() const { return rings() * (points() + 1) + 2 * m_bound.paths * lidVertices() + (branches() + branched()) * (points() + 2 * forkLevels() + 2); }
     /// Of the triangles: walls have two for each point of a ring, whose seam is doubled; lids have fewer.
     double corners() const { return vertices() * 6 * points() / (points() + 1); }
     /// Of wood that is joined for a file: once more its mesh, with where its vertices come from, and the points of all collars. Its plan
@@ -49,11 +50,12 @@ public:
     /// While the walls of one stem are cut open.
     double wallBytes() const { return m_detail.collarRings == 0 ? 0 : kBytesPerWall * corners() / 3; }
     double planBytes() const {
-        return rings() * sizeof(Ring) + m_bound.paths * (sizeof(Tube) + 2 * sizeof(Fork) + sizeof(std::int32_t)) + 1;
+        const double forked = branches() * (sizeof(ForkedBranch) + (forkLevels() + 1) * (points() + 1) * sizeof(ForkPoint));
+        return rings() * sizeof(Ring) + m_bound.paths * (sizeof(Tube) + 2 * sizeof(Fork) + sizeof(std::int32_t)) + forked + branched() * sizeof(BarkJoint) + 1;
     }
     /// Of the points of its collar and its forks, until its generation has a mesh.
     double pointBytes() const {
-        return points() * sizeof(SurfacePoint) + forkRings() * (points() + 1) * sizeof(ForkPoint);
+        return byCollar() * points() * sizeof(SurfacePoint) + forkRings() * (points() + 1) * sizeof(ForkPoint);
     }
 
 private:
@@ -70,10 +72,26 @@ private:
         return bends + std::max(helix, std::min(max, uneven));
     }
 
-    /// Up to the saddles between a stem's paths (CForkMaker), for each clone and for the path it parts from.
+    /// Up to the saddles between a stem's limbs (CForkMaker), for each clone and for the path it parts from; likewise for each branch that
+    /// parts, in its generation and in its parent's.
     double forkRings() const {
-        constexpr double kAround = 2.5; // half a common ring, a share of it, and the ring that turns the seam back
-        return m_bound.forks ? 2 * (std::min(CForkMaker::kMaxLevels, 1 + 0.4 * points()) + kAround) * (m_bound.paths - 1) : 0;
+        const double limbs = (m_bound.forks ? 2 * (m_bound.paths - 1) : 0) + branches() + branched();
+        return limbs * (forkLevels() + kAroundFork) - branched(); // whose first ring is counted already
+    }
+    double forkLevels() const { return std::min(CForkMaker::kMaxLevels, 1 + 0.4 * points()); }
+    double branches() const { return parting(&Parting::branches); }
+    double branched() const { return parting(&Parting::branched); }
+    /// Of stems: others start at forks, with more rings than a collar has.
+    double byCollar() const { return std::max(0.0, 1 - branched()); }
+    double parting(double Parting::* count) const {
+        if (m_detail.collarRings == 0) return 0;
+        const bool alone = roundRingPoints(m_detail, std::sqrt(m_thickness)) >= m_detail.forkPoints;
+        return m_bound.many.*count + (alone ? m_bound.alone.*count : 0);
+    }
+    /// Over what its thickness needs: a branch that starts at a fork has the points that its parent needs there, or not many more.
+    double parentsPoints() const {
+        constexpr double kMore = 0.15;
+        return 1 + kMore * branched();
     }
 
     /// Where flare and roots bend the lowest paths. Halving until the radius is met takes rings by the root of how far

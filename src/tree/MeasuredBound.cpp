@@ -11,10 +11,13 @@ namespace {
 constexpr double kMargin = 1 + 1e-9;    // of sums
 constexpr std::size_t kThicknesses = 8; // classes of one generation
 
+/// At its base, or its parent's wood there where both may be limbs of one fork.
+double radiusOf(const CStem& stem) { return stem.mayPart() ? std::max(stem.radius, stem.parentRadius) : stem.radius; }
+
 /// How thick stems are, in classes of equally many.
 std::vector<ThicknessShare> thicknessOf(const std::vector<const CStem*>& stems, double trunkRadius) {
     std::vector<double> radii;
-    for (const CStem* stem : stems) radii.push_back(trunkRadius > 0 ? stem->radius / trunkRadius : 1);
+    for (const CStem* stem : stems) radii.push_back(trunkRadius > 0 ? radiusOf(*stem) / trunkRadius : 1);
     std::ranges::sort(radii);
     std::vector<ThicknessShare> shares;
     const std::size_t classes = std::min(kThicknesses, radii.size());
@@ -44,6 +47,21 @@ GenerationBound boundOf(const CGeneration& generation, const std::vector<const C
     bound.turn = std::acos(std::clamp(cosine, -1.0, 1.0)) * 180 / std::numbers::pi;
     return bound;
 }
+
+/// From the stems of the generation before: those of one place follow each other.
+void countParting(const CGeneration& generation, std::size_t g, const StemSet& without, std::vector<GenerationBound>& bounds) {
+    std::vector<const CStem*> parting;
+    for (std::size_t s = 0; s < generation.stems.size(); ++s)
+        if (generation.stems[s].mayPart() && !without.has(g, s)) parting.push_back(&generation.stems[s]);
+    for (std::size_t first = 0, end = 1; first < parting.size(); first = end++) {
+        const auto isBeside = [&](const CStem* stem) { return stem->parent == parting[first]->parent && stem->position == parting[first]->position; };
+        while (end < parting.size() && isBeside(parting[end])) ++end;
+        const auto member = end - first > 1 ? &GenerationBound::many : &GenerationBound::alone;
+        Parting &below = bounds[g - 1].*member, &own = bounds[g].*member;
+        below.branches += double(end - first) / bounds[g - 1].stems * kMargin;
+        own.branched += double(end - first) / bounds[g].stems * kMargin;
+    }
+}
 } // namespace
 
 std::vector<GenerationBound> boundsOf(const CTree& tree, const StemSet& without) {
@@ -55,6 +73,7 @@ std::vector<GenerationBound> boundsOf(const CTree& tree, const StemSet& without)
             if (!without.has(g, s)) stems.push_back(&tree.generation(g).stems[s]);
         bounds.push_back(boundOf(tree.generation(g), stems, trunkRadius));
     }
+    for (std::size_t g = 1; g < bounds.size(); ++g) countParting(tree.generation(g), g, without, bounds);
     return bounds;
 }
 

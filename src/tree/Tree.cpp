@@ -41,6 +41,10 @@ CTree CTree::withOrgans(OrganArrays organs) const {
     return tree;
 }
 
+bool CTree::branchesAtNodes(std::size_t g) const {
+    return g + 1 < generationCount() && !generation(g + 1).stems.empty() && generation(g + 1).stems.front().atNode;
+}
+
 std::size_t CTree::stemCount() const {
     std::size_t count = 0;
     for (const auto& generation : m_generations) count += generation->stems.size();

@@ -22,7 +22,7 @@ std::shared_ptr<const TreeModel> model(const std::string& name, int lod = 0) {
 }
 
 class JoinedModel : public ::testing::TestWithParam<const char*> {};
-INSTANTIATE_TEST_SUITE_P(Trees, JoinedModel, ::testing::Values("quaking_aspen", "english_oak", "strand_birch", "abop_2_6c"));
+INSTANTIATE_TEST_SUITE_P(Trees, JoinedModel, ::testing::Values("quaking_aspen", "english_oak", "strand_birch", "abop_2_6c", "abop_2_8a"));
 
 TEST_P(JoinedModel, IsClosedOnlyAsAWhole) {
     const auto apart = model(GetParam()), whole = joined(apart, CProgress(2));

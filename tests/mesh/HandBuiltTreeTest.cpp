@@ -134,7 +134,7 @@ TEST(HandBuiltTree, IsSoundAtEveryLevelOfDetail) {
             EXPECT_TRUE(faults.sound()) << detail.name << ", generation " << g;
             EXPECT_GT(faults.surfaces, 0u);
             if (g > 0 && detail.model == Model::Full && detail.lod == 0) {
-                EXPECT_GT(faults.collars, faults.surfaces / 4) << "generation " << g;
+                EXPECT_GT(faults.attached, faults.surfaces / 4) << "generation " << g;
             }
         }
         EXPECT_TRUE(checkLeaves(

@@ -50,16 +50,16 @@ TEST(LSystemMesh, FiguresAreSoundAtEveryLevelOfDetail) {
         for (const Detail& detail : detailTable()) {
             SCOPED_TRACE(std::string(figure.name) + ", " + std::string(detail.name));
             const auto all = meshAllStems(tree, mesh, detail, CProgress(2));
-            std::size_t surfaces = 0, collars = 0;
+            std::size_t surfaces = 0, attached = 0;
             for (std::size_t g = 0; g < all.size(); ++g) {
                 const MeshFaults faults = checkStems(tree, static_cast<int>(g), all[g], g > 0 ? &all[g - 1] : nullptr);
                 EXPECT_EQ(inWords(faults), "") << "generation " << g;
                 surfaces += faults.surfaces;
-                collars += faults.collars;
+                attached += faults.attached;
             }
             EXPECT_GT(surfaces, 100u);
             if (detail.collarRings > 0) {
-                EXPECT_GT(double(collars), 0.9 * double(surfaces)) << "branches grow out of the wood";
+                EXPECT_GT(double(attached), 0.9 * double(surfaces)) << "branches grow out of the wood";
             }
         }
     }

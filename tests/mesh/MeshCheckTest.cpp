@@ -42,7 +42,7 @@ TEST_F(MeshCheckTest, ASoundMeshHasNone) {
     const MeshFaults faults = faultsAfter([](CMesh&, const Tube&) {});
     EXPECT_TRUE(faults.sound()) << inWords(faults);
     EXPECT_EQ(faults.surfaces, 12u);
-    EXPECT_GT(faults.collars, 10u);
+    EXPECT_GT(faults.attached, 10u);
     EXPECT_EQ(faults.triangles, m_all[1].mesh->triangleCount());
 }
 

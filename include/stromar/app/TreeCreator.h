@@ -34,6 +34,9 @@ private:
     struct GenerationChoice {
         std::vector<bool> drawn, bears;
         Thickening thickening;
+        std::shared_ptr<const CGeneration> branches; ///< where these may part from them at forks; with what is drawn of them
+        std::vector<bool> branchesDrawn;
+        Thickening branchThickening;
 
         bool operator==(const GenerationChoice&) const = default;
     };

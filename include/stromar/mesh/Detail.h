@@ -21,7 +21,8 @@ struct Detail {
     double maxTaperError; ///< parts of its radius by which a trunk, thinner stems more, may differ from a cone between two rings: else none is left out
     int helixRings;        ///< per turn of a helix
     int smoothGenerations; ///< the first so many get rings between their segments' ends
-    int collarRings;       ///< between a parent's surface and a branch's own rings
+    int collarRings;       ///< between a parent's surface and a branch's own rings; 0: branches start inside the wood
+    int forkPoints;        ///< of a ring, from which it parts into a stem and one branch nearly as thick: thinner ones get a collar
     double woodShare;      ///< of the wood's triangles at LOD 0 that is aimed at: see chooseStems()
     double share;          ///< of the leaves, blossoms and fruits that are drawn, and of the twigs at least
     std::size_t leafBudget; ///< most leaves that are drawn; a few (kFewOrgans) always are

@@ -11,12 +11,12 @@ struct VertexSource {
 /// The wood of a tree in which branches stand in holes of their parents' walls.
 struct JoinedStems {
     Meshes meshes;                                  ///< by generation
-    std::vector<std::vector<VertexSource>> sources; ///< of their vertices
-    std::size_t joined = 0; ///< branches with a collar that are one surface with their parent
+    std::vector<std::vector<VertexSource>> sources; ///< of their vertices; what two generations share comes from one of them
+    std::size_t joined = 0; ///< branches that are one surface with their parent: by a collar, or at a fork
     std::size_t apart = 0;  ///< others with a collar: closed by lids of their own inside the wood
 };
 
-/// Cuts the walls of stems open along the collars of their branches, and leaves out what lies inside: with equal positions
+/// Cuts the walls of stems open along the collars of their branches, and leaves out what lies inside, lids at forks too: with equal positions
 /// taken as one vertex, all meshes together are one closed surface. An edge of a hole has the positions of the collar's
 /// lowest ring; its normals and bark are the parent's. The wall around it keeps its vertices; copies are added where the seam of the
 /// bark or a crease wants other values at the same place.

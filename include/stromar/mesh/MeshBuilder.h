@@ -15,7 +15,7 @@ namespace stromar {
 /// A ring of points around a stem: t = 0..1 along a segment of the generation.
 struct Ring {
     std::uint32_t segment;
-    std::uint32_t points; ///< as many as the ring below has, or half of them; at forks others
+    std::uint32_t points; ///< as many as the ring below has, or half of them; at forks any number
     double t;
     bool parted = false; ///< from the ring below by no wall: at a fork it has a part of that one's points, or all of them
 };
@@ -30,7 +30,7 @@ struct SurfacePoint {
 struct ForkPoint {
     glm::vec3 position, normal;
     float turn;  ///< about the path, 1 all around
-    float along; ///< metres from the stem's base
+    float along; ///< metres from the base of the stem that forks
     float depth; ///< in the crotch: 0 outside .. 1
 };
 
@@ -40,6 +40,30 @@ struct Fork {
     std::uint32_t ring, rings; ///< of the tube: the first, and how many
     std::uint32_t firstPoint;  ///< in the plan; those of a ring lie one after the other, one more than it has points
     std::int32_t seam = 0;     ///< at which point the ring above starts, counted over whole turns
+};
+
+/// Where the bark of a branch that starts at a fork takes over from its parent's: its repeats, around and along.
+struct BarkJoint {
+    double turn;             ///< about the branch: the middle of its share of the common ring
+    double from, until;      ///< metres from the branch's base: from the common ring to the first of its own one goes over into the other
+    glm::dvec2 at;           ///< the parent's at that middle
+    double around, perMetre; ///< of the parent's there
+};
+
+/// A branch that starts at a fork of its parent, between the parent's path and its other branches. The hole that this leaves in
+/// the parent's wall is closed by a lid over what bounds it; another closes the branch's.
+struct ForkedBranch {
+    std::uint32_t stem;          ///< of the next generation
+    std::uint32_t points, share; ///< of the fork's common ring: all, and how many edges are the branch's
+    std::uint32_t rings;         ///< given ones: the first has share + 1 points, others one more than the common one has
+    std::uint32_t firstPoint;    ///< of those in the plan
+    double clear;                ///< metres from the branch's base: the first ring of its own
+    std::int32_t seam;           ///< at which point that one starts, counted over whole turns
+    BarkJoint bark;
+
+    std::uint32_t pointCount() const { return share + 1 + (rings - 1) * (points + 1); }
+    /// Of a lid, around its middle.
+    std::uint32_t lidPoints() const { return share + 2 * (rings - 1); }
 };
 
 /// The drawn surface of one path of a stem: perhaps a collar, then rings from its base to its tip. Where clones part from
@@ -55,13 +79,20 @@ struct Tube {
     std::uint32_t firstCollarPoint = 0; ///< `points` of them, in the plan
     std::uint32_t firstFork = 0, forkCount = 0; ///< in the plan
     bool joined = false; ///< starts at a fork, on the tube before it: without a lid
+    bool forked = false; ///< starts at a fork of the parent's, closed by a lid
+    std::uint32_t baseLidPoints = 0; ///< of such a lid
+    std::uint32_t barkJoint = 0;     ///< in the plan
+    std::uint32_t firstBranch = 0, branchCount = 0; ///< those that start at its forks, in the plan
     std::uint32_t firstVertex = 0;      ///< in the mesh
     std::size_t firstIndex = 0;
     std::uint32_t vertices = 0; ///< how many it has there
     std::size_t indices = 0;
 
     /// The lid at the base (of a collar or a lobed ring) or at the tip (of a lobed ring) has a vertex in its middle.
-    bool middleOfLid(bool base) const { return lobed || (base && collarRings > 0); }
+    bool middleOfLid(bool base) const { return lobed || (base && (collarRings > 0 || forked)); }
+    bool startsAtFork() const { return joined || forked; }
+    /// How many points lie around the lid at its base.
+    std::uint32_t lidPoints() const { return forked ? baseLidPoints : points; }
     std::size_t vertexCount() const { return vertices; }
     std::size_t indexCount() const { return indices; }
 };
@@ -78,11 +109,18 @@ struct MeshPlan {
     const Ring* ringsOf(const Tube& tube) const { return &rings[tube.firstRing]; }
     std::span<const Fork> forksOf(const Tube& tube) const { return std::span(forks).subspan(tube.firstFork, tube.forkCount); }
 
+    std::span<const ForkedBranch> branchesOf(const Tube& tube) const { return std::span(branches).subspan(tube.firstBranch, tube.branchCount); }
+    /// The one that a stem of the next generation is; null where it is none.
+    const ForkedBranch* branch(std::uint32_t stem) const;
+
     std::vector<Ring> rings;
     std::vector<Tube> tubes; ///< those that are joined to one follow it: together they are one closed surface
     std::vector<SurfacePoint> collarPoints;
     std::vector<Fork> forks;
     std::vector<ForkPoint> forkPoints;
+    std::vector<ForkedBranch> branches; ///< ascending by stem
+    std::vector<ForkPoint> branchPoints; ///< of their given rings
+    std::vector<BarkJoint> barkJoints;   ///< of tubes that start at forks of their parents
     std::vector<std::int32_t> tubeOfPath; ///< −1: too short to be drawn
     std::vector<bool> stemBears;          ///< its leaves, blossoms and fruits are to be drawn
     const Detail* detail = nullptr;       ///< of the table

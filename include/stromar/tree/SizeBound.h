@@ -5,9 +5,15 @@
 
 namespace stromar {
 
-/// A part of a generation's stems, and how thick they are at most: the radius over the first trunk's.
+/// A part of a generation's stems, and how thick they, or the wood they part from, are at most: the radius over the first trunk's.
 struct ThicknessShare {
     double share, thickness;
+};
+
+/// Stems that may part from their parents at nodes (CStem::mayPart()), counted for each stem of the generation.
+struct Parting {
+    double branches = 0; ///< of the next generation
+    double branched = 0; ///< of its own, at most 1
 };
 
 /// At most so much in one generation of stems. Whole numbers, but possibly beyond any integer.
@@ -17,6 +23,7 @@ struct GenerationBound {
     double along = 1;               ///< segments from a stem's base to a tip, at least
     std::vector<ThicknessShare> thickness{{1, 1}}; ///< the shares are 1 together
     double turn = 0;                ///< degrees between two segments that follow each other
+    Parting alone, many;            ///< stems that part from others at nodes: one by itself, and several
     double forkTurn = 0;            ///< degrees that a fork turns its paths, and that they turn back later
     bool forks = false, helix = false, roundEnds = false, spheres = false;
 };

@@ -52,6 +52,11 @@ struct CStem {
     std::uint32_t position; ///< which segment of that path it sits on, counted from the parent's base
     std::uint32_t firstPath, pathCount;
     std::uint32_t firstSegment, segmentCount; ///< all it owns, the clones' included
+    bool atNode = false; ///< its base lies on the parent's axis, where a segment ends: so of all of a generation, which are in the order of their places
+
+    /// So thick a branch may part from its parent at a node like another of its limbs.
+    static constexpr double kPartingRadius = 0.6; ///< over the parent's
+    bool mayPart() const { return atNode && radius >= kPartingRadius * parentRadius; }
 };
 
 /// All stems that are equally many turns away from the root. Immutable once built; links are indices.
@@ -96,6 +101,8 @@ public:
     const LeafArray& grown(Organ organ) const { return organs(organ)->grown; }
     const LeafArray& leaves() const { return grown(Organ::Leaf); }
     std::size_t stemCount() const;
+    /// Whether the branches of a generation's stems, the next generation, start at nodes.
+    bool branchesAtNodes(std::size_t g) const;
 
 private:
     double m_height;

@@ -242,7 +242,7 @@ void checkCollar(const CTree& tree, int generation, const StemMesh& stems, const
         tree.generation(static_cast<std::size_t>(generation - 1)).stems[static_cast<std::size_t>(stem.parent)];
     const std::int32_t wood = parents.plan.tubeOfPath[parent.firstPath + stem.path];
     if (tube.collarRings == 0 || wood < 0) return;
-    ++faults.collars;
+    ++faults.attached;
     const glm::dvec3 base = tree.generation(static_cast<std::size_t>(generation)).segments[stem.firstSegment].position;
     double reach = 0;
     for (std::uint32_t i = 0; i < tube.points; ++i)
@@ -287,7 +287,10 @@ MeshFaults checkStems(const CTree& tree, int generation, const StemMesh& stems, 
         ++faults.surfaces;
     }
     if (parents)
-        for (const Tube& tube : stems.plan.tubes) checkCollar(tree, generation, stems, tube, *parents, *walls, faults);
+        for (const Tube& tube : stems.plan.tubes) {
+            faults.attached += tube.forked;
+            checkCollar(tree, generation, stems, tube, *parents, *walls, faults);
+        }
     return faults;
 }
 

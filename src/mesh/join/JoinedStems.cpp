@@ -1,10 +1,13 @@
 #include "stromar/mesh/JoinedStems.h"
 #include "join/TubeJoiner.h"
+#include "stem/Fork.h"
 #include "stem/FrontNormals.h"
+#include "stem/TubeLids.h"
 #include "stromar/util/Parallel.h"
 #include <algorithm>
 #include <glm/geometric.hpp>
 #include <numeric>
+#include <unordered_map>
 
 namespace stromar {
 
@@ -41,15 +44,17 @@ struct OpenWalls {
     std::vector<JoinedWalls> walls;   ///< of each
 };
 
-/// The mesh of one generation, open where branches stand, without the lids of tubes that stand in holes.
+/// The mesh of one generation, open where branches stand, without the lids of tubes that stand in holes or at forks.
 class CWoodWriter {
 public:
-    CWoodWriter(std::uint32_t generation, const StemMesh& stems, const OpenWalls& open, const std::vector<bool>& standsInHole)
-        : m_generation(generation), m_mesh(*stems.mesh), m_plan(stems.plan), m_open(open), m_dropped(m_mesh.triangleCount()) {
+    CWoodWriter(std::uint32_t generation, std::span<const StemMesh> stems, const OpenWalls& open, const std::vector<bool>& standsInHole)
+        : m_generation(generation), m_mesh(*stems[generation].mesh), m_plan(stems[generation].plan), m_open(open), m_dropped(m_mesh.triangleCount()) {
         for (std::size_t t = 0; t < m_plan.tubes.size(); ++t)
-            if (standsInHole[t]) dropLid(m_plan.tubes[t]);
+            if (standsInHole[t] || m_plan.tubes[t].forked) dropLid(m_plan.tubes[t]);
         for (const JoinedWalls& own : open.walls)
             for (const std::size_t index : own.replaced) m_dropped[index / 3] = true;
+        if (generation + 1 < stems.size()) dropBranchLids(stems[generation + 1].plan);
+        if (generation > 0) findCommon(stems[generation - 1].plan);
     }
 
     void write(JoinedStems& joined, const CProgress& progress) {
@@ -70,9 +75,45 @@ public:
 
 private:
     /// The lowest lid is a tube's last, a fan about a middle of its own.
-    void dropLid(const Tube& tube) {
-        const std::size_t end = (tube.firstIndex + tube.indexCount()) / 3;
-        std::fill(m_dropped.begin() + static_cast<std::ptrdiff_t>(end - tube.points), m_dropped.begin() + static_cast<std::ptrdiff_t>(end), true);
+    void dropLid(const Tube& tube) { drop(tube.firstIndex + tube.indexCount() - 3 * std::size_t{tube.lidPoints()}, tube.lidPoints()); }
+
+    void drop(std::size_t firstIndex, std::uint32_t triangles) { std::fill_n(m_dropped.begin() + static_cast<std::ptrdiff_t>(firstIndex / 3), triangles, true); }
+
+    /// Those over holes in which a branch stands that starts at the fork.
+    void dropBranchLids(const MeshPlan& above) {
+        std::vector<bool> starts(m_plan.branches.size());
+        for (const Tube& tube : above.tubes)
+            if (tube.forked) starts[static_cast<std::size_t>(m_plan.branch(tube.stem) - m_plan.branches.data())] = true;
+        for (const Tube& tube : m_plan.tubes) {
+            if (tube.branchCount == 0) continue;
+            const std::vector<LidPlace> lids = branchLidsOf(m_plan, tube);
+            for (std::size_t b = 0; b < lids.size(); ++b)
+                if (starts[tube.firstBranch + b]) drop(lids[b].index, lids[b].points);
+        }
+    }
+
+    /// What bounds a branch at a fork comes from the lid that its parent has there: both move alike.
+    void findCommon(const MeshPlan& below) {
+        if (below.branches.empty()) return;
+        std::vector<std::uint32_t> lids(below.branches.size()); // their first points
+        for (const Tube& tube : below.tubes) {
+            if (tube.branchCount == 0) continue;
+            std::size_t next = tube.firstBranch;
+            for (const LidPlace& lid : branchLidsOf(below, tube)) lids[next++] = lid.vertex + 1;
+        }
+        for (const Tube& tube : m_plan.tubes) {
+            if (!tube.forked) continue;
+            const ForkedBranch& branch = *below.branch(tube.stem);
+            const std::uint32_t lid = lids[static_cast<std::size_t>(&branch - below.branches.data())];
+            const std::vector<std::uint32_t> boundary = boundaryOf(branch.share, branch.points, branch.rings);
+            for (std::uint32_t i = 0; i < boundary.size(); ++i) m_common.emplace(tube.firstVertex + boundary[i], lid + i);
+            m_common.emplace(tube.firstVertex + branch.pointCount() - 1, lid); // the saddle
+        }
+    }
+
+    VertexSource sourceOf(std::uint32_t v) const {
+        const auto common = m_common.find(v);
+        return common == m_common.end() ? VertexSource{m_generation, v} : VertexSource{m_generation - 1, common->second};
     }
 
     void countUsed() {
@@ -90,7 +131,7 @@ private:
     void copyKept() {
         for (std::uint32_t v = 0; v < m_mesh.vertexCount(); ++v)
             if (m_place[v] != kNone)
-                add({{m_generation, v}, m_mesh.positions[v], m_mesh.normals[v], m_mesh.texCoords[v], m_mesh.looks[v]});
+                add({sourceOf(v), m_mesh.positions[v], m_mesh.normals[v], m_mesh.texCoords[v], m_mesh.looks[v]});
         std::size_t i = 0;
         const auto copyTo = [&](std::size_t end) {
             for (; i < end; i += 3) {
@@ -110,7 +151,10 @@ private:
     void append(const JoinedWalls& walls) {
         const auto first = static_cast<std::uint32_t>(m_sources.size());
         const std::size_t firstIndex = m_nextIndex;
-        for (const JoinedWalls::Vertex& vertex : walls.vertices) add(vertex);
+        for (JoinedWalls::Vertex vertex : walls.vertices) {
+            if (vertex.source.generation == m_generation) vertex.source = sourceOf(vertex.source.vertex);
+            add(vertex);
+        }
         for (const std::uint32_t v : walls.triangles)
             m_out->indices[m_nextIndex++] = v < m_place.size() ? m_place[v] : first + (v - static_cast<std::uint32_t>(m_place.size()));
         m_newIndices.push_back({firstIndex, m_nextIndex});
@@ -215,6 +259,7 @@ private:
     std::size_t m_nextIndex = 0;
     std::vector<IndexRange> m_keptIndices, m_newIndices; ///< of the open tubes
     std::shared_ptr<CMesh> m_out;
+    std::unordered_map<std::uint32_t, std::uint32_t> m_common; ///< vertices that are also the generation's before
     std::vector<VertexSource> m_sources;
 };
 
@@ -249,15 +294,20 @@ JoinedStems joinStems(const CTree& tree, std::span<const StemMesh> stems, const 
         [&](std::size_t begin, std::size_t end) {
             for (std::size_t g = begin; g < end; ++g) {
                 const std::vector<bool> standsInHole = standingInHoles(stems[g].plan, g > 0 ? open[g - 1] : OpenWalls());
-                CWoodWriter(static_cast<std::uint32_t>(g), stems[g], open[g], standsInHole).write(joined, progress);
+                CWoodWriter(static_cast<std::uint32_t>(g), stems, open[g], standsInHole).write(joined, progress);
             }
         },
         progress);
     for (std::size_t g = 0; g < stems.size(); ++g) {
-        if (g > 0) joined.apart += static_cast<std::size_t>(std::ranges::count_if(stems[g].plan.tubes, [](const Tube& tube) { return tube.collarRings > 0; }));
-        for (const JoinedWalls& own : open[g].walls) joined.joined += own.joined.size();
+        for (const Tube& tube : stems[g].plan.tubes) {
+            joined.joined += tube.forked;
+            joined.apart += tube.collarRings > 0;
+        }
+        for (const JoinedWalls& own : open[g].walls) {
+            joined.joined += own.joined.size();
+            joined.apart -= own.joined.size();
+        }
     }
-    joined.apart -= joined.joined;
     return joined;
 }
 

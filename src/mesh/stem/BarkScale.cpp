@@ -5,7 +5,8 @@
 
 namespace stromar {
 
-void CBarkScale::start(const CGeneration& generation, const CStem& stem, const CPath& path) {
+void CBarkScale::start(const CGeneration& generation, const CStem& stem, const CPath& path, const BarkJoint* joint) {
+    m_offset = glm::dvec2(0);
     m_bark = m_surface.barkOf(stem);
     m_pieces.clear();
     m_finest = stem.radius > 0 ? std::clamp(m_surface.minRadius() / stem.radius, kFinest, 1.0) : 1;
@@ -15,6 +16,26 @@ void CBarkScale::start(const CGeneration& generation, const CStem& stem, const C
     for (std::size_t i = upwards.size(); i-- > 0;)
         add(stem, generation.segmentsOf(*upwards[i]),
             i > 0 ? generation.segmentsOf(*upwards[i - 1]).front().start : std::numeric_limits<double>::infinity());
+    if (!joint) return;
+    m_joint = *joint;
+    m_perMetre = perMetreAt(joint->until);
+    m_offset = {joint->at.x - m_bark.around * joint->turn, alongLimb(joint->until) - ownAt(joint->until)};
+}
+
+double CBarkScale::perMetreAt(double along) const {
+    const double step = 1e-3 * m_pieces.back().length;
+    return (ownAt(along + step) - ownAt(along - step)) / (2 * step);
+}
+
+/// What it advances by goes over evenly.
+double CBarkScale::alongLimb(double along) const {
+    const double up = along - m_joint.from, whole = m_joint.until - m_joint.from;
+    return m_joint.at.y + up * (m_joint.perMetre + (m_perMetre - m_joint.perMetre) * up / (2 * whole));
+}
+
+glm::dvec2 CBarkScale::onLimb(double turns, double along) const {
+    const double share = (along - m_joint.from) / (m_joint.until - m_joint.from);
+    return {m_joint.at.x + (turns - m_joint.turn) * (m_joint.around + share * (m_bark.around - m_joint.around)), alongLimb(along)};
 }
 
 void CBarkScale::add(const CStem& stem, std::span<const CSegment> segments, double until) {
@@ -30,7 +51,7 @@ void CBarkScale::add(const CStem& stem, std::span<const CSegment> segments, doub
     }
 }
 
-double CBarkScale::at(double along) const {
+double CBarkScale::ownAt(double along) const {
     if (m_pieces.empty()) return m_bark.perMetre * along;
     const auto above = std::ranges::upper_bound(m_pieces, along, {}, &Piece::start);
     const Piece& piece = above == m_pieces.begin() ? *above : *(above - 1);

@@ -12,10 +12,17 @@ constexpr double kOfSegment = 0.4;   // of a segment that a bend at one of its e
 constexpr double kBehindFork = 0.55; // of a segment that a fork may take
 constexpr double kLeastForkSine = 0.2; // of half the turn: straighter forks are rounded as far as those
 constexpr double kMaxStretch = 2;   // of a mitred ring
-
-/// The sine of half the turn between two directions.
-double halfSine(const glm::dvec3& low, const glm::dvec3& high) { return std::min(1.0, glm::distance(low, high) / 2); }
 } // namespace
+
+double CCentreLine::halfSine(const glm::dvec3& low, const glm::dvec3& high) { return std::min(1.0, glm::distance(low, high) / 2); }
+
+double CCentreLine::reachBelowFork(double length, double radius, double sine) {
+    return std::min(kOfSegment * length, 2 * kOffAxis * radius / std::max(kLeastForkSine, sine));
+}
+
+double CCentreLine::reachAboveFork(double length, double radius, double sine) {
+    return std::min(kBehindFork * length, 2 * kOffAxis * radius / std::max(kLeastForkSine, sine));
+}
 
 void CCentreLine::start(const CStem& stem, const CPath& path, double maxTurn) {
     m_path = &path;
@@ -62,10 +69,9 @@ CCentreLine::Joint CCentreLine::jointAt(const CStem& stem, std::uint32_t i, doub
 /// The paths of a fork part at one place, so how far below it they do depends on the one that turns most.
 CCentreLine::Joint CCentreLine::forkAt(const CStem& stem, const CSegment& below, std::uint32_t i, Joint joint) const {
     const CSegment& above = m_generation.segments[m_path->firstSegment + i];
-    const double room = 2 * kOffAxis * m_surface.woodRadius(stem, above, 0);
-    joint.below = std::min(kOfSegment * below.length, room / std::max(kLeastForkSine, sharpestTurn(stem, below)));
-    joint.above = std::min(kBehindFork * above.length,
-                           room / std::max(kLeastForkSine, halfSine(joint.axisBelow, above.frame[2])));
+    const double radius = m_surface.woodRadius(stem, above, 0);
+    joint.below = reachBelowFork(below.length, radius, sharpestTurn(stem, below));
+    joint.above = reachAboveFork(above.length, radius, halfSine(joint.axisBelow, above.frame[2]));
     joint.rings = std::max(1, joint.rings);
     return joint;
 }

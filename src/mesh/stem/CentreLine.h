@@ -33,6 +33,13 @@ public:
     /// How far below the lower end of a segment its paths part, metres.
     double forkReach(std::uint32_t segment) const { return m_joints[segment - m_path->firstSegment].below; }
 
+    /// How far below a fork its paths part, and how far above it one runs straight again: of a segment of that length and the wood's radius
+    /// above it, metres, and the sine of half the turn, the sharpest or the path's own.
+    static double reachBelowFork(double length, double radius, double sine);
+    static double reachAboveFork(double length, double radius, double sine);
+    /// The sine of half the turn between two directions.
+    static double halfSine(const glm::dvec3& low, const glm::dvec3& high);
+
     /// Rings that one bend takes at most, besides the one in its middle.
     static constexpr int kMaxBendRings = 6;
 

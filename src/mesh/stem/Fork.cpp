@@ -17,6 +17,12 @@ constexpr double kApartOfMany = 1.3; // radii from their middle where three or m
 constexpr double kLeastWidth = 0.1;  // radii from the middle to a valley below the saddle, where limbs part and near again
 constexpr double kReach = 3;        // how fast what a valley fills wears off around a ring
 constexpr double kClear = 0.4;      // radii between the saddle and that ring, at least
+constexpr double kLeastAside = 0.4; // of the mean way of limbs from their middle: between all others a branch has no side of its own
+constexpr double kLeastFacing = 0.05; // cosine between a lid's triangles and it
+constexpr double kSharpestTurn = 0.6; // sine of half the turn of a branch, or of the path beside it: beyond 74 degrees it rather grows out of the side
+constexpr double kNarrow = 0.3, kLeastRoom = 1.6; // likewise of a single one beyond 47 degrees where the segments are not so much longer than its bend
+constexpr double kUnlimited = std::numeric_limits<double>::infinity();
+constexpr double kLeastDrawn = 2; // times what single precision shows: between points
 constexpr int kForkHalvings = 12;
 
 glm::dvec2 directionOf(double angle) { return {std::cos(angle), std::sin(angle)}; }
@@ -25,77 +31,176 @@ glm::dvec2 directionOf(double angle) { return {std::cos(angle), std::sin(angle)}
 double nearest(double angle, double to) { return angle + kTurn * std::round((to - angle) / kTurn); }
 } // namespace
 
-std::optional<ForkNode> CForkMaker::nodeAt(const CStem& stem, std::uint32_t path, std::uint32_t segment,
-                                           double reach) const {
+LidShape lidOf(std::span<const glm::dvec3> line) {
+    LidShape lid{glm::dvec3(0), glm::dvec3(0)};
+    for (const glm::dvec3& corner : line) lid.middle += corner / double(line.size());
+    for (std::size_t i = 0; i < line.size(); ++i) lid.normal += glm::cross(line[i] - lid.middle, line[(i + 1) % line.size()] - lid.middle);
+    const double length = glm::length(lid.normal);
+    lid.normal = length > 0 ? lid.normal / length : glm::dvec3(0, 0, 1);
+    return lid;
+}
+
+std::vector<std::uint32_t> boundaryOf(std::uint32_t share, std::uint32_t points, std::uint32_t rings) {
+    std::vector<std::uint32_t> boundary;
+    const auto first = [&](std::uint32_t ring) { return ring == 0 ? 0 : share + 1 + (ring - 1) * (points + 1); };
+    for (std::uint32_t r = rings - 1; r > 0; --r) boundary.push_back(first(r));
+    for (std::uint32_t i = 0; i <= share; ++i) boundary.push_back(i);
+    for (std::uint32_t r = 1; r + 1 < rings; ++r) boundary.push_back(first(r) + points);
+    return boundary;
+}
+
+std::optional<ForkNode> CForkMaker::nodeAt(const CStem& stem, std::uint32_t path, std::uint32_t segment, double reach) const {
     const CPath& own = m_generation.paths[stem.firstPath + path];
     const std::uint32_t position = segment - own.firstSegment + own.firstPosition;
-    ForkNode node{{path}, segment - 1, reach};
+    ForkNode node{{path}, {}, segment - 1, reach};
     for (std::uint32_t p = path + 1; p < stem.pathCount; ++p) {
         const CPath& clone = m_generation.paths[stem.firstPath + p];
         if (clone.source == static_cast<std::int32_t>(path) && clone.firstPosition == position) node.paths.push_back(p);
     }
+    if (m_nodes && stem.pathCount == 1) {
+        node.branches = m_nodes->at(static_cast<std::uint32_t>(&stem - m_generation.stems.data()), position - 1);
+        if (!node.branches.empty() && !addReach(stem, segment, node)) node.branches.clear();
+    }
     const bool winds = m_generation.segments[node.segmentBelow].helixRadius > 0;
-    if (node.paths.size() < 2 || reach <= 0 || winds) return {};
+    if (node.paths.size() + node.branches.size() < 2 || node.reach <= 0 || winds) return {};
     return node;
+}
+
+/// As among the paths of a fork: by the one that turns most. False where a branch rather grows out of the side.
+bool CForkMaker::addReach(const CStem& stem, std::uint32_t segment, ForkNode& node) const {
+    const CSegment &below = m_generation.segments[node.segmentBelow], &above = m_generation.segments[segment];
+    const CGeneration& branches = m_tree.generation(m_number + 1);
+    const double radius = m_surface.woodRadius(stem, above, 0);
+    double sine = CCentreLine::halfSine(below.frame[2], above.frame[2]), room = std::min(below.length, above.length);
+    for (const std::uint32_t b : node.branches) {
+        const CSegment& first = branches.segments[branches.stems[b].firstSegment];
+        sine = std::max(sine, CCentreLine::halfSine(below.frame[2], first.frame[2]));
+        room = std::min(room, first.length);
+    }
+    const bool needsRoom = node.branches.size() == 1 && sine > kNarrow;
+    if (sine > kSharpestTurn || (needsRoom && room < kLeastRoom * CCentreLine::reachBelowFork(kUnlimited, radius, sine))) return false;
+    node.reach = std::max(node.reach, CCentreLine::reachBelowFork(below.length, radius, sine));
+    return true;
 }
 
 std::optional<ForkRings> CForkMaker::make(const CStem& stem, const ForkNode& node, std::uint32_t points, double maxTurn,
                                           bool lobed) {
     m_points = points;
-    if (points < node.paths.size() || !startLimbs(stem, node, maxTurn, lobed)) return {};
-    ForkRings rings;
-    for (std::uint32_t i = 0; i <= points; ++i) {
-        const double angle = kTurn * (i % points) / points;
-        const CPathSurface& surface = m_limbs.front().surface;
-        rings.common.push_back({glm::vec3(surface.pointAt(m_common, angle, directionOf(angle))),
-                                glm::vec3(surface.normalAt(m_common, angle, directionOf(angle))),
-                                static_cast<float>(i) / static_cast<float>(points), static_cast<float>(m_common.along), 0});
-    }
-    for (const Limb& limb : m_limbs) {
-        ForkLimb made{limb.path, limb.share, {}, {m_common.along}, 0};
-        for (std::uint32_t i = 0; i <= limb.share; ++i) {
-            made.points.push_back(rings.common[(limb.first + i) % points]);
-            made.points.back().turn = static_cast<float>(limb.first + i) / static_cast<float>(points);
-        }
-        rings.limbs.push_back(std::move(made));
-    }
+    if (points < node.paths.size() + node.branches.size() || !startLimbs(stem, node, maxTurn, lobed)) return {};
     const double top = alongWhereApart(isPair() ? 1 + kFill : kApartOfMany);
     const std::vector<double> alongs = levels(top);
     if (!standApart(stem, alongs)) return {};
+    clearLimbs(top, std::max(kClear * m_common.radius, top - (alongs.size() > 1 ? alongs[alongs.size() - 2] : m_common.along)));
+    ForkRings rings;
+    addCommonRing(rings);
     for (std::size_t l = 0; l < alongs.size(); ++l)
         addLevel(levelAt(alongs[l]), double(l + 1) / double(alongs.size()), rings);
     for (std::size_t i = 0; i < m_limbs.size(); ++i) {
         ForkLimb& made = rings.limbs[i];
-        const double step = std::max(kClear * m_common.radius, top - made.along[made.along.size() - 2]);
-        made.along.push_back(std::min(top + step, m_common.along + kClearRoom * (m_limbs[i].limit - m_common.along)));
-        made.seam = static_cast<std::int32_t>(std::lround(m_limbs[i].left / kTurn * points));
+        made.along.push_back(m_limbs[i].clear);
+        made.seam = static_cast<std::int32_t>(std::lround(m_limbs[i].left / kTurn * points)) - m_limbs[i].turned;
+        if (made.isBranch && !canBeClosed(made)) return {};
     }
     return rings;
+}
+
+/// And each limb's share of it.
+void CForkMaker::addCommonRing(ForkRings& rings) const {
+    for (std::uint32_t i = 0; i <= m_points; ++i) {
+        const double angle = kTurn * (i % m_points) / m_points;
+        rings.common.push_back({glm::vec3(m_base.pointAt(m_common, angle, directionOf(angle))),
+                                glm::vec3(m_base.normalAt(m_common, angle, directionOf(angle))),
+                                static_cast<float>(i) / static_cast<float>(m_points), static_cast<float>(m_common.along), 0});
+    }
+    for (const Limb& limb : m_limbs) {
+        ForkLimb made{limb.bend.has_value(), limb.number, limb.share, {}, {m_common.along}, limb.turned, 0};
+        for (std::uint32_t i = 0; i <= limb.share; ++i) {
+            made.points.push_back(rings.common[(limb.first + i) % m_points]);
+            made.points.back().turn = static_cast<float>(static_cast<std::int32_t>(limb.first + i) - limb.turned) / static_cast<float>(m_points);
+        }
+        rings.limbs.push_back(std::move(made));
+    }
+}
+
+/// Where their own rings start, so much above the saddle.
+void CForkMaker::clearLimbs(double top, double step) {
+    for (Limb& limb : m_limbs) {
+        limb.clear = std::min(top + step, m_common.along + kClearRoom * (limb.limit - m_common.along));
+        if (!limb.bend) continue;
+        limb.clear = std::max(limb.clear, limb.bend->end());
+        limb.turned = limb.bend->turnTo(limb.surface, limb.clear, m_points);
+    }
 }
 
 /// False when they have no room to part.
 bool CForkMaker::startLimbs(const CStem& stem, const ForkNode& node, double maxTurn, bool lobed) {
     const double foot = m_generation.segments[node.segmentBelow].end() - node.reach;
     m_limbs.clear();
-    m_limit = std::numeric_limits<double>::infinity();
     for (const std::uint32_t p : node.paths) {
         Limb& limb = m_limbs.emplace_back(
-            Limb{p, limitOf(stem, p, node.segmentBelow), CPathSurface(m_generation, m_surface)});
+            Limb{p, limitOf(stem, p, node.segmentBelow), CPathSurface(m_generation, m_surface), {}});
         limb.surface.start(stem, m_generation.paths[stem.firstPath + p], maxTurn, lobed);
-        m_limit = std::min(m_limit, foot + kRoom * (limb.limit - foot));
     }
-    m_common = m_limbs.front().surface.shapeAt(foot);
+    m_base.start(stem, m_generation.paths[stem.firstPath + node.paths.front()], maxTurn, lobed);
+    m_common = m_base.shapeAt(foot);
+    if (!startBranches(node, foot)) return false;
+    m_limit = std::numeric_limits<double>::infinity();
+    for (const Limb& limb : m_limbs) m_limit = std::min(m_limit, foot + kRoom * (limb.limit - foot));
     const Level top = levelAt(m_limit);
-    return top.apart >= kLeastApart && shareOut(top);
+    return top.apart >= kLeastApart && (node.branches.empty() || allStandAside(top)) && shareOut(top);
+}
+
+bool CForkMaker::startBranches(const ForkNode& node, double foot) {
+    if (node.branches.empty()) return true;
+    const CGeneration& branches = m_tree.generation(m_number + 1);
+    for (const std::uint32_t b : node.branches) {
+        const CStem& branch = branches.stems[b];
+        const CPath& path = branches.paths[branch.firstPath];
+        const CSegment& first = branches.segments[path.firstSegment];
+        const double limit = branch.offset + limitOf(branches, m_number + 1, branch, path, 0);
+        const double bends = CCentreLine::reachAboveFork(first.length, m_branchSurface->woodRadius(branch, first, 0),
+                                                         CCentreLine::halfSine(m_common.frame[2], first.frame[2]));
+        const double above = std::min(bends, foot + kClearRoom * (limit - foot) - branch.offset);
+        if (!(above > 0)) return false;
+        Limb& limb = m_limbs.emplace_back(Limb{b, limit, CPathSurface(branches, *m_branchSurface), CBranchBend(branch, first, m_common, node.reach, above)});
+        limb.surface.start(branch, path, m_branchSurface->turnOf(branch, m_detail.maxTurn), false);
+    }
+    return true;
+}
+
+bool CForkMaker::allStandAside(const Level& top) const {
+    return std::ranges::all_of(top.rings, [&](const RingShape& ring) {
+        return isPair() || glm::distance(ring.centre, top.middle) >= kLeastAside * top.apart * top.radius;
+    });
 }
 
 /// The next fork of the path takes at most the upper half of the segment below it.
 double CForkMaker::limitOf(const CStem& stem, std::uint32_t p, std::uint32_t segmentBelow) const {
-    const std::span<const CSegment> segments = m_generation.segmentsOf(m_generation.paths[stem.firstPath + p]);
-    const double from = m_generation.segments[segmentBelow].end();
-    for (const CSegment& segment : segments)
-        if (segment.start >= from && segment.forks) return segment.start + segment.length / 2;
+    return limitOf(m_generation, m_number, stem, m_generation.paths[stem.firstPath + p], m_generation.segments[segmentBelow].end());
+}
+
+double CForkMaker::limitOf(const CGeneration& generation, std::size_t number, const CStem& stem, const CPath& path, double from) const {
+    const CNodes nodes(m_tree, number);
+    const auto parts = [&, s = static_cast<std::uint32_t>(&stem - generation.stems.data())](std::uint32_t segment) {
+        return m_nodes && stem.pathCount == 1 && !nodes.at(s, segment).empty();
+    };
+    const std::span<const CSegment> segments = generation.segmentsOf(path);
+    for (std::uint32_t i = 0; i < segments.size(); ++i)
+        if (segments[i].start >= from && (segments[i].forks || parts(i))) return segments[i].start + segments[i].length / 2;
     return segments.back().end();
+}
+
+/// Whether a lid about the middle of what bounds a limb's walls does not fold.
+bool CForkMaker::canBeClosed(const ForkLimb& limb) const {
+    std::vector<glm::dvec3> corners;
+    for (const std::uint32_t i : boundaryOf(limb.share, m_points, static_cast<std::uint32_t>(limb.along.size()) - 1))
+        corners.emplace_back(limb.points[i].position);
+    const LidShape lid = lidOf(corners);
+    for (std::size_t i = 0; i < corners.size(); ++i) {
+        const glm::dvec3 face = glm::cross(corners[i] - lid.middle, corners[(i + 1) % corners.size()] - lid.middle);
+        if (!(glm::dot(face, lid.normal) > kLeastFacing * glm::length(face))) return false;
+    }
+    return true;
 }
 
 /// Gives each limb the points of the common ring that lie to its side; false when one would have none.
@@ -113,16 +218,21 @@ bool CForkMaker::shareOut(const Level& top) {
         sorted.back().azimuth = azimuth;
     }
     m_limbs = std::move(sorted);
+    const auto points = static_cast<long>(m_points);
+    std::vector<long> ends; // one for two neighbours, however it is rounded
     for (std::size_t i = 0; i < m_limbs.size(); ++i) {
         const double own = m_limbs[i].azimuth, after = m_limbs[next(i)].azimuth + (next(i) == 0 ? kTurn : 0);
-        m_limbs[i].right = (own + after) / 2;
-        m_limbs[next(i)].left = m_limbs[i].right - (next(i) == 0 ? kTurn : 0);
+        const double wide = top.rings[order[i].second].radius, narrow = top.rings[order[next(i)].second].radius;
+        ends.push_back(std::lround((own + (after - own) * wide / (wide + narrow)) / kTurn * m_points));
     }
-    const auto indexAt = [&](double angle) { return std::lround(angle / kTurn * m_points); };
-    for (Limb& limb : m_limbs) {
-        const long first = indexAt(limb.left), share = indexAt(limb.right) - first;
+    for (std::size_t i = 1; i < ends.size(); ++i) ends[i] = std::max(ends[i], ends[i - 1] + 1);
+    ends.back() = std::min(ends.back(), ends.front() - 1 + points);
+    for (std::size_t i = ends.size() - 1; i-- > 1;) ends[i] = std::min(ends[i], ends[i + 1] - 1);
+    for (std::size_t i = 0; i < m_limbs.size(); ++i) {
+        Limb& limb = m_limbs[i];
+        const long first = i > 0 ? ends[i - 1] : ends.back() - points, share = ends[i] - first;
         if (share < 1) return false;
-        limb.first = static_cast<std::uint32_t>((first + static_cast<long>(m_points)) % static_cast<long>(m_points));
+        limb.first = static_cast<std::uint32_t>((first + points) % points);
         limb.share = static_cast<std::uint32_t>(share);
         limb.left = kTurn * limb.first / m_points;
         limb.right = limb.left + kTurn * limb.share / m_points;
@@ -133,14 +243,16 @@ bool CForkMaker::shareOut(const Level& top) {
 CForkMaker::Level CForkMaker::levelAt(double along) const {
     Level level{along, 0, 0, glm::dvec3(0), m_common.frame, {}};
     const auto count = double(m_limbs.size());
-    double radius = 0;
+    double radius = 0, weights = 0;
     glm::dvec3 axis(0);
     for (const Limb& limb : m_limbs) {
-        const RingShape& ring = level.rings.emplace_back(limb.surface.shapeAt(along));
-        level.middle += ring.centre / count;
+        const RingShape& ring = level.rings.emplace_back(limb.shapeAt(along));
+        level.middle += ring.centre / ring.radius;
+        weights += 1 / ring.radius;
         radius += ring.radius / count;
         axis += ring.frame[2];
     }
+    level.middle /= weights;
     if (glm::length(axis) > 1e-6) level.frame = transported(m_common.frame, glm::normalize(axis));
     for (const RingShape& ring : level.rings)
         level.apart += glm::distance(ring.centre, level.middle) / (count * radius);
@@ -177,7 +289,7 @@ std::vector<double> CForkMaker::levels(double top) const {
 
 /// Whether the points of rings at these places are told apart in single precision.
 bool CForkMaker::standApart(const CStem& stem, const std::vector<double>& alongs) const {
-    const double least = 4 * CStemSurface::minDrawn(stem, m_generation.segments[stem.firstSegment]);
+    const double least = kLeastDrawn * CStemSurface::minDrawn(stem, m_generation.segments[stem.firstSegment]);
     double gap = kTurn * m_common.radius / m_points, below = m_common.along;
     for (const double along : alongs) {
         gap = std::min(gap, along - below);
@@ -253,7 +365,7 @@ void CForkMaker::addRing(const Level& level, std::size_t l, const Valley& left, 
                                     : i == m_points ? right.position
                                                   : pointAt(angle) + toLeft * leftOff + toRight * rightOff;
         const glm::dvec3 normal = (1 - toLeft) * (1 - toRight) * own + toLeft * left.normal + toRight * right.normal;
-        made.points.push_back({glm::vec3(position), glm::vec3(glm::normalize(normal)), static_cast<float>(angle / kTurn),
+        made.points.push_back({glm::vec3(position), glm::vec3(glm::normalize(normal)), static_cast<float>(angle / kTurn - double(limb.turned) / m_points),
                                static_cast<float>(level.along),
                                static_cast<float>(toLeft * left.depth + toRight * right.depth)});
     }

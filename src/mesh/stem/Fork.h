@@ -1,5 +1,6 @@
 #pragma once
-#include "stem/PathSurface.h"
+#include "stem/BranchBend.h"
+#include "stem/Nodes.h"
 #include "stromar/mesh/MeshBuilder.h"
 #include <memory>
 #include <optional>
@@ -7,20 +8,23 @@
 
 namespace stromar {
 
-/// Where a stem parts into paths.
+/// Where a stem parts into paths, or into one and branches nearly as thick.
 struct ForkNode {
-    std::vector<std::uint32_t> paths; ///< of the stem; the first is the one that runs on
+    std::vector<std::uint32_t> paths;    ///< of the stem; the first is the one that runs on
+    std::vector<std::uint32_t> branches; ///< stems of the next generation
     std::uint32_t segmentBelow;       ///< of the generation
     double reach;                     ///< how far below that segment's end they part, metres
 };
 
-/// A path above a fork: rings that start at valleys between it and its neighbours, open ones, but for the last.
+/// A path or a branch above a fork: rings that start at valleys between it and its neighbours, open ones, but for the last.
 struct ForkLimb {
-    std::uint32_t path;             ///< of the stem
-    std::uint32_t share;            ///< how many edges of the common ring its first has
+    bool isBranch = false;
+    std::uint32_t number = 0;       ///< of the path in the stem, or of the branch in its generation
+    std::uint32_t share = 0;            ///< how many edges of the common ring its first has
     std::vector<ForkPoint> points;  ///< share + 1 of the first ring, one more than the common ring has of each other one
-    std::vector<double> along;      ///< of those rings, and of the first that is the path's own; metres from the stem's base
-    std::int32_t seam;              ///< at which point of that one the last ring starts, counted over whole turns
+    std::vector<double> along;      ///< of those rings, and of the first that is the limb's own; metres from the base of the stem that forks
+    std::int32_t turned = 0;        ///< how many points a branch's first lies from the common ring's
+    std::int32_t seam = 0;          ///< at which point of that one the last ring starts, counted over whole turns
 };
 
 struct ForkRings {
@@ -28,29 +32,51 @@ struct ForkRings {
     std::vector<ForkLimb> limbs;
 };
 
-/// Parts a ring among the paths of a fork. Each takes the points on its side; between neighbours runs a valley, on the line
+/// A lid over a closed line: a fan about its middle, seen from the side from which the line runs counter-clockwise.
+struct LidShape {
+    glm::dvec3 middle, normal;
+};
+LidShape lidOf(std::span<const glm::dvec3> line);
+
+/// The points of a limb that bound its walls below the saddle: from there down the left valley, along the common ring and up the right one.
+std::vector<std::uint32_t> boundaryOf(std::uint32_t share, std::uint32_t points, std::uint32_t rings);
+
+/// Parts a ring among the limbs of a fork. Each takes the points on its side; between neighbours runs a valley, on the line
 /// where their surfaces would meet, up to the one place where all valleys do: the saddle. Angles are kept, so that the bark
 /// runs on.
 class CForkMaker {
 public:
     static constexpr double kMaxLevels = 7; ///< rings up to a saddle
 
-    CForkMaker(const CGeneration& generation, const CStemSurface& surface) : m_generation(generation), m_surface(surface) {}
+    CForkMaker(const CTree& tree, std::size_t generation, const CStemSurface& surface, const Detail& detail)
+        : m_tree(tree), m_number(generation), m_generation(tree.generation(generation)), m_surface(surface), m_detail(detail), m_base(m_generation, surface) {}
 
-    /// The fork where a path of a stem goes on at `segment`; nothing when no clone can part there.
+    /// Like paths, at the generation's nodes. Both have to outlive this.
+    void letBranchesPart(const CNodes& nodes, const CStemSurface& branchSurface) {
+        m_nodes = &nodes;
+        m_branchSurface = &branchSurface;
+    }
+
+    /// The fork where a path of a stem goes on at `segment`; nothing when neither clones nor branches can part there. `reach`: of
+    /// the line's bend there.
     std::optional<ForkNode> nodeAt(const CStem& stem, std::uint32_t path, std::uint32_t segment, double reach) const;
-    /// `points` of the common ring. Nothing where there is no room for the paths to part.
+    /// `points` of the common ring. Nothing where there is no room for the limbs to part.
     std::optional<ForkRings> make(const CStem& stem, const ForkNode& node, std::uint32_t points, double maxTurn, bool lobed);
 
 private:
-    /// A path above the fork.
+    /// A path or a branch above the fork.
     struct Limb {
-        std::uint32_t path;
+        std::uint32_t number;
         double limit; ///< metres along the stem: where it forks again, or ends
         CPathSurface surface;
+        std::optional<CBranchBend> bend; ///< of a branch
         double azimuth = 0;           ///< radians: to which side it leaves
         std::uint32_t first = 0, share = 0; ///< its points of the common ring
         double left = 0, right = 0;   ///< angles of the valleys beside it, at the height last looked at
+        double clear = 0;             ///< metres along the stem: its own first ring
+        std::int32_t turned = 0;      ///< points that a branch's first lies from the common ring's
+
+        RingShape shapeAt(double along) const { return bend ? bend->shapeAt(surface, along) : surface.shapeAt(along); }
     };
     /// All limbs at one place along the stem.
     struct Level {
@@ -65,8 +91,15 @@ private:
         double depth;
     };
 
+    bool addReach(const CStem& stem, std::uint32_t segment, ForkNode& node) const;
     bool startLimbs(const CStem& stem, const ForkNode& node, double maxTurn, bool lobed);
+    bool startBranches(const ForkNode& node, double foot);
     double limitOf(const CStem& stem, std::uint32_t path, std::uint32_t segmentBelow) const;
+    double limitOf(const CGeneration& generation, std::size_t number, const CStem& stem, const CPath& path, double from) const;
+    bool canBeClosed(const ForkLimb& limb) const;
+    bool allStandAside(const Level& top) const;
+    void addCommonRing(ForkRings& rings) const;
+    void clearLimbs(double top, double step);
     bool shareOut(const Level& top);
     Level levelAt(double along) const;
     double alongWhereApart(double apart) const;
@@ -80,9 +113,15 @@ private:
     bool isPair() const { return m_limbs.size() == 2; }
     std::size_t next(std::size_t limb) const { return (limb + 1) % m_limbs.size(); }
 
+    const CTree& m_tree;
+    std::size_t m_number;
     const CGeneration& m_generation;
     const CStemSurface& m_surface;
+    const Detail& m_detail;
+    const CNodes* m_nodes = nullptr; ///< none: branches do not part
+    const CStemSurface* m_branchSurface = nullptr;
     std::vector<Limb> m_limbs; ///< by azimuth, once they have their shares
+    CPathSurface m_base; ///< of the path that runs on
     RingShape m_common;
     std::uint32_t m_points = 0; ///< of the common ring
     double m_limit = 0; ///< metres along the stem that the saddle reaches at most

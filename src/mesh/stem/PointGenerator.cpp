@@ -1,4 +1,5 @@
 #include "stem/PointGenerator.h"
+#include "stem/Fork.h"
 #include "stromar/util/Turn.h"
 #include <algorithm>
 #include <cmath>
@@ -26,7 +27,7 @@ void CPointGenerator::startTube(const Tube& tube) {
         for (std::uint32_t i = 0; i < m_points; ++i)
             m_circle[i] = {std::cos(kTurn * i / m_points), std::sin(kTurn * i / m_points)};
     }
-    m_bark.start(m_generation, stem, m_generation.paths[tube.path]);
+    m_bark.start(m_generation, stem, m_generation.paths[tube.path], tube.forked ? &m_plan.barkJoints[tube.barkJoint] : nullptr);
     m_path.start(stem, m_generation.paths[tube.path], tube.maxTurn, tube.lobed);
     m_rings.clear();
     for (std::uint32_t i = 0; i < tube.ringCount; ++i)
@@ -43,6 +44,7 @@ void CPointGenerator::lookAtForks(const Tube& tube) {
         const ForkPoint* given = &m_plan.forkPoints[fork.firstPoint];
         for (std::size_t r = fork.ring; r < std::min(end, m_rings.size()); ++r) {
             m_rings[r].given = given;
+            m_rings[r].onParent = tube.forked && fork.ring == 0;
             given += m_rings[r].points + 1;
         }
         if (end < m_rings.size()) m_rings[end].seam = fork.seam;
@@ -64,7 +66,7 @@ CPointGenerator::BaseOcclusion CPointGenerator::baseOcclusionOf(const Tube& tube
     const CPath& path = m_generation.paths[tube.path];
     const bool inside = path.source >= 0 && !tube.joined; // where it starts
     return {inside ? m_generation.segments[path.firstSegment].start : 0, stem.radius,
-            inside ? kHiddenInFork : stem.parent >= 0 ? kHiddenInCollar : kHiddenAtGround};
+            tube.forked ? 0 : inside ? kHiddenInFork : stem.parent >= 0 ? kHiddenInCollar : kHiddenAtGround};
 }
 
 CPointGenerator::DrawnRing CPointGenerator::shapeOf(const Tube& tube, const Ring& ring) const {
@@ -76,7 +78,7 @@ CPointGenerator::DrawnRing CPointGenerator::shapeOf(const Tube& tube, const Ring
 
 /// Without a collar the second ring may be far: the lowest one gets the value with which the wall between them has the mean of many rings.
 void CPointGenerator::averageBaseOcclusion(const Tube& tube) {
-    if (tube.collarRings > 0 || m_rings.size() < 2) return;
+    if (tube.collarRings > 0 || tube.forked || m_rings.size() < 2) return;
     const BaseOcclusion base = baseOcclusionOf(tube);
     const double low = base.above(m_rings[0].along), wall = base.above(m_rings[1].along) - low;
     if (wall < 1e-3) return;
@@ -135,8 +137,9 @@ void CPointGenerator::addRing(std::size_t r, VertexSink& sink) const {
 void CPointGenerator::addGivenRing(const DrawnRing& ring, VertexSink& sink) const {
     for (const ForkPoint& point : std::span(ring.given, ring.points + 1)) {
         const double open = ring.look.skyVisibility * (1 - kHiddenInFork * double(point.depth));
-        sink.add(point.position, point.normal, m_bark.around() * double(point.turn), m_bark.at(double(point.along)),
-                 lookAt(ring, open));
+        const double turn = double(point.turn), along = double(point.along);
+        const glm::dvec2 bark = ring.onParent ? m_bark.onLimb(turn, along - stem().offset) : glm::dvec2(m_bark.around(turn), m_bark.at(along));
+        sink.add(point.position, point.normal, bark.x, bark.y, lookAt(ring, open));
     }
 }
 
@@ -186,6 +189,7 @@ void CPointGenerator::addCollarRing(std::uint32_t ring, VertexSink& sink) const 
 
 void CPointGenerator::addLid(bool base, VertexSink& sink) const {
     if (base && m_tube->collarRings > 0) return addCollarLid(sink);
+    if (base && m_tube->forked) return addForkLid(true, {m_points, m_rings[0].points, m_plan.forksOf(*m_tube)[0].rings, m_rings[0].given}, sink);
     const DrawnRing& ring = base ? m_rings.front() : m_rings.back();
     const glm::dvec3 normal = base ? -ring.frame[2] : ring.frame[2];
     const auto add = [&](const glm::dvec3& point, glm::dvec2 at) {
@@ -194,6 +198,23 @@ void CPointGenerator::addLid(bool base, VertexSink& sink) const {
     };
     if (m_tube->middleOfLid(base)) add(ring.centre, {0, 0});
     for (std::uint32_t i = 0; i < ring.points; ++i) add(pointAt(ring, i), circle(ring, i));
+}
+
+void CPointGenerator::addBranchLid(const ForkedBranch& branch, VertexSink& sink) const {
+    addForkLid(false, {branch.points, branch.share, branch.rings, &m_plan.branchPoints[branch.firstPoint]}, sink);
+}
+
+/// Inside the wood, at the base of a limb or over the hole that it leaves in its parent.
+void CPointGenerator::addForkLid(bool base, const GivenLimb& limb, VertexSink& sink) const {
+    const std::vector<std::uint32_t> boundary = boundaryOf(limb.share, limb.points, limb.rings);
+    std::vector<glm::dvec3> line;
+    for (const std::uint32_t i : boundary) line.emplace_back(limb.given[i].position);
+    const LidShape lid = lidOf(line);
+    const glm::dvec3 normal = base ? -lid.normal : lid.normal;
+    const DrawnRing& ring = m_rings.front();
+    sink.add(lid.middle, normal, m_bark.around() * 0.5, m_bark.at(ring.along), ring.look);
+    for (std::size_t i = 0; i < line.size(); ++i)
+        sink.add(line[i], normal, m_bark.around() * double(limb.given[boundary[i]].turn), m_bark.at(ring.along), ring.look);
 }
 
 /// Closes a collar inside the parent: seen along the branch its points lie around the branch's middle in their order.

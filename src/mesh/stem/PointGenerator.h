@@ -2,6 +2,7 @@
 #include "stem/BarkScale.h"
 #include "stem/PathSurface.h"
 #include "stromar/mesh/MeshBuilder.h"
+#include <cmath>
 #include <vector>
 
 namespace stromar {
@@ -36,6 +37,8 @@ public:
     void addTip(VertexSink& sink) const;
     /// A lid on the lowest (`base`) or last ring, its middle vertex, if it has one, in front.
     void addLid(bool base, VertexSink& sink) const;
+    /// Over the hole that a branch leaves at a fork.
+    void addBranchLid(const ForkedBranch& branch, VertexSink& sink) const;
 
 private:
     /// One of a tube, and how it is drawn.
@@ -44,6 +47,12 @@ private:
         std::uint32_t points;
         const ForkPoint* given = nullptr; ///< its points, at a fork
         std::int32_t seam = 0;            ///< the point it starts at, counted over whole turns
+        bool onParent = false;            ///< given by a fork of the parent's
+    };
+    /// The given rings of one.
+    struct GivenLimb {
+        std::uint32_t points, share, rings;
+        const ForkPoint* given;
     };
 
     DrawnRing shapeOf(const Tube& tube, const Ring& ring) const;
@@ -58,6 +67,7 @@ private:
     void lookAtForks(const Tube& tube);
     void addGivenRing(const DrawnRing& ring, VertexSink& sink) const;
     void addCollarLid(VertexSink& sink) const;
+    void addForkLid(bool base, const GivenLimb& limb, VertexSink& sink) const;
     glm::dvec3 creaseNormal(const glm::dvec3& parent, const glm::dvec3& own) const;
     SurfacePoint collarPointAt(std::uint32_t ring, std::uint32_t i) const;
     glm::dvec3 pointAt(const DrawnRing& ring, std::uint32_t i) const {
@@ -67,9 +77,12 @@ private:
         return m_path.normalAt(ring, angleOf(ring, i), circle(ring, i));
     }
     double angleOf(const DrawnRing& ring, std::uint32_t i) const;
-    double around(const DrawnRing& ring, double i) const { return m_bark.around() * i / ring.points; }
+    double around(const DrawnRing& ring, double i) const { return m_bark.around(i / ring.points); }
     /// Cosine and sine of a point's angle.
-    glm::dvec2 circle(const DrawnRing& ring, std::uint32_t i) const { return m_circle[i * (m_points / ring.points)]; }
+    glm::dvec2 circle(const DrawnRing& ring, std::uint32_t i) const {
+        if (m_points % ring.points == 0) return m_circle[i * (m_points / ring.points)];
+        return {std::cos(angleOf(ring, i)), std::sin(angleOf(ring, i))};
+    }
 
     const CGeneration& m_generation;
     const MeshPlan& m_plan;

@@ -14,9 +14,18 @@ void append(MeshPlan& whole, const MeshPlan& part) {
     const auto collarPoints = static_cast<std::uint32_t>(whole.collarPoints.size());
     const auto forks = static_cast<std::uint32_t>(whole.forks.size());
     const auto forkPoints = static_cast<std::uint32_t>(whole.forkPoints.size());
+    const auto branches = static_cast<std::uint32_t>(whole.branches.size());
+    const auto barkJoints = static_cast<std::uint32_t>(whole.barkJoints.size());
+    const auto branchPoints = static_cast<std::uint32_t>(whole.branchPoints.size());
     whole.rings.insert(whole.rings.end(), part.rings.begin(), part.rings.end());
     whole.collarPoints.insert(whole.collarPoints.end(), part.collarPoints.begin(), part.collarPoints.end());
     whole.forkPoints.insert(whole.forkPoints.end(), part.forkPoints.begin(), part.forkPoints.end());
+    whole.branchPoints.insert(whole.branchPoints.end(), part.branchPoints.begin(), part.branchPoints.end());
+    whole.barkJoints.insert(whole.barkJoints.end(), part.barkJoints.begin(), part.barkJoints.end());
+    for (ForkedBranch branch : part.branches) {
+        branch.firstPoint += branchPoints;
+        whole.branches.push_back(branch);
+    }
     for (Fork fork : part.forks) {
         fork.firstPoint += forkPoints;
         whole.forks.push_back(fork);
@@ -25,6 +34,8 @@ void append(MeshPlan& whole, const MeshPlan& part) {
         tube.firstRing += rings;
         tube.firstCollarPoint += collarPoints;
         tube.firstFork += forks;
+        tube.firstBranch += branches;
+        tube.barkJoint += barkJoints;
         whole.tubes.push_back(tube);
     }
 }
@@ -43,16 +54,28 @@ void layOut(MeshPlan& plan, std::size_t paths) {
         plan.indexCount += tube.indexCount();
     }
 }
+
+std::vector<bool> drawnOf(const CTree& tree, std::size_t g, const StemChoice& choice) {
+    std::vector<bool> drawn;
+    if (g >= tree.generationCount()) return drawn;
+    for (std::size_t s = 0; s < tree.generation(g).stems.size(); ++s) drawn.push_back(choice.draws(g, s));
+    return drawn;
+}
 } // namespace
 
+const ForkedBranch* MeshPlan::branch(std::uint32_t stem) const {
+    const auto at = std::ranges::lower_bound(branches, stem, {}, &ForkedBranch::stem);
+    return at != branches.end() && at->stem == stem ? &*at : nullptr;
+}
+
 MeshPlan planStems(const CTree& tree, int generation, const MeshParams& params, const Detail& detail, const StemMesh* parents,
-                   const std::vector<bool>& drawn, Thickening thickening, const CProgress& progress) {
+                   const std::vector<bool>& drawn, Thickening thickening, const BranchesAbove* above, const CProgress& progress) {
     const CGeneration& own = tree.generation(static_cast<std::size_t>(generation));
     std::vector<MeshPlan> parts((own.stems.size() + kGrain - 1) / kGrain);
     parallelFor(
         own.stems.size(), kGrain,
         [&](std::size_t begin, std::size_t end) {
-            CSimplifier simplifier(tree, generation, params, detail, parents, thickening);
+            CSimplifier simplifier(tree, generation, params, detail, parents, thickening, above);
             for (std::size_t s = begin; s < end; ++s)
                 if (drawn[s]) simplifier.planStem(static_cast<std::uint32_t>(s), parts[begin / kGrain]);
         },
@@ -68,12 +91,10 @@ MeshPlan planStems(const CTree& tree, int generation, const MeshParams& params, 
 MeshPlan planRings(const CTree& tree, int generation, const MeshParams& params, const Detail& detail,
                    const StemMesh* parents, const CProgress& progress, const StemChoice& choice) {
     const auto g = static_cast<std::size_t>(generation);
-    std::vector<bool> bears, drawn;
-    for (std::size_t s = 0; s < tree.generation(g).stems.size(); ++s) {
-        bears.push_back(choice.bears(g, s));
-        drawn.push_back(choice.draws(g, s));
-    }
-    MeshPlan plan = planStems(tree, generation, params, detail, parents, drawn, choice.thickening(g), progress);
+    std::vector<bool> bears;
+    for (std::size_t s = 0; s < tree.generation(g).stems.size(); ++s) bears.push_back(choice.bears(g, s));
+    const BranchesAbove above{drawnOf(tree, g + 1, choice), choice.thickening(g + 1)};
+    MeshPlan plan = planStems(tree, generation, params, detail, parents, drawnOf(tree, g, choice), choice.thickening(g), &above, progress);
     plan.stemBears = std::move(bears);
     return plan;
 }

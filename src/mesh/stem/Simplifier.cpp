@@ -3,7 +3,6 @@
 #include <cmath>
 #include <glm/common.hpp>
 #include <glm/geometric.hpp>
-#include <numbers>
 
 namespace stromar {
 
@@ -14,8 +13,24 @@ constexpr double kTight = 0.985;     // cosine between rings that are close
 constexpr double kAside = 0.85;      // cosine between a ring and the way to the next
 constexpr double kTipReach = 4;      // radii of rings that a tip pushes out
 constexpr double kApart = 0.2;       // radii between the first own ring above a collar and the next
+constexpr double kTooManyPoints = 1.15; // times the points that are needed at a fork
 constexpr double kApartOfFork = 0.05; // likewise above a fork
 constexpr std::uint32_t kOneByOne = 16; // folded rings that are taken out before many are at a time
+} // namespace
+
+namespace {
+std::uint32_t addForkPoints(const std::vector<ForkPoint>& points, MeshPlan& plan) {
+    plan.forkPoints.insert(plan.forkPoints.end(), points.begin(), points.end());
+    return static_cast<std::uint32_t>(plan.forkPoints.size() - points.size());
+}
+
+std::uint32_t lidPointsOf(const ForkLimb& limb) { return limb.share + 2 * (static_cast<std::uint32_t>(limb.along.size()) - 2); }
+
+/// The branches of a generation that may part at forks.
+const CGeneration* partingBranches(const CTree& tree, int generation, const Detail& detail, const BranchesAbove* above) {
+    const auto g = static_cast<std::size_t>(generation);
+    return above && detail.collarRings > 0 && tree.branchesAtNodes(g) ? &tree.generation(g + 1) : nullptr;
+}
 } // namespace
 
 void CSimplifier::Mark::restore(MeshPlan& plan) const {
@@ -24,16 +39,26 @@ void CSimplifier::Mark::restore(MeshPlan& plan) const {
     plan.collarPoints.resize(collarPoints);
     plan.forks.resize(forks);
     plan.forkPoints.resize(forkPoints);
+    plan.branches.resize(branches);
+    plan.branchPoints.resize(branchPoints);
+    plan.barkJoints.resize(barkJoints);
 }
 
 CSimplifier::CSimplifier(const CTree& tree, int generation, const MeshParams& params, const Detail& detail,
-                         const StemMesh* parents, const Thickening& thickening)
-    : m_detail(detail), m_generation(tree.generation(static_cast<std::size_t>(generation))),
+                         const StemMesh* parents, const Thickening& thickening, const BranchesAbove* above)
+    : m_detail(detail), m_branches(partingBranches(tree, generation, detail, above)), m_generation(tree.generation(static_cast<std::size_t>(generation))),
       m_surface(tree, generation, params, detail, thickening), m_smoother(m_surface), m_line(m_generation, m_surface),
-      m_forkMaker(m_generation, m_surface), m_trial(m_generation, m_surface),
+      m_forkMaker(tree, static_cast<std::size_t>(generation), m_surface, detail), m_trial(m_generation, m_surface), m_bark(m_surface),
       m_smooth(generation < detail.smoothGenerations), m_maxSag(detail.maxSag * tree.height()) {
-    if (parents && detail.collarRings > 0)
+    if (parents && detail.collarRings > 0) {
         m_collars.emplace(tree.generation(static_cast<std::size_t>(generation - 1)), *parents);
+        m_parents = &parents->plan;
+    }
+    if (!m_branches) return;
+    m_branchSurface.emplace(tree, generation + 1, params, detail, above->thickening);
+    m_branchTrial.emplace(*m_branches, *m_branchSurface);
+    m_nodes.emplace(tree, static_cast<std::size_t>(generation), &above->drawn);
+    m_forkMaker.letBranchesPart(*m_nodes, *m_branchSurface);
 }
 
 void CSimplifier::planStem(std::uint32_t s, MeshPlan& plan) {
@@ -50,6 +75,7 @@ void CSimplifier::planPaths(std::uint32_t s, MeshPlan& plan) {
     const CStem& stem = m_generation.stems[s];
     m_refused.clear();
     m_starts.assign(stem.pathCount, {});
+    m_starts[0] = startOnParent(s);
     std::vector<Mark> before;
     for (std::uint32_t p = 0; p < stem.pathCount;) {
         before.erase(before.begin() + p, before.end());
@@ -64,13 +90,35 @@ void CSimplifier::planPaths(std::uint32_t s, MeshPlan& plan) {
 std::uint32_t CSimplifier::planPath(std::uint32_t s, std::uint32_t p, MeshPlan& plan) {
     const std::uint32_t index = m_generation.stems[s].firstPath + p;
     const CPath& path = m_generation.paths[index];
-    const bool mayHaveCollar = m_collars && path.source < 0;
+    const bool mayHaveCollar = m_collars && path.source < 0 && m_starts[p].common.points == 0;
     if ((mayHaveCollar && planTube(s, index, true, plan)) || planTube(s, index, false, plan)) return p + 1;
-    const ForkStart& start = m_starts[p];
-    m_refused.insert(m_refused.end(), m_planned.begin(), m_planned.end());
-    if (start.common.points == 0) return m_planned.empty() ? p + 1 : p;
+    ForkStart& start = m_starts[p];
+    const bool starts = start.common.points > 0;
+    if (!starts || !m_startFolds) {
+        const std::vector<std::uint32_t>& folded = m_folded.empty() ? m_planned : m_folded;
+        m_refused.insert(m_refused.end(), folded.begin(), folded.end());
+        if (!folded.empty()) return p;
+    }
+    if (!starts) return p + 1;
+    if (path.source < 0) {
+        start = {}; // the parent keeps its lid
+        return p;
+    }
     m_refused.push_back(start.common.segment);
     return static_cast<std::uint32_t>(path.source);
+}
+
+/// What its parent's fork gives to a branch.
+CSimplifier::ForkStart CSimplifier::startOnParent(std::uint32_t s) const {
+    const ForkedBranch* branch = m_parents ? m_parents->branch(s) : nullptr;
+    if (!branch) return {};
+    const CStem& stem = m_generation.stems[s];
+    const auto first = m_parents->branchPoints.begin() + branch->firstPoint;
+    ForkStart start{{stem.firstSegment, branch->points, 0}, {true, s, branch->share, {first, first + branch->pointCount()}, {}, 0, branch->seam}, 0};
+    for (std::uint32_t r = 0; r < branch->rings; ++r)
+        start.limb.along.push_back(double(start.limb.points[r == 0 ? 0 : branch->share + 1 + (r - 1) * (branch->points + 1)].along) - stem.offset);
+    start.limb.along.push_back(branch->clear);
+    return start;
 }
 
 /// False, and the plan as it was, when the tube cannot be drawn so.
@@ -78,7 +126,8 @@ bool CSimplifier::planTube(std::uint32_t s, std::uint32_t p, bool withCollar, Me
     const CStem& stem = m_generation.stems[s];
     const CPath& path = m_generation.paths[p];
     const Mark before(plan);
-    const ForkStart& fork = startOf(stem, p);
+    ForkStart& fork = startOf(stem, p);
+    const bool forked = fork.limb.isBranch;
     const double radius = path.source < 0 ? stem.radius : m_generation.segments[path.firstSegment].radiusBase;
     Tube tube{.stem = s,
               .path = p,
@@ -86,14 +135,21 @@ bool CSimplifier::planTube(std::uint32_t s, std::uint32_t p, bool withCollar, Me
               .points = fork.common.points > 0 ? fork.common.points : static_cast<std::uint32_t>(m_surface.ringPoints(radius)),
               .firstCollarPoint = static_cast<std::uint32_t>(before.collarPoints),
               .firstFork = static_cast<std::uint32_t>(before.forks),
-              .joined = fork.common.points > 0};
-    tube.maxTurn = tube.points > 3 ? turnOf(stem, m_detail.maxTurn) : 0;
+              .joined = fork.common.points > 0 && !forked,
+              .forked = forked,
+              .baseLidPoints = forked ? lidPointsOf(fork.limb) : 0,
+              .firstBranch = static_cast<std::uint32_t>(before.branches)};
+    if (forked) fork.firstPoint = addForkPoints(fork.limb.points, plan);
+    if (forked || m_nodes) startBark(stem, tube, plan);
+    tube.maxTurn = tube.points > 3 ? m_surface.turnOf(stem, m_detail.maxTurn) : 0;
     m_line.start(stem, path, tube.maxTurn);
     tube.lobed = m_surface.ridges() > 0 &&
                  tube.points >= static_cast<std::uint32_t>(kFewestPointsPerLobe * m_surface.ridges());
     tube.pointed = endsInPoint(stem, path);
     m_planned.clear();
-    for (std::uint32_t q = 0; q < stem.pathCount; ++q)
+    m_folded.clear();
+    m_startFolds = false;
+    for (std::uint32_t q = 1; q < stem.pathCount; ++q)
         if (m_generation.paths[stem.firstPath + q].source == static_cast<std::int32_t>(p - stem.firstPath)) m_starts[q] = {};
     const double start = withCollar ? addCollar(stem, tube, plan) : 0;
     if ((start > 0 || !withCollar) && addRings(stem, path, start, tube, plan) && !collarFolds(tube, plan) &&
@@ -143,7 +199,7 @@ bool CSimplifier::addRings(const CStem& stem, const CPath& path, double start, T
     for (std::uint32_t i = addFirstRings(stem, path, start, tube, plan); i < path.segmentCount; ++i) {
         const std::uint32_t segment = path.firstSegment + i;
         const bool forks = i > 0 && m_line.forksBelow(segment);
-        if (i > 0 && !(forks && addFork(stem, tube, segment, plan)) && !isLeftOut(stem, segment, radiusAbove(i), left))
+        if (i > 0 && !((forks || m_nodes) && addFork(stem, tube, segment, plan)) && !isLeftOut(stem, segment, radiusAbove(i), left))
             add(segment, 0, forks);
         if (m_smooth) addBetween(stem, segment, add);
         if (i + 1 == path.segmentCount) add(segment, 1, true);
@@ -178,42 +234,113 @@ bool CSimplifier::addFork(const CStem& stem, Tube& tube, std::uint32_t segment, 
     Ring common{node->segmentBelow, tube.points, 1 - node->reach / below.length};
     const Disc disc = discAt(stem, common);
     if (alongOf(common) <= m_clear || collide(discAt(stem, plan.rings[tube.firstRing + m_fixed - 1]), disc)) return false;
+    if (!node->branches.empty() && !mayPart(stem, *node, tube, common)) return false;
+    const std::vector<Ring> own(plan.rings.begin() + tube.firstRing, plan.rings.end());
     while (plan.rings.size() - tube.firstRing > m_fixed &&
            (alongOf(plan.rings.back()) >= alongOf(common) || collide(discAt(stem, plan.rings.back()), disc)))
         plan.rings.pop_back();
     plan.rings.push_back(common);
     tube.ringCount = ringCountOf(tube, plan);
     halvePoints(stem, tube, plan);
+    plan.rings.back().points = pointsAtFork(stem, *node, plan.rings.back());
     common = plan.rings.back();
     auto rings = m_forkMaker.make(stem, *node, common.points, tube.maxTurn, tube.lobed);
-    if (!rings) {
-        plan.rings.pop_back();
+    if (!rings || limbsFold(*rings, common)) {
+        plan.rings.resize(tube.firstRing);
+        plan.rings.insert(plan.rings.end(), own.begin(), own.end());
         m_last = discAt(stem, plan.rings.back());
         return false;
     }
-    const auto addPoints = [&](const std::vector<ForkPoint>& points) {
-        plan.forkPoints.insert(plan.forkPoints.end(), points.begin(), points.end());
-        return static_cast<std::uint32_t>(plan.forkPoints.size() - points.size());
-    };
-    plan.forks.push_back({tube.ringCount - 1, 1, addPoints(rings->common)});
-    ForkStart own;
+    plan.forks.push_back({tube.ringCount - 1, 1, addForkPoints(rings->common, plan)});
+    ForkStart runsOn;
+    std::ranges::sort(rings->limbs, {}, &ForkLimb::number);
     for (ForkLimb& limb : rings->limbs) {
-        ForkStart& start = limb.path == node->paths.front() ? own : m_starts[limb.path];
-        start.firstPoint = addPoints(limb.points);
+        if (limb.isBranch) {
+            addBranch(limb, common.points, tube, plan);
+            continue;
+        }
+        ForkStart& start = limb.number == node->paths.front() ? runsOn : m_starts[limb.number];
+        start.firstPoint = addForkPoints(limb.points, plan);
         start.common = common;
         start.limb = std::move(limb);
     }
     m_planned.push_back(node->segmentBelow);
-    addLimb(stem, own, tube, plan);
+    addLimb(stem, runsOn, tube, plan);
     return true;
 }
 
-/// A path's rings above a fork: those that are given, one that turns the seam back, and the first of its own; which of its
-/// segments that stands on.
-std::uint32_t CSimplifier::addLimb(const CStem& stem, const ForkStart& start, Tube& tube, MeshPlan& plan) {
-    const CPath& path = m_generation.paths[tube.path];
+/// That of a branch runs on from it.
+void CSimplifier::startBark(const CStem& stem, Tube& tube, MeshPlan& plan) {
+    if (tube.forked) {
+        tube.barkJoint = static_cast<std::uint32_t>(plan.barkJoints.size());
+        plan.barkJoints.push_back(m_parents->branch(tube.stem)->bark);
+    }
+    if (m_nodes) m_bark.start(m_generation, stem, m_generation.paths[tube.path], tube.forked ? &plan.barkJoints.back() : nullptr);
+}
+
+/// What a branch's bark runs on from.
+BarkJoint CSimplifier::barkJointOf(const ForkLimb& limb, std::uint32_t points) const {
+    const double turn = (double(limb.points[0].turn) + double(limb.points[limb.share].turn)) / 2, base = m_branches->stems[limb.number].offset;
+    const double along = limb.along.front();
+    return {turn, along - base, limb.along.back() - base, {m_bark.around(turn + double(limb.turned) / points), m_bark.at(along)},
+            m_bark.around(), m_bark.perMetreAt(along)};
+}
+
+bool CSimplifier::canHalve(const CStem& stem, std::uint32_t points, const Ring& ring) const {
+    return points >= 6 && points % 2 == 0 &&
+           m_surface.roundPoints(discAt(stem, ring).radius / m_surface.growthOf(stem)) <= static_cast<int>(points / 2);
+}
+
+/// Branches have as many points as the common ring, and their branches: one that has far too many gets what they need.
+std::uint32_t CSimplifier::pointsAtFork(const CStem& stem, const ForkNode& node, const Ring& common) const {
+    if (node.branches.empty()) return common.points;
+    const std::uint32_t spare = m_detail.lod == 0 && node.branches.size() > 1; // limbs of one point's share are poor
+    const std::uint32_t least = std::max(pointsNeeded(stem, node, common), static_cast<std::uint32_t>(node.paths.size() + node.branches.size()) + spare);
+    return double(common.points) > kTooManyPoints * double(least) ? least : common.points;
+}
+
+/// Not where roots or lobes stand out of the ring; of one branch only where it is thick enough.
+bool CSimplifier::mayPart(const CStem& stem, const ForkNode& node, const Tube& tube, const Ring& common) const {
+    const bool ridged = tube.lobed && (m_surface.lobes() > 0 || alongOf(common) < m_surface.rootsOf(stem).height() * stem.length);
+    return !ridged && (node.branches.size() > 1 || pointsNeeded(stem, node, common) >= static_cast<std::uint32_t>(m_detail.forkPoints));
+}
+
+std::uint32_t CSimplifier::pointsNeeded(const CStem& stem, const ForkNode& node, const Ring& common) const {
+    int needed = m_surface.roundPoints(discAt(stem, common).radius / m_surface.growthOf(stem));
+    for (const std::uint32_t b : node.branches) needed = std::max(needed, m_branchSurface->roundPoints(m_branches->stems[b].radius));
+    return static_cast<std::uint32_t>(needed);
+}
+
+/// A branch that parts here, for when its own generation is planned.
+void CSimplifier::addBranch(const ForkLimb& limb, std::uint32_t points, Tube& tube, MeshPlan& plan) const {
+    plan.branches.push_back({limb.number, points, limb.share, static_cast<std::uint32_t>(limb.along.size()) - 1,
+                             static_cast<std::uint32_t>(plan.branchPoints.size()), limb.along.back() - m_branches->stems[limb.number].offset, limb.seam, barkJointOf(limb, points)});
+    plan.branchPoints.insert(plan.branchPoints.end(), limb.points.begin(), limb.points.end());
+    tube.branchCount = static_cast<std::uint32_t>(plan.branches.size()) - tube.firstBranch;
+}
+
+/// Tries the lowest rings of the branches, while they can still grow out of the side instead.
+bool CSimplifier::limbsFold(const ForkRings& rings, const Ring& common) {
+    return std::ranges::any_of(rings.limbs, [&](const ForkLimb& limb) {
+        if (!limb.isBranch) return false;
+        const CStem& branch = m_branches->stems[limb.number];
+        ForkStart start{{branch.firstSegment, common.points, 0}, limb, 0};
+        for (double& along : start.limb.along) along -= branch.offset;
+        MeshPlan plan;
+        Tube tube{.stem = limb.number, .path = branch.firstPath, .points = common.points, .forked = true, .baseLidPoints = lidPointsOf(limb)};
+        tube.maxTurn = common.points > 3 ? m_branchSurface->turnOf(branch, m_detail.maxTurn) : 0;
+        addForkPoints(limb.points, plan);
+        plan.barkJoints.push_back(barkJointOf(limb, common.points));
+        addLimbRings(*m_branches, branch, start, tube, plan);
+        tube.ringCount = ringCountOf(tube, plan);
+        return !m_branchTrial->write(plan, tube);
+    });
+}
+
+/// Those above a fork: the given ones, one that turns the seam back, and the first of its own.
+void CSimplifier::addLimbRings(const CGeneration& generation, const CStem& stem, const ForkStart& start, Tube& tube, MeshPlan& plan) {
     const auto ringAt = [&](double along, bool parted) {
-        const auto [segment, t] = placeAlong(m_generation, stem, path, along);
+        const auto [segment, t] = placeAlong(generation, stem, generation.paths[tube.path], along);
         plan.rings.push_back({segment, start.common.points, t, parted});
     };
     const auto given = static_cast<std::uint32_t>(start.limb.along.size()) - 1;
@@ -222,33 +349,34 @@ std::uint32_t CSimplifier::addLimb(const CStem& stem, const ForkStart& start, Tu
     plan.rings.push_back({start.common.segment, start.limb.share, start.common.t, true});
     for (std::uint32_t r = 1; r <= given; ++r) ringAt(start.limb.along[r], false);
     ringAt(start.limb.along.back(), true);
+}
+
+/// With a path's rings above a fork; which of its segments the first of its own stands on.
+std::uint32_t CSimplifier::addLimb(const CStem& stem, const ForkStart& start, Tube& tube, MeshPlan& plan) {
+    const CPath& path = m_generation.paths[tube.path];
+    addLimbRings(m_generation, stem, start, tube, plan);
     m_last = discAt(stem, plan.rings.back());
     m_fixed = ringCountOf(tube, plan);
     m_clear = start.limb.along.back() + kApartOfFork * m_last.radius;
     return std::max(m_last.ring.segment, path.firstSegment) - path.firstSegment;
 }
 
-/// Gives rings half as many points as soon as that is enough for their radius, but for those about forks.
+/// Gives rings half as many points as soon as that is enough for their radius, but for those about forks; above these as many as there.
 void CSimplifier::halvePoints(const CStem& stem, const Tube& tube, MeshPlan& plan) const {
     const auto isGiven = [&, forks = std::span(plan.forks).subspan(tube.firstFork)](std::uint32_t r) {
         return std::ranges::any_of(forks, [&](const Fork& fork) { return fork.ring <= r && r <= fork.ring + fork.rings + 1; });
     };
-    if (tube.lobed || !stem.profile.isEven()) return;
+    const bool mayHalve = !tube.lobed && stem.profile.isEven();
     std::uint32_t points = tube.points;
     for (std::uint32_t r = 0; r < tube.ringCount; ++r) {
         Ring& ring = plan.rings[tube.firstRing + r];
         const bool tip = tube.pointed && r + 1 == tube.ringCount;
         if (isGiven(r))
             points = ring.points;
-        else if (r > 0 && !tip && canHalve(stem, points, ring))
+        else if (mayHalve && r > 0 && !tip && canHalve(stem, points, ring))
             points /= 2;
         ring.points = points;
     }
-}
-
-bool CSimplifier::canHalve(const CStem& stem, std::uint32_t points, const Ring& ring) const {
-    return points >= 6 && points % 2 == 0 &&
-           m_surface.roundPoints(discAt(stem, ring).radius / m_surface.growthOf(stem)) <= static_cast<int>(points / 2);
 }
 
 CSimplifier::Disc CSimplifier::discAt(const CStem& stem, const Ring& ring) const {
@@ -295,7 +423,7 @@ bool CSimplifier::isLeftOut(const CStem& stem, std::uint32_t segment, double rad
     if (left.length == 0) left.radius = below.radiusBase;
     left.turn += m_line.turnBelow(segment);
     left.length += below.length;
-    const bool bends = left.turn >= turnOf(stem, m_detail.minTurn) ||
+    const bool bends = left.turn >= m_surface.turnOf(stem, m_detail.minTurn) ||
                        left.turn * above.length > 2 * above.radiusBase; // the chord would leave the wood
     const double sag = left.turn * (left.length + above.length) / 8; // of an arc
     const double ofCone = glm::mix(left.radius, radiusAbove, left.length / (left.length + above.length));
@@ -304,11 +432,6 @@ bool CSimplifier::isLeftOut(const CStem& stem, std::uint32_t segment, double rad
     const bool needed = m_line.forksBelow(segment) || m_surface.uneven(stem) || above.helixRadius > m_maxSag || (bends && sag >= m_maxSag) || offCone;
     if (needed) left = {};
     return !needed;
-}
-
-double CSimplifier::turnOf(const CStem& stem, double ofTrunk) const {
-    return std::numbers::pi / 180 *
-           std::min(kCoarsestTurn * ofTrunk, ofTrunk / std::max(1e-6, m_surface.thickness(stem.radius)));
 }
 
 /// Tries the tube's collar and what is next to it.
@@ -320,9 +443,19 @@ bool CSimplifier::collarFolds(const Tube& tube, const MeshPlan& plan) {
     return !m_trial.write(plan, trial);
 }
 
-/// Whether a tube with forks folds: it is to be planned without them.
+/// Whether a tube with forks folds: it is to be planned without those where it does.
 bool CSimplifier::forksFold(const Tube& tube, const MeshPlan& plan) {
-    return tube.forkCount > 0 && !m_trial.write(plan, tube);
+    if (tube.forkCount == 0 || m_trial.write(plan, tube)) return false;
+    const std::span<const Fork> forks = plan.forksOf(tube);
+    const std::vector<std::uint32_t> rings = m_trial.foldedRings(plan);
+    const auto foldsBetween = [&](const Fork& low, const Fork& high) {
+        return std::ranges::any_of(rings, [&](std::uint32_t ring) { return ring + 1 >= low.ring && ring <= high.ring + high.rings + 1; });
+    };
+    const std::size_t first = tube.startsAtFork() ? 1 : 0; // then two for each: its common ring, and the limb
+    m_startFolds = first > 0 && foldsBetween(forks[0], forks[0]);
+    for (std::size_t f = 0; f < m_planned.size(); ++f)
+        if (foldsBetween(forks[first + 2 * f], forks[first + 2 * f + 1])) m_folded.push_back(m_planned[f]);
+    return true;
 }
 
 /// Takes rings out where the walls of a stem that turns in less than its thickness would fold, and lets it end in a

@@ -1,4 +1,5 @@
 #pragma once
+#include "stem/BarkScale.h"
 #include "stem/CentreLine.h"
 #include "stem/Collar.h"
 #include "stem/Fork.h"
@@ -13,9 +14,9 @@ namespace stromar {
 /// for many stems.
 class CSimplifier {
 public:
-    /// With the parents' mesh, branches get collars on it.
+    /// With the parents' mesh, branches get collars on it. With the branches that will grow on these stems, they may part at forks.
     CSimplifier(const CTree& tree, int generation, const MeshParams& params, const Detail& detail, const StemMesh* parents,
-                const Thickening& thickening);
+                const Thickening& thickening, const BranchesAbove* above);
 
     /// Appends a stem's tubes; those that a fork joins follow each other.
     void planStem(std::uint32_t s, MeshPlan& plan);
@@ -25,9 +26,10 @@ private:
     struct Mark {
         explicit Mark(const MeshPlan& plan)
             : rings(plan.rings.size()), tubes(plan.tubes.size()), collarPoints(plan.collarPoints.size()),
-              forks(plan.forks.size()), forkPoints(plan.forkPoints.size()) {}
+              forks(plan.forks.size()), forkPoints(plan.forkPoints.size()), branches(plan.branches.size()), branchPoints(plan.branchPoints.size()),
+              barkJoints(plan.barkJoints.size()) {}
         void restore(MeshPlan& plan) const;
-        std::size_t rings, tubes, collarPoints, forks, forkPoints;
+        std::size_t rings, tubes, collarPoints, forks, forkPoints, branches, branchPoints, barkJoints;
     };
     /// Where a path starts at a fork: what has been planned for it with the path it parts from.
     struct ForkStart {
@@ -52,6 +54,15 @@ private:
     std::uint32_t addFirstRings(const CStem& stem, const CPath& path, double start, Tube& tube, MeshPlan& plan);
     bool addFork(const CStem& stem, Tube& tube, std::uint32_t segment, MeshPlan& plan);
     std::uint32_t addLimb(const CStem& stem, const ForkStart& start, Tube& tube, MeshPlan& plan);
+    static void addLimbRings(const CGeneration& generation, const CStem& stem, const ForkStart& start, Tube& tube, MeshPlan& plan);
+    bool limbsFold(const ForkRings& rings, const Ring& common);
+    std::uint32_t pointsAtFork(const CStem& stem, const ForkNode& node, const Ring& common) const;
+    bool mayPart(const CStem& stem, const ForkNode& node, const Tube& tube, const Ring& common) const;
+    std::uint32_t pointsNeeded(const CStem& stem, const ForkNode& node, const Ring& common) const;
+    void addBranch(const ForkLimb& limb, std::uint32_t points, Tube& tube, MeshPlan& plan) const;
+    BarkJoint barkJointOf(const ForkLimb& limb, std::uint32_t points) const;
+    ForkStart startOnParent(std::uint32_t s) const;
+    void startBark(const CStem& stem, Tube& tube, MeshPlan& plan);
     void addRing(const CStem& stem, const Tube& tube, const Disc& disc, bool needed, MeshPlan& plan);
     template <typename Add> void addBetween(const CStem& stem, std::uint32_t segment, Add&& add);
     /// Since the last ring.
@@ -62,6 +73,7 @@ private:
     bool isLeftOut(const CStem& stem, std::uint32_t segment, double radiusAbove, Bend& left) const;
 
     void halvePoints(const CStem& stem, const Tube& tube, MeshPlan& plan) const;
+
     bool canHalve(const CStem& stem, std::uint32_t points, const Ring& ring) const;
 
     bool collarFolds(const Tube& tube, const MeshPlan& plan);
@@ -72,11 +84,10 @@ private:
 
     Disc discAt(const CStem& stem, const Ring& ring) const;
     bool collide(const Disc& low, const Disc& high) const;
-    std::uint32_t ringCountOf(const Tube& tube, const MeshPlan& plan) const {
+    static std::uint32_t ringCountOf(const Tube& tube, const MeshPlan& plan) {
         return static_cast<std::uint32_t>(plan.rings.size()) - tube.firstRing;
     }
     double alongOf(const Ring& ring) const;
-    double turnOf(const CStem& stem, double ofTrunk) const;
     bool endsInPoint(const CStem& stem, const CPath& path) const;
     ForkStart& startOf(const CStem& stem, std::uint32_t path) { return m_starts[path - stem.firstPath]; }
     std::uint32_t indexOf(const CSegment& segment) const {
@@ -84,19 +95,27 @@ private:
     }
 
     const Detail& m_detail;
+    const CGeneration* m_branches; ///< that may part at forks
     const CGeneration& m_generation;
     CStemSurface m_surface;
+    std::optional<CStemSurface> m_branchSurface;
+    std::optional<CNodes> m_nodes;
+    std::optional<CTubeTrial> m_branchTrial;
     CSmoother m_smoother;
     CCentreLine m_line;
     CForkMaker m_forkMaker;
     CTubeTrial m_trial;
+    CBarkScale m_bark;
     bool m_smooth;
     double m_maxSag; ///< metres
     std::optional<CCollarMaker> m_collars;
+    const MeshPlan* m_parents = nullptr; ///< branches may start at their forks
 
     // Of the stem and the tube that are being planned:
     std::vector<ForkStart> m_starts;      ///< of its paths
     std::vector<std::uint32_t> m_planned; ///< forks of the tube, by the segment below
+    std::vector<std::uint32_t> m_folded;  ///< those of them that fold
+    bool m_startFolds = false;            ///< as the fork does that it starts at
     std::vector<std::uint32_t> m_refused; ///< forks that fold: their clones start inside the wood
     Disc m_last{};
     std::size_t m_fixed = 1; ///< its rings that others do not push out

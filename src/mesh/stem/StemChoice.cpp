@@ -10,7 +10,7 @@ constexpr std::size_t kMaxStems = 64;  // of a subtree, a branch with all that g
 constexpr double kMaxRadius = 0.002;   // likewise, of the tree's height: a fifth of a pixel where the last level of detail is shown
 // Likewise, of a bare tree of so many thin stems that this leaves too many triangles: more than kTooMany, and than kTooLarge of those at LOD 0.
 // As many stay as make about kLarge of those, from the least to the largest share.
-constexpr double kMaxRadiusOfMany = 0.004, kTooMany = 2 * kFewWoodTriangles, kTooLarge = 0.055, kLarge = 0.0495;
+constexpr double kMaxRadiusOfMany = 0.004, kTooMany = 2 * kFewWoodTriangles, kTooLarge = 0.055, kLarge = 0.0485;
 constexpr double kLeastShareOfMany = 0.185, kLargestShareOfMany = 0.222;
 constexpr double kOverlap = 1.025, kOverlapOfMany = 1.04; // of those few that are as thick as all: they hide more of one another
 constexpr std::size_t kSampled = 2000; // stems of a generation that tell how many triangles all have at LOD 0
@@ -31,7 +31,7 @@ PerStem<double> costs(const CTree& tree, const MeshParams& params, const Detail&
     for (std::size_t g = 0; g < all.size(); ++g) {
         std::vector<bool> drawn(all[g].size());
         for (std::size_t s = 0; s < drawn.size(); ++s) drawn[s] = !asCards.has(g, s);
-        for (const Tube& tube : planStems(tree, static_cast<int>(g), params, detail, nullptr, drawn, {}, progress).tubes)
+        for (const Tube& tube : planStems(tree, static_cast<int>(g), params, detail, nullptr, drawn, {}, nullptr, progress).tubes)
             all[g][tube.stem] += double(tube.indices);
     }
     return all;
@@ -56,7 +56,8 @@ FullCost fullCost(const CTree& tree, const MeshParams& params, const Detail& ful
         const std::size_t stems = tree.generation(g).stems.size(), step = std::max<std::size_t>(1, stems / sampled);
         std::vector<bool> drawn(stems);
         for (std::size_t s = 0; s < stems; s += step) drawn[s] = true;
-        const MeshPlan plan = planStems(tree, static_cast<int>(g), params, full, nullptr, drawn, {}, progress);
+        const BranchesAbove above{std::vector<bool>(g + 1 < tree.generationCount() ? tree.generation(g + 1).stems.size() : 0, true), {}};
+        const MeshPlan plan = planStems(tree, static_cast<int>(g), params, full, nullptr, drawn, {}, &above, progress);
         sum.stems += double(step) * double(plan.indexCount);
         if (g > 0) sum.collars += double(step) * cornersOfCollars(plan, full);
     }

@@ -6,6 +6,7 @@
 #include "stromar/tree/Tree.h"
 #include <algorithm>
 #include <cmath>
+#include <numbers>
 
 namespace stromar {
 
@@ -36,6 +37,11 @@ public:
     int ringPoints(double radius) const { return ringPoints(*m_detail, radius); }
     /// Without room for lobes.
     int roundPoints(double radius) const { return roundRingPoints(*m_detail, thickness(radius)); }
+
+    /// Radians: as much in proportion as so many degrees are of the trunk.
+    double turnOf(const CStem& stem, double ofTrunk) const {
+        return std::numbers::pi / 180 * std::min(kCoarsestTurn * ofTrunk, ofTrunk / std::max(1e-6, thickness(stem.radius)));
+    }
 
     /// As in VertexLook.
     std::uint8_t thinness(double radius) const { return thinnessOf(radius, m_trunkRadius); }

@@ -11,11 +11,12 @@ public:
     CTriangleWriter(std::uint32_t* out, std::uint32_t first, std::uint32_t points)
         : m_out(out), m_next(first), m_points(points) {}
 
-    /// Up to a ring of as many points, or of half as many; at a fork of more.
+    /// Up to a ring of as many points, or of half as many; at a fork of any other number.
     void addWall(std::uint32_t above) {
         const std::uint32_t low = m_next, high = m_next + m_points + 1;
-        if (above > m_points) addFan(low, high, above);
-        for (std::uint32_t i = 0; i < above && above <= m_points; ++i) {
+        const bool even = above == m_points || 2 * above == m_points;
+        if (!even) addFan(low, high, above);
+        for (std::uint32_t i = 0; i < above && even; ++i) {
             const std::uint32_t b = high + i;
             if (above == m_points) {
                 const std::uint32_t a = low + i;
@@ -55,7 +56,7 @@ public:
     }
 
 private:
-    /// Evenly to a ring of more points.
+    /// Evenly to a ring of another number of points.
     void addFan(std::uint32_t low, std::uint32_t high, std::uint32_t above) {
         std::uint32_t a = 0;
         for (std::uint32_t b = 0; b < above; ++b) {
@@ -79,7 +80,7 @@ bool writeTube(const MeshPlan& plan, const Tube& tube, CPointGenerator& points, 
     VertexSink sink = sinkAt(mesh, tube.firstVertex);
     const Ring* rings = plan.ringsOf(tube);
     CTriangleWriter triangles(mesh.indices.data() + tube.firstIndex, tube.firstVertex,
-                              tube.joined ? rings[0].points : tube.points);
+                              tube.startsAtFork() ? rings[0].points : tube.points);
     points.startTube(tube);
     for (std::uint32_t r = 0; r < tube.collarRings; ++r) {
         points.addCollarRing(r, sink);
@@ -102,9 +103,13 @@ bool writeTube(const MeshPlan& plan, const Tube& tube, CPointGenerator& points, 
         points.addLid(false, sink);
         triangles.addLid(false, rings[full - 1].points, tube.middleOfLid(false));
     }
+    for (const ForkedBranch& branch : plan.branchesOf(tube)) {
+        points.addBranchLid(branch, sink);
+        triangles.addLid(false, branch.lidPoints(), true);
+    }
     if (!tube.joined) {
         points.addLid(true, sink);
-        triangles.addLid(true, tube.points, tube.middleOfLid(true));
+        triangles.addLid(true, tube.lidPoints(), tube.middleOfLid(true));
     }
     return turnNormalsToFront(mesh, plan, tube);
 }
@@ -122,7 +127,8 @@ void measure(const MeshPlan& plan, Tube& tube) {
         tube.vertices += points + (middle ? 1 : 0);
         tube.indices += 3 * std::size_t{middle ? points : points - 2};
     };
-    if (!tube.joined) addLid(tube.points, tube.middleOfLid(true));
+    for (const ForkedBranch& branch : plan.branchesOf(tube)) addLid(branch.lidPoints(), true);
+    if (!tube.joined) addLid(tube.lidPoints(), tube.middleOfLid(true));
     if (!tube.pointed) return addLid(last, tube.middleOfLid(false));
     tube.vertices += last; // one tip for each side of the cone
     tube.indices += 3 * std::size_t{last};

@@ -1,5 +1,5 @@
 #include "stromar/mesh/Sway.h"
-#include "stem/PathSurface.h"
+#include "stem/Fork.h"
 #include "stromar/util/Parallel.h"
 #include "stromar/util/Random.h"
 #include <algorithm>
@@ -31,7 +31,14 @@ public:
         for (std::uint32_t r = 0; r < full; ++r) add(placeOf(tube, r), rings[r].points + 1);
         const Ring& last = rings[tube.ringCount - 1];
         add(placeOf(last), rings[full - 1].points + (!tube.pointed && tube.middleOfLid(false) ? 1 : 0));
+        for (const ForkedBranch& branch : m_plan.branchesOf(tube)) addForkLid(tube, branch);
         if (tube.joined) return;
+        if (tube.forked) {
+            const std::vector<std::uint32_t> boundary = boundaryOf(rings[0].points, tube.points, m_plan.forksOf(tube)[0].rings);
+            add(m_places[tube.firstVertex]);
+            for (const std::uint32_t v : boundary) add(m_places[tube.firstVertex + v]);
+            return;
+        }
         if (tube.middleOfLid(true)) add(base);
         for (std::uint32_t i = 0; i < tube.points; ++i) add(m_places[tube.firstVertex + i]);
     }
@@ -40,6 +47,17 @@ private:
     void add(const SwayPlace& place, std::size_t count = 1) {
         std::fill_n(m_places.data() + m_next, count, place);
         m_next += count;
+    }
+
+    /// Over the hole of a branch.
+    void addForkLid(const Tube& tube, const ForkedBranch& branch) {
+        const CStem& stem = m_all.stems[tube.stem];
+        const auto placeOfPoint = [&](std::uint32_t i) {
+            const auto [segment, t] = placeAlong(m_all, stem, m_all.paths[tube.path], double(m_plan.branchPoints[branch.firstPoint + i].along));
+            return placeOf({segment, 0, t});
+        };
+        add(placeOfPoint(0));
+        for (const std::uint32_t i : boundaryOf(branch.share, branch.points, branch.rings)) add(placeOfPoint(i));
     }
 
     /// The rings of a fork move with the path that runs on, so that all that part there stay together.
@@ -51,9 +69,11 @@ private:
             for (std::uint32_t r = fork.ring; r < ring; ++r) point += rings[r].points + 1;
             const CStem& stem = m_all.stems[tube.stem];
             const CPath& own = m_all.paths[tube.path];
+            const double along = double(m_plan.forkPoints[point].along);
+            if (tube.forked && fork.ring == 0) return onParentAt(stem, along);
             const bool starts = tube.joined && fork.ring == 0;
             const CPath& path = starts ? m_all.paths[stem.firstPath + static_cast<std::uint32_t>(own.source)] : own;
-            const auto [segment, t] = placeAlong(m_all, stem, path, double(m_plan.forkPoints[point].along));
+            const auto [segment, t] = placeAlong(m_all, stem, path, along);
             return placeOf({segment, 0, t});
         }
         return placeOf(rings[ring]);
@@ -61,6 +81,14 @@ private:
 
     SwayPlace placeOf(const Ring& ring) const {
         return {static_cast<float>(m_table.nodeOf(m_generation, ring.segment)), static_cast<float>(ring.t)};
+    }
+
+    /// At a fork of the parent's.
+    SwayPlace onParentAt(const CStem& stem, double along) const {
+        const CGeneration& before = m_tree.generation(m_generation - 1);
+        const CStem& parent = before.stems[static_cast<std::size_t>(stem.parent)];
+        const auto [segment, t] = placeAlong(before, parent, before.paths[parent.firstPath + stem.path], along);
+        return {static_cast<float>(m_table.nodeOf(m_generation - 1, segment)), static_cast<float>(t)};
     }
 
     /// Beside the branch's base, up or down the parent's path.

@@ -76,10 +76,11 @@ std::string wholeText(double number) {
     return number < 9e18 ? std::to_string(static_cast<std::uint64_t>(number)) : numberText(number);
 }
 
-/// Of one that is too large to be grown for this: every segment is a stem as thick as the trunk.
+/// Of one that is too large to be grown for this: every segment is a stem as thick as the trunk, and one of its limbs.
 void estimate(double segments, SizeBound& bound) {
     GenerationBound all;
     all.stems = segments;
+    all.many = {1, 1};
     bound.generations.push_back(all);
 }
 } // namespace

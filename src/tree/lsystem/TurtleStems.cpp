@@ -154,6 +154,7 @@ private:
         const CSegment& wood = below.segments[parent.firstSegment + stem.position];
         stem.offset = wood.end();
         stem.parentRadius = wood.radiusEnd;
+        stem.atNode = true;
     }
 
     const CWord& m_word;

@@ -149,6 +149,7 @@ private:
         stem.position = start.position;
         stem.offset = start.offset;
         stem.parentRadius = start.parentRadius;
+        stem.atNode = start.parent >= 0;
         stem.firstPath = static_cast<std::uint32_t>(generation.paths.size());
         stem.firstSegment = static_cast<std::uint32_t>(generation.segments.size());
         stem.pathCount = 1;

@@ -8,7 +8,7 @@ namespace stromar {
 /// What was found in one mesh. The first four say what there is, all others have to be 0.
 struct MeshFaults {
     std::size_t surfaces = 0, vertices = 0, triangles = 0;
-    std::size_t collars = 0;    ///< surfaces that start on their parent's; others start inside it
+    std::size_t attached = 0;   ///< surfaces that start on their parent's, by a collar or at a fork; others start inside it
     std::size_t badNumbers = 0; ///< vertices with a position, normal or texture coordinate that is no number
     std::size_t badNormals = 0; ///< vertices whose normal is not unit
     std::size_t badIndices = 0; ///< triangles beyond their surface's vertices
