@@ -227,6 +227,7 @@ TEST_F(DeskTest, ThePictureComesBackInANewContext) {
 
 TEST_F(DeskTest, ASheetOfSeedsToChooseFromAndToLike) {
     auto* cell = window.variants().findChild<QToolButton*>(QStringLiteral("seed4"));
+    ASSERT_TRUE(waitFor([&] { return !window.busy(); }));
     QTest::qWait(1000);
     EXPECT_TRUE(cell->icon().isNull() && !window.busy()) << "nobody sees them behind another tab";
     dock("variants")->raise();

@@ -61,7 +61,9 @@ struct ForkedBranch {
     std::int32_t seam;           ///< at which point that one starts, counted over whole turns
     BarkJoint bark;
 
-    std::uint32_t pointCount() const { return share + 1 + (rings - 1) * (points + 1); }
+    std::uint32_t pointCount() const { return firstOf(rings); }
+    /// Of a ring's points.
+    std::uint32_t firstOf(std::uint32_t ring) const { return ring == 0 ? 0 : share + 1 + (ring - 1) * (points + 1); }
     /// Of a lid, around its middle.
     std::uint32_t lidPoints() const { return share + 2 * (rings - 1); }
 };

@@ -8,7 +8,7 @@ namespace stromar {
 /// is counted on the parent.
 class CBranchBend {
 public:
-    /// At the ring where the limbs part; `reach` below the node. The branch has not to bend before `limit`, along itself.
+    /// `common`: the ring where the limbs part, `reach` below the node. Its own line, which starts with the segment `first`, is met `above` the node.
     CBranchBend(const CStem& branch, const CSegment& first, const RingShape& common, double reach, double above);
 
     double node() const { return m_node; }

@@ -19,8 +19,9 @@ constexpr double kReach = 3;        // how fast what a valley fills wears off ar
 constexpr double kClear = 0.4;      // radii between the saddle and that ring, at least
 constexpr double kLeastAside = 0.4; // of the mean way of limbs from their middle: between all others a branch has no side of its own
 constexpr double kLeastFacing = 0.05; // cosine between a lid's triangles and it
-constexpr double kSharpestTurn = 0.6; // sine of half the turn of a branch, or of the path beside it: beyond 74 degrees it rather grows out of the side
-constexpr double kNarrow = 0.3, kLeastRoom = 1.6; // likewise of a single one beyond 47 degrees where the segments are not so much longer than its bend
+// Of branches: the sine of half the turn of one, or of the path beside it, beyond which it rather grows out of the side: 74 degrees; beyond
+// 35 degrees a single one does where the segments are not so many times longer than its bend.
+constexpr double kSharpestTurn = 0.6, kNarrow = 0.3, kLeastRoom = 1.6;
 constexpr double kUnlimited = std::numeric_limits<double>::infinity();
 constexpr double kLeastDrawn = 2; // times what single precision shows: between points
 constexpr int kForkHalvings = 12;
@@ -62,7 +63,7 @@ std::optional<ForkNode> CForkMaker::nodeAt(const CStem& stem, std::uint32_t path
         if (!node.branches.empty() && !addReach(stem, segment, node)) node.branches.clear();
     }
     const bool winds = m_generation.segments[node.segmentBelow].helixRadius > 0;
-    if (node.paths.size() + node.branches.size() < 2 || node.reach <= 0 || winds) return {};
+    if (node.limbs() < 2 || node.reach <= 0 || winds) return {};
     return node;
 }
 
@@ -86,7 +87,7 @@ bool CForkMaker::addReach(const CStem& stem, std::uint32_t segment, ForkNode& no
 std::optional<ForkRings> CForkMaker::make(const CStem& stem, const ForkNode& node, std::uint32_t points, double maxTurn,
                                           bool lobed) {
     m_points = points;
-    if (points < node.paths.size() + node.branches.size() || !startLimbs(stem, node, maxTurn, lobed)) return {};
+    if (points < node.limbs() || !startLimbs(stem, node, maxTurn, lobed)) return {};
     const double top = alongWhereApart(isPair() ? 1 + kFill : kApartOfMany);
     const std::vector<double> alongs = levels(top);
     if (!standApart(stem, alongs)) return {};
@@ -113,7 +114,7 @@ void CForkMaker::addCommonRing(ForkRings& rings) const {
                                 static_cast<float>(i) / static_cast<float>(m_points), static_cast<float>(m_common.along), 0});
     }
     for (const Limb& limb : m_limbs) {
-        ForkLimb made{limb.bend.has_value(), limb.number, limb.share, {}, {m_common.along}, limb.turned, 0};
+        ForkLimb made{.isBranch = limb.bend.has_value(), .number = limb.number, .share = limb.share, .points = {}, .along = {m_common.along}, .turned = limb.turned};
         for (std::uint32_t i = 0; i <= limb.share; ++i) {
             made.points.push_back(rings.common[(limb.first + i) % m_points]);
             made.points.back().turn = static_cast<float>(static_cast<std::int32_t>(limb.first + i) - limb.turned) / static_cast<float>(m_points);
@@ -193,7 +194,7 @@ double CForkMaker::limitOf(const CGeneration& generation, std::size_t number, co
 /// Whether a lid about the middle of what bounds a limb's walls does not fold.
 bool CForkMaker::canBeClosed(const ForkLimb& limb) const {
     std::vector<glm::dvec3> corners;
-    for (const std::uint32_t i : boundaryOf(limb.share, m_points, static_cast<std::uint32_t>(limb.along.size()) - 1))
+    for (const std::uint32_t i : boundaryOf(limb.share, m_points, limb.rings()))
         corners.emplace_back(limb.points[i].position);
     const LidShape lid = lidOf(corners);
     for (std::size_t i = 0; i < corners.size(); ++i) {

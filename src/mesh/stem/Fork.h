@@ -14,17 +14,24 @@ struct ForkNode {
     std::vector<std::uint32_t> branches; ///< stems of the next generation
     std::uint32_t segmentBelow;       ///< of the generation
     double reach;                     ///< how far below that segment's end they part, metres
+
+    std::size_t limbs() const { return paths.size() + branches.size(); }
 };
 
 /// A path or a branch above a fork: rings that start at valleys between it and its neighbours, open ones, but for the last.
 struct ForkLimb {
     bool isBranch = false;
     std::uint32_t number = 0;       ///< of the path in the stem, or of the branch in its generation
-    std::uint32_t share = 0;            ///< how many edges of the common ring its first has
+    std::uint32_t share = 0;        ///< how many edges of the common ring its first has
     std::vector<ForkPoint> points;  ///< share + 1 of the first ring, one more than the common ring has of each other one
     std::vector<double> along;      ///< of those rings, and of the first that is the limb's own; metres from the base of the stem that forks
     std::int32_t turned = 0;        ///< how many points a branch's first lies from the common ring's
     std::int32_t seam = 0;          ///< at which point of that one the last ring starts, counted over whole turns
+
+    /// That are given.
+    std::uint32_t rings() const { return static_cast<std::uint32_t>(along.size()) - 1; }
+    /// Of a lid that closes it.
+    std::uint32_t lidPoints() const { return share + 2 * (rings() - 1); }
 };
 
 struct ForkRings {

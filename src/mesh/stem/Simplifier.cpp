@@ -13,23 +13,12 @@ constexpr double kTight = 0.985;     // cosine between rings that are close
 constexpr double kAside = 0.85;      // cosine between a ring and the way to the next
 constexpr double kTipReach = 4;      // radii of rings that a tip pushes out
 constexpr double kApart = 0.2;       // radii between the first own ring above a collar and the next
-constexpr double kTooManyPoints = 1.15; // times the points that are needed at a fork
 constexpr double kApartOfFork = 0.05; // likewise above a fork
 constexpr std::uint32_t kOneByOne = 16; // folded rings that are taken out before many are at a time
-} // namespace
 
-namespace {
-std::uint32_t addForkPoints(const std::vector<ForkPoint>& points, MeshPlan& plan) {
-    plan.forkPoints.insert(plan.forkPoints.end(), points.begin(), points.end());
-    return static_cast<std::uint32_t>(plan.forkPoints.size() - points.size());
-}
-
-std::uint32_t lidPointsOf(const ForkLimb& limb) { return limb.share + 2 * (static_cast<std::uint32_t>(limb.along.size()) - 2); }
-
-/// The branches of a generation that may part at forks.
-const CGeneration* partingBranches(const CTree& tree, int generation, const Detail& detail, const BranchesAbove* above) {
-    const auto g = static_cast<std::size_t>(generation);
-    return above && detail.collarRings > 0 && tree.branchesAtNodes(g) ? &tree.generation(g + 1) : nullptr;
+/// Whether branches may part at forks of a generation's stems.
+bool branchesPart(const CTree& tree, int generation, const Detail& detail, const BranchesAbove* above) {
+    return above && detail.collarRings > 0 && tree.branchesAtNodes(static_cast<std::size_t>(generation));
 }
 } // namespace
 
@@ -46,19 +35,17 @@ void CSimplifier::Mark::restore(MeshPlan& plan) const {
 
 CSimplifier::CSimplifier(const CTree& tree, int generation, const MeshParams& params, const Detail& detail,
                          const StemMesh* parents, const Thickening& thickening, const BranchesAbove* above)
-    : m_detail(detail), m_branches(partingBranches(tree, generation, detail, above)), m_generation(tree.generation(static_cast<std::size_t>(generation))),
+    : m_detail(detail), m_generation(tree.generation(static_cast<std::size_t>(generation))),
       m_surface(tree, generation, params, detail, thickening), m_smoother(m_surface), m_line(m_generation, m_surface),
-      m_forkMaker(tree, static_cast<std::size_t>(generation), m_surface, detail), m_trial(m_generation, m_surface), m_bark(m_surface),
+      m_forkMaker(tree, static_cast<std::size_t>(generation), m_surface, detail), m_trial(m_generation, m_surface),
       m_smooth(generation < detail.smoothGenerations), m_maxSag(detail.maxSag * tree.height()) {
     if (parents && detail.collarRings > 0) {
         m_collars.emplace(tree.generation(static_cast<std::size_t>(generation - 1)), *parents);
         m_parents = &parents->plan;
     }
-    if (!m_branches) return;
-    m_branchSurface.emplace(tree, generation + 1, params, detail, above->thickening);
-    m_branchTrial.emplace(*m_branches, *m_branchSurface);
-    m_nodes.emplace(tree, static_cast<std::size_t>(generation), &above->drawn);
-    m_forkMaker.letBranchesPart(*m_nodes, *m_branchSurface);
+    if (!branchesPart(tree, generation, detail, above)) return;
+    m_branches.emplace(tree, static_cast<std::size_t>(generation), params, detail, *above, m_surface);
+    m_forkMaker.letBranchesPart(m_branches->nodes(), m_branches->branchSurface());
 }
 
 void CSimplifier::planStem(std::uint32_t s, MeshPlan& plan) {
@@ -75,7 +62,7 @@ void CSimplifier::planPaths(std::uint32_t s, MeshPlan& plan) {
     const CStem& stem = m_generation.stems[s];
     m_refused.clear();
     m_starts.assign(stem.pathCount, {});
-    m_starts[0] = startOnParent(s);
+    if (m_parents) m_starts[0] = startOnParent(*m_parents, stem, s);
     std::vector<Mark> before;
     for (std::uint32_t p = 0; p < stem.pathCount;) {
         before.erase(before.begin() + p, before.end());
@@ -108,19 +95,6 @@ std::uint32_t CSimplifier::planPath(std::uint32_t s, std::uint32_t p, MeshPlan& 
     return static_cast<std::uint32_t>(path.source);
 }
 
-/// What its parent's fork gives to a branch.
-CSimplifier::ForkStart CSimplifier::startOnParent(std::uint32_t s) const {
-    const ForkedBranch* branch = m_parents ? m_parents->branch(s) : nullptr;
-    if (!branch) return {};
-    const CStem& stem = m_generation.stems[s];
-    const auto first = m_parents->branchPoints.begin() + branch->firstPoint;
-    ForkStart start{{stem.firstSegment, branch->points, 0}, {true, s, branch->share, {first, first + branch->pointCount()}, {}, 0, branch->seam}, 0};
-    for (std::uint32_t r = 0; r < branch->rings; ++r)
-        start.limb.along.push_back(double(start.limb.points[r == 0 ? 0 : branch->share + 1 + (r - 1) * (branch->points + 1)].along) - stem.offset);
-    start.limb.along.push_back(branch->clear);
-    return start;
-}
-
 /// False, and the plan as it was, when the tube cannot be drawn so.
 bool CSimplifier::planTube(std::uint32_t s, std::uint32_t p, bool withCollar, MeshPlan& plan) {
     const CStem& stem = m_generation.stems[s];
@@ -137,10 +111,10 @@ bool CSimplifier::planTube(std::uint32_t s, std::uint32_t p, bool withCollar, Me
               .firstFork = static_cast<std::uint32_t>(before.forks),
               .joined = fork.common.points > 0 && !forked,
               .forked = forked,
-              .baseLidPoints = forked ? lidPointsOf(fork.limb) : 0,
+              .baseLidPoints = forked ? fork.limb.lidPoints() : 0,
               .firstBranch = static_cast<std::uint32_t>(before.branches)};
     if (forked) fork.firstPoint = addForkPoints(fork.limb.points, plan);
-    if (forked || m_nodes) startBark(stem, tube, plan);
+    startBark(stem, tube, plan);
     tube.maxTurn = tube.points > 3 ? m_surface.turnOf(stem, m_detail.maxTurn) : 0;
     m_line.start(stem, path, tube.maxTurn);
     tube.lobed = m_surface.ridges() > 0 &&
@@ -199,7 +173,7 @@ bool CSimplifier::addRings(const CStem& stem, const CPath& path, double start, T
     for (std::uint32_t i = addFirstRings(stem, path, start, tube, plan); i < path.segmentCount; ++i) {
         const std::uint32_t segment = path.firstSegment + i;
         const bool forks = i > 0 && m_line.forksBelow(segment);
-        if (i > 0 && !((forks || m_nodes) && addFork(stem, tube, segment, plan)) && !isLeftOut(stem, segment, radiusAbove(i), left))
+        if (i > 0 && !((forks || m_branches) && addFork(stem, tube, segment, plan)) && !isLeftOut(stem, segment, radiusAbove(i), left))
             add(segment, 0, forks);
         if (m_smooth) addBetween(stem, segment, add);
         if (i + 1 == path.segmentCount) add(segment, 1, true);
@@ -234,7 +208,7 @@ bool CSimplifier::addFork(const CStem& stem, Tube& tube, std::uint32_t segment, 
     Ring common{node->segmentBelow, tube.points, 1 - node->reach / below.length};
     const Disc disc = discAt(stem, common);
     if (alongOf(common) <= m_clear || collide(discAt(stem, plan.rings[tube.firstRing + m_fixed - 1]), disc)) return false;
-    if (!node->branches.empty() && !mayPart(stem, *node, tube, common)) return false;
+    if (!node->branches.empty() && (isRidged(stem, tube, common) || !m_branches->mayPart(*node, ownRadius(stem, common)))) return false;
     const std::vector<Ring> own(plan.rings.begin() + tube.firstRing, plan.rings.end());
     while (plan.rings.size() - tube.firstRing > m_fixed &&
            (alongOf(plan.rings.back()) >= alongOf(common) || collide(discAt(stem, plan.rings.back()), disc)))
@@ -242,10 +216,10 @@ bool CSimplifier::addFork(const CStem& stem, Tube& tube, std::uint32_t segment, 
     plan.rings.push_back(common);
     tube.ringCount = ringCountOf(tube, plan);
     halvePoints(stem, tube, plan);
-    plan.rings.back().points = pointsAtFork(stem, *node, plan.rings.back());
+    if (std::uint32_t& points = plan.rings.back().points; !node->branches.empty()) points = m_branches->pointsAt(*node, ownRadius(stem, common), points);
     common = plan.rings.back();
     auto rings = m_forkMaker.make(stem, *node, common.points, tube.maxTurn, tube.lobed);
-    if (!rings || limbsFold(*rings, common)) {
+    if (!rings || (m_branches && m_branches->fold(*rings, common.points))) {
         plan.rings.resize(tube.firstRing);
         plan.rings.insert(plan.rings.end(), own.begin(), own.end());
         m_last = discAt(stem, plan.rings.back());
@@ -256,7 +230,7 @@ bool CSimplifier::addFork(const CStem& stem, Tube& tube, std::uint32_t segment, 
     std::ranges::sort(rings->limbs, {}, &ForkLimb::number);
     for (ForkLimb& limb : rings->limbs) {
         if (limb.isBranch) {
-            addBranch(limb, common.points, tube, plan);
+            m_branches->add(limb, common.points, tube, plan);
             continue;
         }
         ForkStart& start = limb.number == node->paths.front() ? runsOn : m_starts[limb.number];
@@ -269,92 +243,24 @@ bool CSimplifier::addFork(const CStem& stem, Tube& tube, std::uint32_t segment, 
     return true;
 }
 
-/// That of a branch runs on from it.
+/// That of a branch runs on from its parent's.
 void CSimplifier::startBark(const CStem& stem, Tube& tube, MeshPlan& plan) {
     if (tube.forked) {
         tube.barkJoint = static_cast<std::uint32_t>(plan.barkJoints.size());
         plan.barkJoints.push_back(m_parents->branch(tube.stem)->bark);
     }
-    if (m_nodes) m_bark.start(m_generation, stem, m_generation.paths[tube.path], tube.forked ? &plan.barkJoints.back() : nullptr);
+    if (m_branches) m_branches->startPath(m_generation, stem, m_generation.paths[tube.path], tube.forked ? &plan.barkJoints.back() : nullptr);
 }
 
-/// What a branch's bark runs on from.
-BarkJoint CSimplifier::barkJointOf(const ForkLimb& limb, std::uint32_t points) const {
-    const double turn = (double(limb.points[0].turn) + double(limb.points[limb.share].turn)) / 2, base = m_branches->stems[limb.number].offset;
-    const double along = limb.along.front();
-    return {turn, along - base, limb.along.back() - base, {m_bark.around(turn + double(limb.turned) / points), m_bark.at(along)},
-            m_bark.around(), m_bark.perMetreAt(along)};
-}
-
-bool CSimplifier::canHalve(const CStem& stem, std::uint32_t points, const Ring& ring) const {
-    return points >= 6 && points % 2 == 0 &&
-           m_surface.roundPoints(discAt(stem, ring).radius / m_surface.growthOf(stem)) <= static_cast<int>(points / 2);
-}
-
-/// Branches have as many points as the common ring, and their branches: one that has far too many gets what they need.
-std::uint32_t CSimplifier::pointsAtFork(const CStem& stem, const ForkNode& node, const Ring& common) const {
-    if (node.branches.empty()) return common.points;
-    const std::uint32_t spare = m_detail.lod == 0 && node.branches.size() > 1; // limbs of one point's share are poor
-    const std::uint32_t least = std::max(pointsNeeded(stem, node, common), static_cast<std::uint32_t>(node.paths.size() + node.branches.size()) + spare);
-    return double(common.points) > kTooManyPoints * double(least) ? least : common.points;
-}
-
-/// Not where roots or lobes stand out of the ring; of one branch only where it is thick enough.
-bool CSimplifier::mayPart(const CStem& stem, const ForkNode& node, const Tube& tube, const Ring& common) const {
-    const bool ridged = tube.lobed && (m_surface.lobes() > 0 || alongOf(common) < m_surface.rootsOf(stem).height() * stem.length);
-    return !ridged && (node.branches.size() > 1 || pointsNeeded(stem, node, common) >= static_cast<std::uint32_t>(m_detail.forkPoints));
-}
-
-std::uint32_t CSimplifier::pointsNeeded(const CStem& stem, const ForkNode& node, const Ring& common) const {
-    int needed = m_surface.roundPoints(discAt(stem, common).radius / m_surface.growthOf(stem));
-    for (const std::uint32_t b : node.branches) needed = std::max(needed, m_branchSurface->roundPoints(m_branches->stems[b].radius));
-    return static_cast<std::uint32_t>(needed);
-}
-
-/// A branch that parts here, for when its own generation is planned.
-void CSimplifier::addBranch(const ForkLimb& limb, std::uint32_t points, Tube& tube, MeshPlan& plan) const {
-    plan.branches.push_back({limb.number, points, limb.share, static_cast<std::uint32_t>(limb.along.size()) - 1,
-                             static_cast<std::uint32_t>(plan.branchPoints.size()), limb.along.back() - m_branches->stems[limb.number].offset, limb.seam, barkJointOf(limb, points)});
-    plan.branchPoints.insert(plan.branchPoints.end(), limb.points.begin(), limb.points.end());
-    tube.branchCount = static_cast<std::uint32_t>(plan.branches.size()) - tube.firstBranch;
-}
-
-/// Tries the lowest rings of the branches, while they can still grow out of the side instead.
-bool CSimplifier::limbsFold(const ForkRings& rings, const Ring& common) {
-    return std::ranges::any_of(rings.limbs, [&](const ForkLimb& limb) {
-        if (!limb.isBranch) return false;
-        const CStem& branch = m_branches->stems[limb.number];
-        ForkStart start{{branch.firstSegment, common.points, 0}, limb, 0};
-        for (double& along : start.limb.along) along -= branch.offset;
-        MeshPlan plan;
-        Tube tube{.stem = limb.number, .path = branch.firstPath, .points = common.points, .forked = true, .baseLidPoints = lidPointsOf(limb)};
-        tube.maxTurn = common.points > 3 ? m_branchSurface->turnOf(branch, m_detail.maxTurn) : 0;
-        addForkPoints(limb.points, plan);
-        plan.barkJoints.push_back(barkJointOf(limb, common.points));
-        addLimbRings(*m_branches, branch, start, tube, plan);
-        tube.ringCount = ringCountOf(tube, plan);
-        return !m_branchTrial->write(plan, tube);
-    });
-}
-
-/// Those above a fork: the given ones, one that turns the seam back, and the first of its own.
-void CSimplifier::addLimbRings(const CGeneration& generation, const CStem& stem, const ForkStart& start, Tube& tube, MeshPlan& plan) {
-    const auto ringAt = [&](double along, bool parted) {
-        const auto [segment, t] = placeAlong(generation, stem, generation.paths[tube.path], along);
-        plan.rings.push_back({segment, start.common.points, t, parted});
-    };
-    const auto given = static_cast<std::uint32_t>(start.limb.along.size()) - 1;
-    plan.forks.push_back({ringCountOf(tube, plan), given, start.firstPoint, start.limb.seam});
-    tube.forkCount = static_cast<std::uint32_t>(plan.forks.size()) - tube.firstFork;
-    plan.rings.push_back({start.common.segment, start.limb.share, start.common.t, true});
-    for (std::uint32_t r = 1; r <= given; ++r) ringAt(start.limb.along[r], false);
-    ringAt(start.limb.along.back(), true);
+/// Whether roots or lobes stand out of a ring.
+bool CSimplifier::isRidged(const CStem& stem, const Tube& tube, const Ring& ring) const {
+    return tube.lobed && (m_surface.lobes() > 0 || alongOf(ring) < m_surface.rootsOf(stem).height() * stem.length);
 }
 
 /// With a path's rings above a fork; which of its segments the first of its own stands on.
 std::uint32_t CSimplifier::addLimb(const CStem& stem, const ForkStart& start, Tube& tube, MeshPlan& plan) {
     const CPath& path = m_generation.paths[tube.path];
-    addLimbRings(m_generation, stem, start, tube, plan);
+    addLimbRings(m_generation, start, tube, plan);
     m_last = discAt(stem, plan.rings.back());
     m_fixed = ringCountOf(tube, plan);
     m_clear = start.limb.along.back() + kApartOfFork * m_last.radius;
@@ -377,6 +283,11 @@ void CSimplifier::halvePoints(const CStem& stem, const Tube& tube, MeshPlan& pla
             points /= 2;
         ring.points = points;
     }
+}
+
+bool CSimplifier::canHalve(const CStem& stem, std::uint32_t points, const Ring& ring) const {
+    return points >= 6 && points % 2 == 0 &&
+           m_surface.roundPoints(ownRadius(stem, ring)) <= static_cast<int>(points / 2);
 }
 
 CSimplifier::Disc CSimplifier::discAt(const CStem& stem, const Ring& ring) const {

@@ -1,10 +1,8 @@
 #pragma once
-#include "stem/BarkScale.h"
+#include "stem/BranchForks.h"
 #include "stem/CentreLine.h"
 #include "stem/Collar.h"
-#include "stem/Fork.h"
 #include "stem/Smoother.h"
-#include "stem/TubeTrial.h"
 #include <optional>
 #include <span>
 
@@ -31,12 +29,6 @@ private:
         void restore(MeshPlan& plan) const;
         std::size_t rings, tubes, collarPoints, forks, forkPoints, branches, branchPoints, barkJoints;
     };
-    /// Where a path starts at a fork: what has been planned for it with the path it parts from.
-    struct ForkStart {
-        Ring common{};            ///< no points: it starts inside the wood
-        ForkLimb limb;
-        std::uint32_t firstPoint; ///< of the limb's, in the plan
-    };
     /// A ring as the flat round thing it covers.
     struct Disc {
         Ring ring;
@@ -54,15 +46,8 @@ private:
     std::uint32_t addFirstRings(const CStem& stem, const CPath& path, double start, Tube& tube, MeshPlan& plan);
     bool addFork(const CStem& stem, Tube& tube, std::uint32_t segment, MeshPlan& plan);
     std::uint32_t addLimb(const CStem& stem, const ForkStart& start, Tube& tube, MeshPlan& plan);
-    static void addLimbRings(const CGeneration& generation, const CStem& stem, const ForkStart& start, Tube& tube, MeshPlan& plan);
-    bool limbsFold(const ForkRings& rings, const Ring& common);
-    std::uint32_t pointsAtFork(const CStem& stem, const ForkNode& node, const Ring& common) const;
-    bool mayPart(const CStem& stem, const ForkNode& node, const Tube& tube, const Ring& common) const;
-    std::uint32_t pointsNeeded(const CStem& stem, const ForkNode& node, const Ring& common) const;
-    void addBranch(const ForkLimb& limb, std::uint32_t points, Tube& tube, MeshPlan& plan) const;
-    BarkJoint barkJointOf(const ForkLimb& limb, std::uint32_t points) const;
-    ForkStart startOnParent(std::uint32_t s) const;
     void startBark(const CStem& stem, Tube& tube, MeshPlan& plan);
+    bool isRidged(const CStem& stem, const Tube& tube, const Ring& ring) const;
     void addRing(const CStem& stem, const Tube& tube, const Disc& disc, bool needed, MeshPlan& plan);
     template <typename Add> void addBetween(const CStem& stem, std::uint32_t segment, Add&& add);
     /// Since the last ring.
@@ -73,7 +58,6 @@ private:
     bool isLeftOut(const CStem& stem, std::uint32_t segment, double radiusAbove, Bend& left) const;
 
     void halvePoints(const CStem& stem, const Tube& tube, MeshPlan& plan) const;
-
     bool canHalve(const CStem& stem, std::uint32_t points, const Ring& ring) const;
 
     bool collarFolds(const Tube& tube, const MeshPlan& plan);
@@ -84,10 +68,12 @@ private:
 
     Disc discAt(const CStem& stem, const Ring& ring) const;
     bool collide(const Disc& low, const Disc& high) const;
-    static std::uint32_t ringCountOf(const Tube& tube, const MeshPlan& plan) {
+    std::uint32_t ringCountOf(const Tube& tube, const MeshPlan& plan) const {
         return static_cast<std::uint32_t>(plan.rings.size()) - tube.firstRing;
     }
     double alongOf(const Ring& ring) const;
+    /// Of the wood, as it is without what a level of detail adds; metres.
+    double ownRadius(const CStem& stem, const Ring& ring) const { return discAt(stem, ring).radius / m_surface.growthOf(stem); }
     bool endsInPoint(const CStem& stem, const CPath& path) const;
     ForkStart& startOf(const CStem& stem, std::uint32_t path) { return m_starts[path - stem.firstPath]; }
     std::uint32_t indexOf(const CSegment& segment) const {
@@ -95,21 +81,17 @@ private:
     }
 
     const Detail& m_detail;
-    const CGeneration* m_branches; ///< that may part at forks
     const CGeneration& m_generation;
     CStemSurface m_surface;
-    std::optional<CStemSurface> m_branchSurface;
-    std::optional<CNodes> m_nodes;
-    std::optional<CTubeTrial> m_branchTrial;
     CSmoother m_smoother;
     CCentreLine m_line;
     CForkMaker m_forkMaker;
     CTubeTrial m_trial;
-    CBarkScale m_bark;
     bool m_smooth;
     double m_maxSag; ///< metres
     std::optional<CCollarMaker> m_collars;
-    const MeshPlan* m_parents = nullptr; ///< branches may start at their forks
+    std::optional<CBranchForks> m_branches; ///< where they part at forks
+    const MeshPlan* m_parents = nullptr;    ///< whose forks the stems may start at
 
     // Of the stem and the tube that are being planned:
     std::vector<ForkStart> m_starts;      ///< of its paths
