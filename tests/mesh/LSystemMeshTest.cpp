@@ -1,5 +1,6 @@
 // Trees of another kind than Weber and Penn's, by the same mesher.
 #include "mesh/MeshMeasures.h"
+#include "stromar/mesh/JoinedStems.h"
 #include "stromar/mesh/MeshBuilder.h"
 #include "stromar/mesh/check/MeshCheck.h"
 #include "stromar/tree/lsystem/TurtleStems.h"
@@ -63,6 +64,22 @@ TEST(LSystemMesh, FiguresAreSoundAtEveryLevelOfDetail) {
             }
         }
     }
+}
+
+/// A fork at each of its nodes: planning takes time linear in these, or this would take minutes.
+TEST(LSystemMesh, AStemOfTwoThousandForksIsOneSurface) {
+    const CWord word = CRewriter(parseGrammar(R"(
+axiom: !(10)X(11)
+X(k) : k > 0 -> X(k-1)X(k-1)
+X(k) : k <= 0 -> F(10)[+(40)F(30)]/(90))"), 1).derive(12, CProgress());
+    const auto generations = stemsOf(word, interpret(word, {.lengthUnit = 0.01, .widthUnit = 0.004}, CProgress()), CProgress());
+    const CTree tree(10, {generations.begin(), generations.end()});
+    const auto all = meshAllStems(tree, {}, detailOf(Model::Full), CProgress(2));
+    const JoinedStems joined = joinStems(tree, all, CProgress(2));
+    EXPECT_EQ(joined.joined, 2047u) << "all but the last, as which the stem runs on";
+    const MeshFaults faults = checkJoined(joined, all);
+    EXPECT_EQ(inWords(faults), "");
+    EXPECT_EQ(faults.surfaces, 1u);
 }
 
 TEST(LSystemMesh, AStraightStemThinsWhereItsWidthDoesAtEveryLevelOfDetail) {

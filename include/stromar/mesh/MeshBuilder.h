@@ -50,22 +50,30 @@ struct BarkJoint {
     double around, perMetre; ///< of the parent's there
 };
 
+/// How the given points of a limb at a fork lie, one ring after the other: its share of the common one, then whole ones from valley to valley.
+struct LimbLayout {
+    std::uint32_t points; ///< of the common ring
+    std::uint32_t share;  ///< how many edges of that are the limb's
+    std::uint32_t rings;  ///< given ones: the first has share + 1 points, others one more than the common one
+
+    /// Of a ring's points.
+    std::uint32_t firstOf(std::uint32_t ring) const { return ring == 0 ? 0 : share + 1 + (ring - 1) * (points + 1); }
+    std::uint32_t pointCount() const { return firstOf(rings); }
+    /// Around the middle of a lid over what bounds the walls below the saddle.
+    std::uint32_t lidPoints() const { return share + 2 * (rings - 1); }
+    /// Those, from the saddle down the left valley, along the common ring and up the right one.
+    std::vector<std::uint32_t> boundary() const;
+};
+
 /// A branch that starts at a fork of its parent, between the parent's path and its other branches. The hole that this leaves in
 /// the parent's wall is closed by a lid over what bounds it; another closes the branch's.
 struct ForkedBranch {
     std::uint32_t stem;          ///< of the next generation
-    std::uint32_t points, share; ///< of the fork's common ring: all, and how many edges are the branch's
-    std::uint32_t rings;         ///< given ones: the first has share + 1 points, others one more than the common one has
-    std::uint32_t firstPoint;    ///< of those in the plan
+    LimbLayout limb;
+    std::uint32_t firstPoint;    ///< of its given ones, in the plan
     double clear;                ///< metres from the branch's base: the first ring of its own
     std::int32_t seam;           ///< at which point that one starts, counted over whole turns
     BarkJoint bark;
-
-    std::uint32_t pointCount() const { return firstOf(rings); }
-    /// Of a ring's points.
-    std::uint32_t firstOf(std::uint32_t ring) const { return ring == 0 ? 0 : share + 1 + (ring - 1) * (points + 1); }
-    /// Of a lid, around its middle.
-    std::uint32_t lidPoints() const { return share + 2 * (rings - 1); }
 };
 
 /// The drawn surface of one path of a stem: perhaps a collar, then rings from its base to its tip. Where clones part from
@@ -82,7 +90,6 @@ struct Tube {
     std::uint32_t firstFork = 0, forkCount = 0; ///< in the plan
     bool joined = false; ///< starts at a fork, on the tube before it: without a lid
     bool forked = false; ///< starts at a fork of the parent's, closed by a lid
-    std::uint32_t baseLidPoints = 0; ///< of such a lid
     std::uint32_t barkJoint = 0;     ///< in the plan
     std::uint32_t firstBranch = 0, branchCount = 0; ///< those that start at its forks, in the plan
     std::uint32_t firstVertex = 0;      ///< in the mesh
@@ -93,8 +100,6 @@ struct Tube {
     /// The lid at the base (of a collar or a lobed ring) or at the tip (of a lobed ring) has a vertex in its middle.
     bool middleOfLid(bool base) const { return lobed || (base && (collarRings > 0 || forked)); }
     bool startsAtFork() const { return joined || forked; }
-    /// How many points lie around the lid at its base.
-    std::uint32_t lidPoints() const { return forked ? baseLidPoints : points; }
     std::size_t vertexCount() const { return vertices; }
     std::size_t indexCount() const { return indices; }
 };
@@ -110,6 +115,12 @@ inline std::size_t wallIndices(const Ring& low, const Ring& high) {
 struct MeshPlan {
     const Ring* ringsOf(const Tube& tube) const { return &rings[tube.firstRing]; }
     std::span<const Fork> forksOf(const Tube& tube) const { return std::span(forks).subspan(tube.firstFork, tube.forkCount); }
+    /// That which gives a ring of a tube its points; null where none does. Time logarithmic in the tube's forks.
+    const Fork* forkAt(const Tube& tube, std::uint32_t ring) const;
+    /// Of a tube that starts at a fork.
+    LimbLayout limbOf(const Tube& tube) const { return {tube.points, ringsOf(tube)->points, forksOf(tube)[0].rings}; }
+    /// How many points lie around the lid at its base.
+    std::uint32_t baseLidPoints(const Tube& tube) const { return tube.forked ? limbOf(tube).lidPoints() : tube.points; }
 
     std::span<const ForkedBranch> branchesOf(const Tube& tube) const { return std::span(branches).subspan(tube.firstBranch, tube.branchCount); }
     /// The one that a stem of the next generation is; null where it is none.

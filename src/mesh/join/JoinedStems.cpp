@@ -1,6 +1,5 @@
 #include "stromar/mesh/JoinedStems.h"
 #include "join/TubeJoiner.h"
-#include "stem/Fork.h"
 #include "stem/FrontNormals.h"
 #include "stem/TubeLids.h"
 #include "stromar/util/Parallel.h"
@@ -75,7 +74,10 @@ public:
 
 private:
     /// The lowest lid is a tube's last, a fan about a middle of its own.
-    void dropLid(const Tube& tube) { drop(tube.firstIndex + tube.indexCount() - 3 * std::size_t{tube.lidPoints()}, tube.lidPoints()); }
+    void dropLid(const Tube& tube) {
+        const std::uint32_t triangles = m_plan.baseLidPoints(tube);
+        drop(tube.firstIndex + tube.indexCount() - 3 * std::size_t{triangles}, triangles);
+    }
 
     void drop(std::size_t firstIndex, std::uint32_t triangles) { std::fill_n(m_dropped.begin() + static_cast<std::ptrdiff_t>(firstIndex / 3), triangles, true); }
 
@@ -105,9 +107,9 @@ private:
             if (!tube.forked) continue;
             const ForkedBranch& branch = *below.branch(tube.stem);
             const std::uint32_t lid = lids[static_cast<std::size_t>(&branch - below.branches.data())];
-            const std::vector<std::uint32_t> boundary = boundaryOf(branch.share, branch.points, branch.rings);
+            const std::vector<std::uint32_t> boundary = branch.limb.boundary();
             for (std::uint32_t i = 0; i < boundary.size(); ++i) m_common.emplace(tube.firstVertex + boundary[i], lid + i);
-            m_common.emplace(tube.firstVertex + branch.pointCount() - 1, lid); // the saddle
+            m_common.emplace(tube.firstVertex + branch.limb.pointCount() - 1, lid); // the saddle
         }
     }
 

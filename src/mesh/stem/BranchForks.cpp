@@ -30,7 +30,7 @@ bool CBranchForks::fold(const ForkRings& rings, std::uint32_t points) {
         ForkStart start{{branch.firstSegment, points, 0}, limb, 0};
         for (double& along : start.limb.along) along -= branch.offset;
         MeshPlan plan;
-        Tube tube{.stem = limb.number, .path = branch.firstPath, .points = points, .forked = true, .baseLidPoints = limb.lidPoints()};
+        Tube tube{.stem = limb.number, .path = branch.firstPath, .points = points, .forked = true};
         tube.maxTurn = points > 3 ? m_branchSurface.turnOf(branch, m_detail.maxTurn) : 0;
         addForkPoints(limb.points, plan);
         plan.barkJoints.push_back(barkJointOf(limb, points));
@@ -41,7 +41,7 @@ bool CBranchForks::fold(const ForkRings& rings, std::uint32_t points) {
 }
 
 void CBranchForks::add(const ForkLimb& limb, std::uint32_t points, Tube& tube, MeshPlan& plan) const {
-    plan.branches.push_back({limb.number, points, limb.share, limb.rings(), static_cast<std::uint32_t>(plan.branchPoints.size()),
+    plan.branches.push_back({limb.number, {points, limb.share, limb.rings()}, static_cast<std::uint32_t>(plan.branchPoints.size()),
                              limb.along.back() - baseOf(limb), limb.seam, barkJointOf(limb, points)});
     plan.branchPoints.insert(plan.branchPoints.end(), limb.points.begin(), limb.points.end());
     tube.branchCount = static_cast<std::uint32_t>(plan.branches.size()) - tube.firstBranch;
@@ -57,8 +57,8 @@ ForkStart startOnParent(const MeshPlan& parents, const CStem& branch, std::uint3
     const ForkedBranch* given = parents.branch(number);
     if (!given) return {};
     const auto first = parents.branchPoints.begin() + given->firstPoint;
-    ForkStart start{{branch.firstSegment, given->points, 0}, {.isBranch = true, .number = number, .share = given->share, .points = {first, first + given->pointCount()}, .along = {}, .seam = given->seam}};
-    for (std::uint32_t r = 0; r < given->rings; ++r) start.limb.along.push_back(double(first[given->firstOf(r)].along) - branch.offset);
+    ForkStart start{{branch.firstSegment, given->limb.points, 0}, {.isBranch = true, .number = number, .share = given->limb.share, .points = {first, first + given->limb.pointCount()}, .along = {}, .seam = given->seam}};
+    for (std::uint32_t r = 0; r < given->limb.rings; ++r) start.limb.along.push_back(double(first[given->limb.firstOf(r)].along) - branch.offset);
     start.limb.along.push_back(given->clear);
     return start;
 }

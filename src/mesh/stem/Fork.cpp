@@ -41,26 +41,34 @@ LidShape lidOf(std::span<const glm::dvec3> line) {
     return lid;
 }
 
-std::vector<std::uint32_t> boundaryOf(std::uint32_t share, std::uint32_t points, std::uint32_t rings) {
-    std::vector<std::uint32_t> boundary;
-    const auto first = [&](std::uint32_t ring) { return ring == 0 ? 0 : share + 1 + (ring - 1) * (points + 1); };
-    for (std::uint32_t r = rings - 1; r > 0; --r) boundary.push_back(first(r));
-    for (std::uint32_t i = 0; i <= share; ++i) boundary.push_back(i);
-    for (std::uint32_t r = 1; r + 1 < rings; ++r) boundary.push_back(first(r) + points);
-    return boundary;
+std::vector<std::uint32_t> LimbLayout::boundary() const {
+    std::vector<std::uint32_t> all;
+    for (std::uint32_t r = rings - 1; r > 0; --r) all.push_back(firstOf(r));
+    for (std::uint32_t i = 0; i <= share; ++i) all.push_back(i);
+    for (std::uint32_t r = 1; r + 1 < rings; ++r) all.push_back(firstOf(r) + points);
+    return all;
 }
 
-std::optional<ForkNode> CForkMaker::nodeAt(const CStem& stem, std::uint32_t path, std::uint32_t segment, double reach) const {
-    const CPath& own = m_generation.paths[stem.firstPath + path];
+void CForkMaker::start(const CStem& stem, std::uint32_t path, double maxTurn, bool lobed) {
+    m_stem = &stem;
+    m_path = path;
+    m_maxTurn = maxTurn;
+    m_lobed = lobed;
+    m_baseStarted = false;
+}
+
+std::optional<ForkNode> CForkMaker::nodeAt(std::uint32_t segment, double reach) const {
+    const CStem& stem = *m_stem;
+    const CPath& own = m_generation.paths[stem.firstPath + m_path];
     const std::uint32_t position = segment - own.firstSegment + own.firstPosition;
-    ForkNode node{{path}, {}, segment - 1, reach};
-    for (std::uint32_t p = path + 1; p < stem.pathCount; ++p) {
+    ForkNode node{{m_path}, {}, segment - 1, reach};
+    for (std::uint32_t p = m_path + 1; p < stem.pathCount; ++p) {
         const CPath& clone = m_generation.paths[stem.firstPath + p];
-        if (clone.source == static_cast<std::int32_t>(path) && clone.firstPosition == position) node.paths.push_back(p);
+        if (clone.source == static_cast<std::int32_t>(m_path) && clone.firstPosition == position) node.paths.push_back(p);
     }
     if (m_nodes && stem.pathCount == 1) {
         node.branches = m_nodes->at(static_cast<std::uint32_t>(&stem - m_generation.stems.data()), position - 1);
-        if (!node.branches.empty() && !addReach(stem, segment, node)) node.branches.clear();
+        if (!node.branches.empty() && !addReach(segment, node)) node.branches.clear();
     }
     const bool winds = m_generation.segments[node.segmentBelow].helixRadius > 0;
     if (node.limbs() < 2 || node.reach <= 0 || winds) return {};
@@ -68,10 +76,10 @@ std::optional<ForkNode> CForkMaker::nodeAt(const CStem& stem, std::uint32_t path
 }
 
 /// As among the paths of a fork: by the one that turns most. False where a branch rather grows out of the side.
-bool CForkMaker::addReach(const CStem& stem, std::uint32_t segment, ForkNode& node) const {
+bool CForkMaker::addReach(std::uint32_t segment, ForkNode& node) const {
     const CSegment &below = m_generation.segments[node.segmentBelow], &above = m_generation.segments[segment];
     const CGeneration& branches = m_tree.generation(m_number + 1);
-    const double radius = m_surface.woodRadius(stem, above, 0);
+    const double radius = m_surface.woodRadius(*m_stem, above, 0);
     double sine = CCentreLine::halfSine(below.frame[2], above.frame[2]), room = std::min(below.length, above.length);
     for (const std::uint32_t b : node.branches) {
         const CSegment& first = branches.segments[branches.stems[b].firstSegment];
@@ -84,13 +92,12 @@ bool CForkMaker::addReach(const CStem& stem, std::uint32_t segment, ForkNode& no
     return true;
 }
 
-std::optional<ForkRings> CForkMaker::make(const CStem& stem, const ForkNode& node, std::uint32_t points, double maxTurn,
-                                          bool lobed) {
+std::optional<ForkRings> CForkMaker::make(const ForkNode& node, std::uint32_t points) {
     m_points = points;
-    if (points < node.limbs() || !startLimbs(stem, node, maxTurn, lobed)) return {};
+    if (points < node.limbs() || !startLimbs(node)) return {};
     const double top = alongWhereApart(isPair() ? 1 + kFill : kApartOfMany);
     const std::vector<double> alongs = levels(top);
-    if (!standApart(stem, alongs)) return {};
+    if (!standApart(alongs)) return {};
     clearLimbs(top, std::max(kClear * m_common.radius, top - (alongs.size() > 1 ? alongs[alongs.size() - 2] : m_common.along)));
     ForkRings rings;
     addCommonRing(rings);
@@ -129,20 +136,28 @@ void CForkMaker::clearLimbs(double top, double step) {
         limb.clear = std::min(top + step, m_common.along + kClearRoom * (limb.limit - m_common.along));
         if (!limb.bend) continue;
         limb.clear = std::max(limb.clear, limb.bend->end());
-        limb.turned = limb.bend->turnTo(limb.surface, limb.clear, m_points);
+        limb.turned = limb.bend->turnTo(*limb.surface, limb.clear, m_points);
     }
 }
 
+/// Once for all forks of a path: it takes time linear in its segments.
+void CForkMaker::startBase() {
+    if (!m_baseStarted) m_base.start(*m_stem, m_generation.paths[m_stem->firstPath + m_path], m_maxTurn, m_lobed);
+    m_baseStarted = true;
+}
+
 /// False when they have no room to part.
-bool CForkMaker::startLimbs(const CStem& stem, const ForkNode& node, double maxTurn, bool lobed) {
-    const double foot = m_generation.segments[node.segmentBelow].end() - node.reach;
+bool CForkMaker::startLimbs(const ForkNode& node) {
+    const double end = m_generation.segments[node.segmentBelow].end(), foot = end - node.reach;
     m_limbs.clear();
+    startBase();
     for (const std::uint32_t p : node.paths) {
-        Limb& limb = m_limbs.emplace_back(
-            Limb{p, limitOf(stem, p, node.segmentBelow), CPathSurface(m_generation, m_surface), {}});
-        limb.surface.start(stem, m_generation.paths[stem.firstPath + p], maxTurn, lobed);
+        const CPath& path = m_generation.paths[m_stem->firstPath + p];
+        Limb& limb = m_limbs.emplace_back(Limb{.number = p, .limit = limitOf(m_generation, m_number, *m_stem, path, end)});
+        if (p == m_path) continue;
+        limb.surface.emplace(m_generation, m_surface);
+        limb.surface->start(*m_stem, path, m_maxTurn, m_lobed);
     }
-    m_base.start(stem, m_generation.paths[stem.firstPath + node.paths.front()], maxTurn, lobed);
     m_common = m_base.shapeAt(foot);
     if (!startBranches(node, foot)) return false;
     m_limit = std::numeric_limits<double>::infinity();
@@ -163,8 +178,9 @@ bool CForkMaker::startBranches(const ForkNode& node, double foot) {
                                                          CCentreLine::halfSine(m_common.frame[2], first.frame[2]));
         const double above = std::min(bends, foot + kClearRoom * (limit - foot) - branch.offset);
         if (!(above > 0)) return false;
-        Limb& limb = m_limbs.emplace_back(Limb{b, limit, CPathSurface(branches, *m_branchSurface), CBranchBend(branch, first, m_common, node.reach, above)});
-        limb.surface.start(branch, path, m_branchSurface->turnOf(branch, m_detail.maxTurn), false);
+        Limb& limb = m_limbs.emplace_back(Limb{.number = b, .limit = limit, .bend = CBranchBend(branch, first, m_common, node.reach, above)});
+        limb.surface.emplace(branches, *m_branchSurface);
+        limb.surface->start(branch, path, m_branchSurface->turnOf(branch, m_detail.maxTurn), false);
     }
     return true;
 }
@@ -176,25 +192,22 @@ bool CForkMaker::allStandAside(const Level& top) const {
 }
 
 /// The next fork of the path takes at most the upper half of the segment below it.
-double CForkMaker::limitOf(const CStem& stem, std::uint32_t p, std::uint32_t segmentBelow) const {
-    return limitOf(m_generation, m_number, stem, m_generation.paths[stem.firstPath + p], m_generation.segments[segmentBelow].end());
-}
-
 double CForkMaker::limitOf(const CGeneration& generation, std::size_t number, const CStem& stem, const CPath& path, double from) const {
     const CNodes nodes(m_tree, number);
     const auto parts = [&, s = static_cast<std::uint32_t>(&stem - generation.stems.data())](std::uint32_t segment) {
         return m_nodes && stem.pathCount == 1 && !nodes.at(s, segment).empty();
     };
     const std::span<const CSegment> segments = generation.segmentsOf(path);
-    for (std::uint32_t i = 0; i < segments.size(); ++i)
-        if (segments[i].start >= from && (segments[i].forks || parts(i))) return segments[i].start + segments[i].length / 2;
+    const auto first = std::ranges::lower_bound(segments, from, {}, &CSegment::start) - segments.begin();
+    for (auto i = static_cast<std::uint32_t>(first); i < segments.size(); ++i)
+        if (segments[i].forks || parts(i)) return segments[i].start + segments[i].length / 2;
     return segments.back().end();
 }
 
 /// Whether a lid about the middle of what bounds a limb's walls does not fold.
 bool CForkMaker::canBeClosed(const ForkLimb& limb) const {
     std::vector<glm::dvec3> corners;
-    for (const std::uint32_t i : boundaryOf(limb.share, m_points, limb.rings()))
+    for (const std::uint32_t i : LimbLayout{m_points, limb.share, limb.rings()}.boundary())
         corners.emplace_back(limb.points[i].position);
     const LidShape lid = lidOf(corners);
     for (std::size_t i = 0; i < corners.size(); ++i) {
@@ -247,7 +260,7 @@ CForkMaker::Level CForkMaker::levelAt(double along) const {
     double radius = 0, weights = 0;
     glm::dvec3 axis(0);
     for (const Limb& limb : m_limbs) {
-        const RingShape& ring = level.rings.emplace_back(limb.shapeAt(along));
+        const RingShape& ring = level.rings.emplace_back(shapeAt(limb, along));
         level.middle += ring.centre / ring.radius;
         weights += 1 / ring.radius;
         radius += ring.radius / count;
@@ -289,8 +302,8 @@ std::vector<double> CForkMaker::levels(double top) const {
 }
 
 /// Whether the points of rings at these places are told apart in single precision.
-bool CForkMaker::standApart(const CStem& stem, const std::vector<double>& alongs) const {
-    const double least = kLeastDrawn * CStemSurface::minDrawn(stem, m_generation.segments[stem.firstSegment]);
+bool CForkMaker::standApart(const std::vector<double>& alongs) const {
+    const double least = kLeastDrawn * CStemSurface::minDrawn(*m_stem, m_generation.segments[m_stem->firstSegment]);
     double gap = kTurn * m_common.radius / m_points, below = m_common.along;
     for (const double along : alongs) {
         gap = std::min(gap, along - below);
@@ -344,7 +357,7 @@ void CForkMaker::addLevel(const Level& level, double share, ForkRings& rings) {
 /// To the right of a limb; its normal is the mean of the surfaces' that meet there.
 CForkMaker::Valley CForkMaker::valleyAt(const Level& level, std::size_t limb, const glm::dvec3& position, bool top) const {
     const auto normalOf = [&](std::size_t l, double angle) {
-        return m_limbs[l].surface.normalAt(level.rings[l], angle, directionOf(angle));
+        return surfaceOf(m_limbs[l]).normalAt(level.rings[l], angle, directionOf(angle));
     };
     const glm::dvec3 own = normalOf(limb, m_limbs[limb].right), other = normalOf(next(limb), m_limbs[next(limb)].left);
     const glm::dvec3 sum = top ? level.frame[2] : own + other;
@@ -356,12 +369,12 @@ void CForkMaker::addRing(const Level& level, std::size_t l, const Valley& left, 
                          ForkLimb& made) const {
     const Limb& limb = m_limbs[l];
     const RingShape& ring = level.rings[l];
-    const auto pointAt = [&](double angle) { return limb.surface.pointAt(ring, angle, directionOf(angle)); };
+    const auto pointAt = [&](double angle) { return surfaceOf(limb).pointAt(ring, angle, directionOf(angle)); };
     const glm::dvec3 leftOff = left.position - pointAt(limb.left), rightOff = right.position - pointAt(limb.right);
     for (std::uint32_t i = 0; i <= m_points; ++i) {
         const double share = double(i) / m_points, angle = limb.left + share * (limb.right - limb.left);
         const double toLeft = std::pow(1 - share, kReach), toRight = std::pow(share, kReach);
-        const glm::dvec3 own = limb.surface.normalAt(ring, angle, directionOf(angle));
+        const glm::dvec3 own = surfaceOf(limb).normalAt(ring, angle, directionOf(angle));
         const glm::dvec3 position = i == 0        ? left.position
                                     : i == m_points ? right.position
                                                   : pointAt(angle) + toLeft * leftOff + toRight * rightOff;

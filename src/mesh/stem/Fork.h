@@ -30,8 +30,6 @@ struct ForkLimb {
 
     /// That are given.
     std::uint32_t rings() const { return static_cast<std::uint32_t>(along.size()) - 1; }
-    /// Of a lid that closes it.
-    std::uint32_t lidPoints() const { return share + 2 * (rings() - 1); }
 };
 
 struct ForkRings {
@@ -44,9 +42,6 @@ struct LidShape {
     glm::dvec3 middle, normal;
 };
 LidShape lidOf(std::span<const glm::dvec3> line);
-
-/// The points of a limb that bound its walls below the saddle: from there down the left valley, along the common ring and up the right one.
-std::vector<std::uint32_t> boundaryOf(std::uint32_t share, std::uint32_t points, std::uint32_t rings);
 
 /// Parts a ring among the limbs of a fork. Each takes the points on its side; between neighbours runs a valley, on the line
 /// where their surfaces would meet, up to the one place where all valleys do: the saddle. Angles are kept, so that the bark
@@ -64,26 +59,26 @@ public:
         m_branchSurface = &branchSurface;
     }
 
-    /// The fork where a path of a stem goes on at `segment`; nothing when neither clones nor branches can part there. `reach`: of
+    /// Looks at a path of a stem; of its forks the others speak.
+    void start(const CStem& stem, std::uint32_t path, double maxTurn, bool lobed);
+    /// The fork where the path goes on at `segment`; nothing when neither clones nor branches can part there. `reach`: of
     /// the line's bend there.
-    std::optional<ForkNode> nodeAt(const CStem& stem, std::uint32_t path, std::uint32_t segment, double reach) const;
+    std::optional<ForkNode> nodeAt(std::uint32_t segment, double reach) const;
     /// `points` of the common ring. Nothing where there is no room for the limbs to part.
-    std::optional<ForkRings> make(const CStem& stem, const ForkNode& node, std::uint32_t points, double maxTurn, bool lobed);
+    std::optional<ForkRings> make(const ForkNode& node, std::uint32_t points);
 
 private:
     /// A path or a branch above the fork.
     struct Limb {
         std::uint32_t number;
         double limit; ///< metres along the stem: where it forks again, or ends
-        CPathSurface surface;
-        std::optional<CBranchBend> bend; ///< of a branch
+        std::optional<CPathSurface> surface{}; ///< none: of the path that runs on
+        std::optional<CBranchBend> bend{};     ///< of a branch
         double azimuth = 0;           ///< radians: to which side it leaves
         std::uint32_t first = 0, share = 0; ///< its points of the common ring
         double left = 0, right = 0;   ///< angles of the valleys beside it, at the height last looked at
         double clear = 0;             ///< metres along the stem: its own first ring
         std::int32_t turned = 0;      ///< points that a branch's first lies from the common ring's
-
-        RingShape shapeAt(double along) const { return bend ? bend->shapeAt(surface, along) : surface.shapeAt(along); }
     };
     /// All limbs at one place along the stem.
     struct Level {
@@ -98,10 +93,10 @@ private:
         double depth;
     };
 
-    bool addReach(const CStem& stem, std::uint32_t segment, ForkNode& node) const;
-    bool startLimbs(const CStem& stem, const ForkNode& node, double maxTurn, bool lobed);
+    bool addReach(std::uint32_t segment, ForkNode& node) const;
+    void startBase();
+    bool startLimbs(const ForkNode& node);
     bool startBranches(const ForkNode& node, double foot);
-    double limitOf(const CStem& stem, std::uint32_t path, std::uint32_t segmentBelow) const;
     double limitOf(const CGeneration& generation, std::size_t number, const CStem& stem, const CPath& path, double from) const;
     bool canBeClosed(const ForkLimb& limb) const;
     bool allStandAside(const Level& top) const;
@@ -111,13 +106,17 @@ private:
     Level levelAt(double along) const;
     double alongWhereApart(double apart) const;
     std::vector<double> levels(double top) const;
-    bool standApart(const CStem& stem, const std::vector<double>& alongs) const;
+    bool standApart(const std::vector<double>& alongs) const;
     std::vector<glm::dvec3> valleysAt(const Level& level, double share) const;
     Valley valleyAt(const Level& level, std::size_t limb, const glm::dvec3& position, bool top) const;
     void turnTo(const Level& level, const std::vector<glm::dvec3>& valleys, bool top);
     void addLevel(const Level& level, double share, ForkRings& rings);
     void addRing(const Level& level, std::size_t limb, const Valley& left, const Valley& right, ForkLimb& made) const;
     bool isPair() const { return m_limbs.size() == 2; }
+    const CPathSurface& surfaceOf(const Limb& limb) const { return limb.surface ? *limb.surface : m_base; }
+    RingShape shapeAt(const Limb& limb, double along) const {
+        return limb.bend ? limb.bend->shapeAt(surfaceOf(limb), along) : surfaceOf(limb).shapeAt(along);
+    }
     std::size_t next(std::size_t limb) const { return (limb + 1) % m_limbs.size(); }
 
     const CTree& m_tree;
@@ -128,7 +127,11 @@ private:
     const CNodes* m_nodes = nullptr; ///< none: branches do not part
     const CStemSurface* m_branchSurface = nullptr;
     std::vector<Limb> m_limbs; ///< by azimuth, once they have their shares
-    CPathSurface m_base; ///< of the path that runs on
+    CPathSurface m_base; ///< of the path that runs on, once one of its forks is made
+    const CStem* m_stem = nullptr;
+    std::uint32_t m_path = 0;
+    double m_maxTurn = 0;
+    bool m_lobed = false, m_baseStarted = false;
     RingShape m_common;
     std::uint32_t m_points = 0; ///< of the common ring
     double m_limit = 0; ///< metres along the stem that the saddle reaches at most

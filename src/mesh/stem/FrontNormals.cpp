@@ -63,9 +63,8 @@ public:
 private:
     /// Whether a ring runs from valley to valley at a fork.
     bool isOpen(std::uint32_t r) const {
-        return std::ranges::any_of(m_plan.forksOf(m_tube), [&](const Fork& fork) {
-            return fork.ring <= r && r < fork.ring + fork.rings && m_plan.ringsOf(m_tube)[fork.ring].parted;
-        });
+        const Fork* fork = m_plan.forkAt(m_tube, r);
+        return fork && m_plan.ringsOf(m_tube)[fork->ring].parted;
     }
     CMesh& m_mesh;
     const MeshPlan& m_plan;

@@ -189,7 +189,7 @@ void CPointGenerator::addCollarRing(std::uint32_t ring, VertexSink& sink) const 
 
 void CPointGenerator::addLid(bool base, VertexSink& sink) const {
     if (base && m_tube->collarRings > 0) return addCollarLid(sink);
-    if (base && m_tube->forked) return addForkLid(true, {m_points, m_rings[0].points, m_plan.forksOf(*m_tube)[0].rings, m_rings[0].given}, sink);
+    if (base && m_tube->forked) return addForkLid(true, m_plan.limbOf(*m_tube), m_rings[0].given, sink);
     const DrawnRing& ring = base ? m_rings.front() : m_rings.back();
     const glm::dvec3 normal = base ? -ring.frame[2] : ring.frame[2];
     const auto add = [&](const glm::dvec3& point, glm::dvec2 at) {
@@ -201,20 +201,20 @@ void CPointGenerator::addLid(bool base, VertexSink& sink) const {
 }
 
 void CPointGenerator::addBranchLid(const ForkedBranch& branch, VertexSink& sink) const {
-    addForkLid(false, {branch.points, branch.share, branch.rings, &m_plan.branchPoints[branch.firstPoint]}, sink);
+    addForkLid(false, branch.limb, &m_plan.branchPoints[branch.firstPoint], sink);
 }
 
 /// Inside the wood, at the base of a limb or over the hole that it leaves in its parent.
-void CPointGenerator::addForkLid(bool base, const GivenLimb& limb, VertexSink& sink) const {
-    const std::vector<std::uint32_t> boundary = boundaryOf(limb.share, limb.points, limb.rings);
+void CPointGenerator::addForkLid(bool base, const LimbLayout& limb, const ForkPoint* given, VertexSink& sink) const {
+    const std::vector<std::uint32_t> boundary = limb.boundary();
     std::vector<glm::dvec3> line;
-    for (const std::uint32_t i : boundary) line.emplace_back(limb.given[i].position);
+    for (const std::uint32_t i : boundary) line.emplace_back(given[i].position);
     const LidShape lid = lidOf(line);
     const glm::dvec3 normal = base ? -lid.normal : lid.normal;
     const DrawnRing& ring = m_rings.front();
     sink.add(lid.middle, normal, m_bark.around() * 0.5, m_bark.at(ring.along), ring.look);
     for (std::size_t i = 0; i < line.size(); ++i)
-        sink.add(line[i], normal, m_bark.around() * double(limb.given[boundary[i]].turn), m_bark.at(ring.along), ring.look);
+        sink.add(line[i], normal, m_bark.around() * double(given[boundary[i]].turn), m_bark.at(ring.along), ring.look);
 }
 
 /// Closes a collar inside the parent: seen along the branch its points lie around the branch's middle in their order.

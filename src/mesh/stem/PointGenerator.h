@@ -49,11 +49,6 @@ private:
         std::int32_t seam = 0;            ///< the point it starts at, counted over whole turns
         bool onParent = false;            ///< given by a fork of the parent's
     };
-    /// The given rings of one.
-    struct GivenLimb {
-        std::uint32_t points, share, rings;
-        const ForkPoint* given;
-    };
 
     DrawnRing shapeOf(const Tube& tube, const Ring& ring) const;
     struct BaseOcclusion;
@@ -67,7 +62,7 @@ private:
     void lookAtForks(const Tube& tube);
     void addGivenRing(const DrawnRing& ring, VertexSink& sink) const;
     void addCollarLid(VertexSink& sink) const;
-    void addForkLid(bool base, const GivenLimb& limb, VertexSink& sink) const;
+    void addForkLid(bool base, const LimbLayout& limb, const ForkPoint* given, VertexSink& sink) const;
     glm::dvec3 creaseNormal(const glm::dvec3& parent, const glm::dvec3& own) const;
     SurfacePoint collarPointAt(std::uint32_t ring, std::uint32_t i) const;
     glm::dvec3 pointAt(const DrawnRing& ring, std::uint32_t i) const {

@@ -63,6 +63,12 @@ std::vector<bool> drawnOf(const CTree& tree, std::size_t g, const StemChoice& ch
 }
 } // namespace
 
+const Fork* MeshPlan::forkAt(const Tube& tube, std::uint32_t ring) const {
+    const std::span<const Fork> own = forksOf(tube);
+    const auto above = std::ranges::upper_bound(own, ring, {}, &Fork::ring);
+    return above != own.begin() && ring < (above - 1)->ring + (above - 1)->rings ? &*(above - 1) : nullptr;
+}
+
 const ForkedBranch* MeshPlan::branch(std::uint32_t stem) const {
     const auto at = std::ranges::lower_bound(branches, stem, {}, &ForkedBranch::stem);
     return at != branches.end() && at->stem == stem ? &*at : nullptr;

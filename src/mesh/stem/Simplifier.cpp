@@ -3,6 +3,7 @@
 #include <cmath>
 #include <glm/common.hpp>
 #include <glm/geometric.hpp>
+#include <utility>
 
 namespace stromar {
 
@@ -14,7 +15,7 @@ constexpr double kAside = 0.85;      // cosine between a ring and the way to the
 constexpr double kTipReach = 4;      // radii of rings that a tip pushes out
 constexpr double kApart = 0.2;       // radii between the first own ring above a collar and the next
 constexpr double kApartOfFork = 0.05; // likewise above a fork
-constexpr std::uint32_t kOneByOne = 16; // folded rings that are taken out before many are at a time
+constexpr std::uint32_t kOneByOne = 16; // folded rings that are taken out before many are at a time; likewise tries with the forks that do not fold
 
 /// Whether branches may part at forks of a generation's stems.
 bool branchesPart(const CTree& tree, int generation, const Detail& detail, const BranchesAbove* above) {
@@ -61,6 +62,7 @@ void CSimplifier::planStem(std::uint32_t s, MeshPlan& plan) {
 void CSimplifier::planPaths(std::uint32_t s, MeshPlan& plan) {
     const CStem& stem = m_generation.stems[s];
     m_refused.clear();
+    m_tries = 0;
     m_starts.assign(stem.pathCount, {});
     if (m_parents) m_starts[0] = startOnParent(*m_parents, stem, s);
     std::vector<Mark> before;
@@ -82,8 +84,9 @@ std::uint32_t CSimplifier::planPath(std::uint32_t s, std::uint32_t p, MeshPlan& 
     ForkStart& start = m_starts[p];
     const bool starts = start.common.points > 0;
     if (!starts || !m_startFolds) {
-        const std::vector<std::uint32_t>& folded = m_folded.empty() ? m_planned : m_folded;
-        m_refused.insert(m_refused.end(), folded.begin(), folded.end());
+        const bool one = !m_folded.empty() && ++m_tries < kOneByOne;
+        const std::vector<std::uint32_t>& folded = one ? m_folded : m_planned;
+        m_refused.insert(folded.begin(), folded.end());
         if (!folded.empty()) return p;
     }
     if (!starts) return p + 1;
@@ -91,7 +94,7 @@ std::uint32_t CSimplifier::planPath(std::uint32_t s, std::uint32_t p, MeshPlan& 
         start = {}; // the parent keeps its lid
         return p;
     }
-    m_refused.push_back(start.common.segment);
+    m_refused.insert(start.common.segment);
     return static_cast<std::uint32_t>(path.source);
 }
 
@@ -111,7 +114,6 @@ bool CSimplifier::planTube(std::uint32_t s, std::uint32_t p, bool withCollar, Me
               .firstFork = static_cast<std::uint32_t>(before.forks),
               .joined = fork.common.points > 0 && !forked,
               .forked = forked,
-              .baseLidPoints = forked ? fork.limb.lidPoints() : 0,
               .firstBranch = static_cast<std::uint32_t>(before.branches)};
     if (forked) fork.firstPoint = addForkPoints(fork.limb.points, plan);
     startBark(stem, tube, plan);
@@ -120,6 +122,7 @@ bool CSimplifier::planTube(std::uint32_t s, std::uint32_t p, bool withCollar, Me
     tube.lobed = m_surface.ridges() > 0 &&
                  tube.points >= static_cast<std::uint32_t>(kFewestPointsPerLobe * m_surface.ridges());
     tube.pointed = endsInPoint(stem, path);
+    m_forkMaker.start(stem, p - stem.firstPath, tube.maxTurn, tube.lobed);
     m_planned.clear();
     m_folded.clear();
     m_startFolds = false;
@@ -162,6 +165,7 @@ bool CSimplifier::addRings(const CStem& stem, const CPath& path, double start, T
     m_spacing = CStemSurface::minDrawn(stem, m_generation.segments[stem.firstSegment]);
     m_clear = start > 0 ? start + kApart * stem.radius : m_generation.segments[path.firstSegment].start;
     m_fixed = 1;
+    m_halved = 0;
     const auto add = [&](std::uint32_t segment, double place, bool needed) {
         const Ring ring{segment, tube.points, place};
         if (alongOf(ring) > m_clear) addRing(stem, tube, discAt(stem, ring), needed, plan);
@@ -202,26 +206,28 @@ std::uint32_t CSimplifier::addFirstRings(const CStem& stem, const CPath& path, d
 
 /// The common ring of a fork and those with which the tube's path goes on; false where its clones start inside the wood.
 bool CSimplifier::addFork(const CStem& stem, Tube& tube, std::uint32_t segment, MeshPlan& plan) {
-    const auto node = m_forkMaker.nodeAt(stem, tube.path - stem.firstPath, segment, m_line.forkReach(segment));
-    if (!node || std::ranges::find(m_refused, node->segmentBelow) != m_refused.end()) return false;
+    const auto node = m_forkMaker.nodeAt(segment, m_line.forkReach(segment));
+    if (!node || m_refused.contains(node->segmentBelow)) return false;
     const CSegment& below = m_generation.segments[node->segmentBelow];
     Ring common{node->segmentBelow, tube.points, 1 - node->reach / below.length};
     const Disc disc = discAt(stem, common);
     if (alongOf(common) <= m_clear || collide(discAt(stem, plan.rings[tube.firstRing + m_fixed - 1]), disc)) return false;
     if (!node->branches.empty() && (isRidged(stem, tube, common) || !m_branches->mayPart(*node, ownRadius(stem, common)))) return false;
-    const std::vector<Ring> own(plan.rings.begin() + tube.firstRing, plan.rings.end());
+    std::vector<Ring> pushedOut;
     while (plan.rings.size() - tube.firstRing > m_fixed &&
-           (alongOf(plan.rings.back()) >= alongOf(common) || collide(discAt(stem, plan.rings.back()), disc)))
-        plan.rings.pop_back();
+           (alongOf(plan.rings.back()) >= alongOf(common) || collide(discAt(stem, plan.rings.back()), disc))) {
+        pushedOut.push_back(plan.rings.back());
+        popRing(tube, plan);
+    }
     plan.rings.push_back(common);
     tube.ringCount = ringCountOf(tube, plan);
     halvePoints(stem, tube, plan);
     if (std::uint32_t& points = plan.rings.back().points; !node->branches.empty()) points = m_branches->pointsAt(*node, ownRadius(stem, common), points);
     common = plan.rings.back();
-    auto rings = m_forkMaker.make(stem, *node, common.points, tube.maxTurn, tube.lobed);
+    auto rings = m_forkMaker.make(*node, common.points);
     if (!rings || (m_branches && m_branches->fold(*rings, common.points))) {
-        plan.rings.resize(tube.firstRing);
-        plan.rings.insert(plan.rings.end(), own.begin(), own.end());
+        popRing(tube, plan);
+        plan.rings.insert(plan.rings.end(), pushedOut.rbegin(), pushedOut.rend());
         m_last = discAt(stem, plan.rings.back());
         return false;
     }
@@ -268,14 +274,16 @@ std::uint32_t CSimplifier::addLimb(const CStem& stem, const ForkStart& start, Tu
 }
 
 /// Gives rings half as many points as soon as that is enough for their radius, but for those about forks; above these as many as there.
-void CSimplifier::halvePoints(const CStem& stem, const Tube& tube, MeshPlan& plan) const {
+void CSimplifier::halvePoints(const CStem& stem, const Tube& tube, MeshPlan& plan) {
     const auto isGiven = [&, forks = std::span(plan.forks).subspan(tube.firstFork)](std::uint32_t r) {
-        return std::ranges::any_of(forks, [&](const Fork& fork) { return fork.ring <= r && r <= fork.ring + fork.rings + 1; });
+        const auto above = std::ranges::upper_bound(forks, r, {}, &Fork::ring);
+        return above != forks.begin() && r <= (above - 1)->ring + (above - 1)->rings + 1;
     };
     const bool mayHalve = !tube.lobed && stem.profile.isEven();
-    std::uint32_t points = tube.points;
-    for (std::uint32_t r = 0; r < tube.ringCount; ++r) {
-        Ring& ring = plan.rings[tube.firstRing + r];
+    Ring* rings = &plan.rings[tube.firstRing];
+    std::uint32_t points = m_halved > 0 ? rings[m_halved - 1].points : tube.points;
+    for (std::uint32_t r = std::exchange(m_halved, tube.ringCount); r < tube.ringCount; ++r) {
+        Ring& ring = rings[r];
         const bool tip = tube.pointed && r + 1 == tube.ringCount;
         if (isGiven(r))
             points = ring.points;
@@ -315,7 +323,7 @@ void CSimplifier::addRing(const CStem& stem, const Tube& tube, const Disc& disc,
     if (!needed && collide(m_last, disc)) return;
     while (collide(m_last, disc) && plan.rings.size() - tube.firstRing > m_fixed &&
            alongOf(disc.ring) - alongOf(m_last.ring) < kTipReach * (m_last.radius + disc.radius)) {
-        plan.rings.pop_back();
+        popRing(tube, plan);
         m_last = discAt(stem, plan.rings.back());
     }
     plan.rings.push_back(disc.ring);
@@ -385,6 +393,7 @@ bool CSimplifier::unfold(const CStem& stem, Tube& tube, MeshPlan& plan) {
             tube.pointed = true;
         else
             return false;
+        m_halved = 0;
         halvePoints(stem, tube, plan);
     }
 }

@@ -5,6 +5,7 @@
 #include "stem/Smoother.h"
 #include <optional>
 #include <span>
+#include <unordered_set>
 
 namespace stromar {
 
@@ -57,7 +58,11 @@ private:
     };
     bool isLeftOut(const CStem& stem, std::uint32_t segment, double radiusAbove, Bend& left) const;
 
-    void halvePoints(const CStem& stem, const Tube& tube, MeshPlan& plan) const;
+    void popRing(const Tube& tube, MeshPlan& plan) {
+        plan.rings.pop_back();
+        m_halved = std::min(m_halved, ringCountOf(tube, plan));
+    }
+    void halvePoints(const CStem& stem, const Tube& tube, MeshPlan& plan);
     bool canHalve(const CStem& stem, std::uint32_t points, const Ring& ring) const;
 
     bool collarFolds(const Tube& tube, const MeshPlan& plan);
@@ -98,8 +103,10 @@ private:
     std::vector<std::uint32_t> m_planned; ///< forks of the tube, by the segment below
     std::vector<std::uint32_t> m_folded;  ///< those of them that fold
     bool m_startFolds = false;            ///< as the fork does that it starts at
-    std::vector<std::uint32_t> m_refused; ///< forks that fold: their clones start inside the wood
+    std::unordered_set<std::uint32_t> m_refused; ///< forks that fold: their clones start inside the wood
     Disc m_last{};
+    std::uint32_t m_tries = 0;  ///< of the stem
+    std::uint32_t m_halved = 0; ///< its rings that have their points
     std::size_t m_fixed = 1; ///< its rings that others do not push out
     double m_clear = 0;      ///< metres along the stem above which rings may stand
     double m_spacing = 0;    ///< metres below which rings coincide

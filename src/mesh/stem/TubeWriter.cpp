@@ -105,11 +105,11 @@ bool writeTube(const MeshPlan& plan, const Tube& tube, CPointGenerator& points, 
     }
     for (const ForkedBranch& branch : plan.branchesOf(tube)) {
         points.addBranchLid(branch, sink);
-        triangles.addLid(false, branch.lidPoints(), true);
+        triangles.addLid(false, branch.limb.lidPoints(), true);
     }
     if (!tube.joined) {
         points.addLid(true, sink);
-        triangles.addLid(true, tube.lidPoints(), tube.middleOfLid(true));
+        triangles.addLid(true, plan.baseLidPoints(tube), tube.middleOfLid(true));
     }
     return turnNormalsToFront(mesh, plan, tube);
 }
@@ -127,8 +127,8 @@ void measure(const MeshPlan& plan, Tube& tube) {
         tube.vertices += points + (middle ? 1 : 0);
         tube.indices += 3 * std::size_t{middle ? points : points - 2};
     };
-    for (const ForkedBranch& branch : plan.branchesOf(tube)) addLid(branch.lidPoints(), true);
-    if (!tube.joined) addLid(tube.lidPoints(), tube.middleOfLid(true));
+    for (const ForkedBranch& branch : plan.branchesOf(tube)) addLid(branch.limb.lidPoints(), true);
+    if (!tube.joined) addLid(plan.baseLidPoints(tube), tube.middleOfLid(true));
     if (!tube.pointed) return addLid(last, tube.middleOfLid(false));
     tube.vertices += last; // one tip for each side of the cone
     tube.indices += 3 * std::size_t{last};

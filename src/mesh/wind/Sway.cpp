@@ -1,5 +1,5 @@
 #include "stromar/mesh/Sway.h"
-#include "stem/Fork.h"
+#include "stem/PathSurface.h"
 #include "stromar/util/Parallel.h"
 #include "stromar/util/Random.h"
 #include <algorithm>
@@ -34,9 +34,8 @@ public:
         for (const ForkedBranch& branch : m_plan.branchesOf(tube)) addForkLid(tube, branch);
         if (tube.joined) return;
         if (tube.forked) {
-            const std::vector<std::uint32_t> boundary = boundaryOf(rings[0].points, tube.points, m_plan.forksOf(tube)[0].rings);
             add(m_places[tube.firstVertex]);
-            for (const std::uint32_t v : boundary) add(m_places[tube.firstVertex + v]);
+            for (const std::uint32_t v : m_plan.limbOf(tube).boundary()) add(m_places[tube.firstVertex + v]);
             return;
         }
         if (tube.middleOfLid(true)) add(base);
@@ -57,26 +56,24 @@ private:
             return placeOf({segment, 0, t});
         };
         add(placeOfPoint(0));
-        for (const std::uint32_t i : boundaryOf(branch.share, branch.points, branch.rings)) add(placeOfPoint(i));
+        for (const std::uint32_t i : branch.limb.boundary()) add(placeOfPoint(i));
     }
 
     /// The rings of a fork move with the path that runs on, so that all that part there stay together.
     SwayPlace placeOf(const Tube& tube, std::uint32_t ring) const {
         const Ring* rings = m_plan.ringsOf(tube);
-        for (const Fork& fork : m_plan.forksOf(tube)) {
-            if (ring < fork.ring || ring >= fork.ring + fork.rings) continue;
-            std::uint32_t point = fork.firstPoint;
-            for (std::uint32_t r = fork.ring; r < ring; ++r) point += rings[r].points + 1;
-            const CStem& stem = m_all.stems[tube.stem];
-            const CPath& own = m_all.paths[tube.path];
-            const double along = double(m_plan.forkPoints[point].along);
-            if (tube.forked && fork.ring == 0) return onParentAt(stem, along);
-            const bool starts = tube.joined && fork.ring == 0;
-            const CPath& path = starts ? m_all.paths[stem.firstPath + static_cast<std::uint32_t>(own.source)] : own;
-            const auto [segment, t] = placeAlong(m_all, stem, path, along);
-            return placeOf({segment, 0, t});
-        }
-        return placeOf(rings[ring]);
+        const Fork* fork = m_plan.forkAt(tube, ring);
+        if (!fork) return placeOf(rings[ring]);
+        std::uint32_t point = fork->firstPoint;
+        for (std::uint32_t r = fork->ring; r < ring; ++r) point += rings[r].points + 1;
+        const CStem& stem = m_all.stems[tube.stem];
+        const CPath& own = m_all.paths[tube.path];
+        const double along = double(m_plan.forkPoints[point].along);
+        if (tube.forked && fork->ring == 0) return onParentAt(stem, along);
+        const bool starts = tube.joined && fork->ring == 0;
+        const CPath& path = starts ? m_all.paths[stem.firstPath + static_cast<std::uint32_t>(own.source)] : own;
+        const auto [segment, t] = placeAlong(m_all, stem, path, along);
+        return placeOf({segment, 0, t});
     }
 
     SwayPlace placeOf(const Ring& ring) const {
