@@ -133,14 +133,12 @@ private:
 
     GenerationChoice choiceOf(std::size_t g) const {
         const StemChoice& choice = *m_model->choice;
-        GenerationChoice own{{}, {}, choice.thickening(g), nullptr, {}, {}};
-        for (std::size_t s = 0; s < m_tree.generation(g).stems.size(); ++s) {
-            own.drawn.push_back(choice.draws(g, s));
-            own.bears.push_back(choice.bears(g, s));
-        }
+        const std::size_t stems = m_tree.generation(g).stems.size();
+        GenerationChoice own{choice.drawn(g, stems), {}, choice.thickening(g), nullptr, {}, {}};
+        for (std::size_t s = 0; s < stems; ++s) own.bears.push_back(choice.bears(g, s));
         if (!m_tree.branchesAtNodes(g)) return own;
         own.branches = m_tree.generations()[g + 1];
-        for (std::size_t s = 0; s < own.branches->stems.size(); ++s) own.branchesDrawn.push_back(choice.draws(g + 1, s));
+        own.branchesDrawn = choice.drawn(g + 1, own.branches->stems.size());
         own.branchThickening = choice.thickening(g + 1);
         return own;
     }

@@ -17,7 +17,7 @@ constexpr Detail kDetails[] = {
     {"Simple model",      Model::Simple, 0,  6,   0,   0,    0, 0,     0,    10,   1,    0,  0,  1.0,  1.0,  24000,     3.5, 0,  0,     1},
     {"Full model",        Model::Full,   0, 24,  12,   8,    0, 0,     0,    10, kAll,   3,  3,  1.0,  1.0,  kNoBudget, 2,   0,  0,     1},
     {"Full model, LOD 1", Model::Full,   1, 16,   8,  16,    4, 0,     0.06,  6, kAll,   2,  5,  0.5,  0.5,  kNoBudget, 2,   0,  0,     1},
-    {"Full model, LOD 2", Model::Full,   2, 10,   0,   0,   10, 0,     0.1,   4, kAll,   1,  5,  0.25, 0.25, kNoBudget, 2,   2,  0.25,  1},
+    {"Full model, LOD 2", Model::Full,   2, 10,   0,   0,   10, 0,     0.1,   4, kAll,   1,  9,  0.25, 0.25, kNoBudget, 2,   2,  0.25,  1},
     {"Full model, LOD 3", Model::Full,   3,  6,   0,   0,   20, 0.004, 0.13,  3,   1,    0,  0,  0.04, 0.1,  kNoBudget, 3.2, 1,  0.075, 0.95},
 };
 // clang-format on

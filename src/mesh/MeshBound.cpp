@@ -1,6 +1,6 @@
 #include "stromar/mesh/MeshBound.h"
 #include "stem/CentreLine.h"
-#include "stem/Fork.h"
+#include "stem/BranchForks.h"
 #include "stem/Smoother.h"
 #include "stromar/mesh/JoinedStems.h"
 #include "stromar/mesh/twig/Twig.h"
@@ -85,13 +85,12 @@ private:
     double byCollar() const { return std::max(0.0, 1 - branched()); }
     double parting(double Parting::* count) const {
         if (m_detail.collarRings == 0) return 0;
-        const bool alone = roundRingPoints(m_detail, std::sqrt(m_thickness)) >= m_detail.forkPoints;
-        return m_bound.many.*count + (alone ? m_bound.alone.*count : 0);
+        const bool single = roundRingPoints(m_detail, std::sqrt(m_thickness)) >= m_detail.forkPoints;
+        return m_bound.several.*count + (single ? m_bound.single.*count : 0);
     }
     /// Over what its thickness needs: a branch that starts at a fork has the points that its parent needs there, or not many more.
     double parentsPoints() const {
-        constexpr double kMore = 0.15;
-        return 1 + kMore * branched();
+        return 1 + (CBranchForks::kTooManyPoints - 1) * branched();
     }
 
     /// Where flare and roots bend the lowest paths. Halving until the radius is met takes rings by the root of how far

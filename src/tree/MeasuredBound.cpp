@@ -56,7 +56,7 @@ void countParting(const CGeneration& generation, std::size_t g, const StemSet& w
     for (std::size_t first = 0, end = 1; first < parting.size(); first = end++) {
         const auto isBeside = [&](const CStem* stem) { return stem->parent == parting[first]->parent && stem->position == parting[first]->position; };
         while (end < parting.size() && isBeside(parting[end])) ++end;
-        const auto member = end - first > 1 ? &GenerationBound::many : &GenerationBound::alone;
+        const auto member = end - first > 1 ? &GenerationBound::several : &GenerationBound::single;
         Parting &below = bounds[g - 1].*member, &own = bounds[g].*member;
         below.branches += double(end - first) / bounds[g - 1].stems * kMargin;
         own.branched += double(end - first) / bounds[g].stems * kMargin;

@@ -26,6 +26,8 @@ struct StemChoice {
     double fullTriangles = 0;  ///< about so many all wood has at LOD 0; 0 where nothing may be left out
     bool organsStay = false;   ///< leaves, blossoms and fruits are drawn where their stem is left out
 
+    /// Of so many stems of a generation.
+    std::vector<bool> drawn(std::size_t generation, std::size_t stems) const;
     bool draws(std::size_t generation, std::size_t stem) const { return !asCards.has(generation, stem) && !leftOut.has(generation, stem); }
     bool bears(std::size_t generation, std::size_t stem) const { return organsStay || !leftOut.has(generation, stem); }
     Thickening thickening(std::size_t generation) const;

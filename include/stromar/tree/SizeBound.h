@@ -23,7 +23,7 @@ struct GenerationBound {
     double along = 1;               ///< segments from a stem's base to a tip, at least
     std::vector<ThicknessShare> thickness{{1, 1}}; ///< the shares are 1 together
     double turn = 0;                ///< degrees between two segments that follow each other
-    Parting alone, many;            ///< stems that part from others at nodes: one by itself, and several
+    Parting single, several;        ///< stems that part from others at nodes: one by itself, and more at one place
     double forkTurn = 0;            ///< degrees that a fork turns its paths, and that they turn back later
     bool forks = false, helix = false, roundEnds = false, spheres = false;
 };

@@ -3,10 +3,6 @@
 
 namespace stromar {
 
-namespace {
-constexpr double kTooManyPoints = 1.15; // times the points that are needed
-} // namespace
-
 std::uint32_t CBranchForks::pointsNeeded(const ForkNode& node, double radius) const {
     int needed = m_surface.roundPoints(radius);
     for (const std::uint32_t b : node.branches) needed = std::max(needed, m_branchSurface.roundPoints(m_branches.stems[b].radius));

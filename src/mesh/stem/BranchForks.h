@@ -8,6 +8,8 @@ namespace stromar {
 /// The branches of a generation's stems that part from them at forks: writes them into the plan of these.
 class CBranchForks {
 public:
+    static constexpr double kTooManyPoints = 1.15; ///< times those that are needed at a fork
+
     /// `surface` is the stems'. What is given has to outlive it.
     CBranchForks(const CTree& tree, std::size_t generation, const MeshParams& params, const Detail& detail, const BranchesAbove& above,
                  const CStemSurface& surface)

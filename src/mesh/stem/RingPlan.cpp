@@ -54,13 +54,6 @@ void layOut(MeshPlan& plan, std::size_t paths) {
         plan.indexCount += tube.indexCount();
     }
 }
-
-std::vector<bool> drawnOf(const CTree& tree, std::size_t g, const StemChoice& choice) {
-    std::vector<bool> drawn;
-    if (g >= tree.generationCount()) return drawn;
-    for (std::size_t s = 0; s < tree.generation(g).stems.size(); ++s) drawn.push_back(choice.draws(g, s));
-    return drawn;
-}
 } // namespace
 
 const Fork* MeshPlan::forkAt(const Tube& tube, std::uint32_t ring) const {
@@ -97,10 +90,11 @@ MeshPlan planStems(const CTree& tree, int generation, const MeshParams& params, 
 MeshPlan planRings(const CTree& tree, int generation, const MeshParams& params, const Detail& detail,
                    const StemMesh* parents, const CProgress& progress, const StemChoice& choice) {
     const auto g = static_cast<std::size_t>(generation);
+    const std::size_t stems = tree.generation(g).stems.size(), branches = g + 1 < tree.generationCount() ? tree.generation(g + 1).stems.size() : 0;
     std::vector<bool> bears;
-    for (std::size_t s = 0; s < tree.generation(g).stems.size(); ++s) bears.push_back(choice.bears(g, s));
-    const BranchesAbove above{drawnOf(tree, g + 1, choice), choice.thickening(g + 1)};
-    MeshPlan plan = planStems(tree, generation, params, detail, parents, drawnOf(tree, g, choice), choice.thickening(g), &above, progress);
+    for (std::size_t s = 0; s < stems; ++s) bears.push_back(choice.bears(g, s));
+    const BranchesAbove above{choice.drawn(g + 1, branches), choice.thickening(g + 1)};
+    MeshPlan plan = planStems(tree, generation, params, detail, parents, choice.drawn(g, stems), choice.thickening(g), &above, progress);
     plan.stemBears = std::move(bears);
     return plan;
 }

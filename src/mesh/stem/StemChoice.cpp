@@ -12,7 +12,7 @@ constexpr double kMaxRadius = 0.002;   // likewise, of the tree's height: a fift
 // As many stay as make about kLarge of those, from the least to the largest share.
 constexpr double kMaxRadiusOfMany = 0.004, kTooMany = 2 * kFewWoodTriangles, kTooLarge = 0.055, kLarge = 0.0485;
 constexpr double kLeastShareOfMany = 0.185, kLargestShareOfMany = 0.222;
-constexpr double kOverlap = 1.025, kOverlapOfMany = 1.04; // of those few that are as thick as all: they hide more of one another
+constexpr double kOverlap = 1.025, kOverlapOfMany = 1.08; // of those few that are as thick as all: they hide more of one another
 constexpr std::size_t kSampled = 2000; // stems of a generation that tell how many triangles all have at LOD 0
 constexpr std::size_t kAllStems = ~std::size_t{0};
 
@@ -137,6 +137,12 @@ double growthOf(const CTree& tree, const Subtrees& subtrees, const std::vector<b
     return kept > 0 ? std::min(max, all / kept) : 1;
 }
 } // namespace
+
+std::vector<bool> StemChoice::drawn(std::size_t generation, std::size_t stems) const {
+    std::vector<bool> drawn(stems);
+    for (std::size_t s = 0; s < stems; ++s) drawn[s] = draws(generation, s);
+    return drawn;
+}
 
 Thickening StemChoice::thickening(std::size_t generation) const {
     if (growth == 1 || generation >= thicker.stems.size() || std::ranges::find(thicker.stems[generation], true) == thicker.stems[generation].end()) return {};

@@ -80,7 +80,7 @@ std::string wholeText(double number) {
 void estimate(double segments, SizeBound& bound) {
     GenerationBound all;
     all.stems = segments;
-    all.many = {1, 1};
+    all.several = {1, 1};
     bound.generations.push_back(all);
 }
 } // namespace
