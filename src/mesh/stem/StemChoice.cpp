@@ -10,9 +10,9 @@ constexpr std::size_t kMaxStems = 64;  // of a subtree, a branch with all that g
 constexpr double kMaxRadius = 0.002;   // likewise, of the tree's height: a fifth of a pixel where the last level of detail is shown
 // Likewise, of a bare tree of so many thin stems that this leaves too many triangles: more than kTooMany, and than kTooLarge of those at LOD 0.
 // As many stay as make about kLarge of those, from the least to the largest share.
-constexpr double kMaxRadiusOfMany = 0.004, kTooMany = 2 * kFewWoodTriangles, kTooLarge = 0.055, kLarge = 0.0485;
-constexpr double kLeastShareOfMany = 0.185, kLargestShareOfMany = 0.222;
-constexpr double kOverlap = 1.025, kOverlapOfMany = 1.08; // of those few that are as thick as all: they hide more of one another
+constexpr double kMaxRadiusOfMany = 0.00395, kTooMany = 2 * kFewWoodTriangles, kTooLarge = 0.055, kLarge = 0.0485;
+constexpr double kLeastShareOfMany = 0.183, kLargestShareOfMany = 0.222;
+constexpr double kOverlap = 1.025, kOverlapOfMany = 1.067; // of those few that are as thick as all: they hide more of one another
 constexpr std::size_t kSampled = 2000; // stems of a generation that tell how many triangles all have at LOD 0
 constexpr std::size_t kAllStems = ~std::size_t{0};
 
