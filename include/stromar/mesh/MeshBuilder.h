@@ -125,6 +125,8 @@ struct MeshPlan {
     std::span<const ForkedBranch> branchesOf(const Tube& tube) const { return std::span(branches).subspan(tube.firstBranch, tube.branchCount); }
     /// The one that a stem of the next generation is; null where it is none.
     const ForkedBranch* branch(std::uint32_t stem) const;
+    /// The tube whose walls a branch with a collar stands on, a tube of the next generation's plan. Time logarithmic in the tubes.
+    const Tube& bearerOf(const MeshPlan& next, const Tube& branch) const;
 
     std::vector<Ring> rings;
     std::vector<Tube> tubes; ///< those that are joined to one follow it: together they are one closed surface

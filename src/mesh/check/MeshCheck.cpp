@@ -222,9 +222,9 @@ class CParentWalls {
 public:
     CParentWalls(const CGeneration& generation, const StemMesh& parents) : m_generation(generation), m_plan(parents.plan) {}
 
-    const CTubeWalls& of(std::int32_t tube) {
-        if (m_tube != tube) m_walls.emplace(m_generation, m_plan, m_plan.tubes[static_cast<std::size_t>(tube)]);
-        m_tube = tube;
+    const CTubeWalls& of(const Tube& tube) {
+        if (m_tube != &tube) m_walls.emplace(m_generation, m_plan, tube);
+        m_tube = &tube;
         return *m_walls;
     }
 
@@ -232,25 +232,22 @@ private:
     const CGeneration& m_generation;
     const MeshPlan& m_plan;
     std::optional<CTubeWalls> m_walls;
-    std::int32_t m_tube = -1;
+    const Tube* m_tube = nullptr;
 };
 
 void checkCollar(const CTree& tree, int generation, const StemMesh& stems, const Tube& tube, const StemMesh& parents,
                  CParentWalls& walls, MeshFaults& faults) {
     const CStem& stem = tree.generation(static_cast<std::size_t>(generation)).stems[tube.stem];
-    const CStem& parent =
-        tree.generation(static_cast<std::size_t>(generation - 1)).stems[static_cast<std::size_t>(stem.parent)];
-    const std::int32_t wood = parents.plan.tubeOfPath[parent.firstPath + stem.path];
-    if (tube.collarRings == 0 || wood < 0) return;
+    if (tube.collarRings == 0) return;
     ++faults.attached;
     const glm::dvec3 base = tree.generation(static_cast<std::size_t>(generation)).segments[stem.firstSegment].position;
     double reach = 0;
     for (std::uint32_t i = 0; i < tube.points; ++i)
         reach = std::max(reach, kReach * glm::distance(base, glm::dvec3(stems.mesh->positions[tube.firstVertex + i])));
-    const Tube& trunk = parents.plan.tubes[static_cast<std::size_t>(wood)];
+    const Tube& wood = parents.plan.bearerOf(stems.plan, tube);
     const auto near = walls.of(wood).between(stem.offset - reach, stem.offset + reach);
-    const std::pair lids(walls.of(wood).end(), trunk.firstIndex + trunk.indexCount());
-    const std::pair all(trunk.firstIndex, trunk.firstIndex + trunk.indexCount());
+    const std::pair lids(walls.of(wood).end(), wood.firstIndex + wood.indexCount());
+    const std::pair all(wood.firstIndex, wood.firstIndex + wood.indexCount());
     const glm::dvec3 at = glm::abs(glm::dvec3(stems.mesh->positions[tube.firstVertex]));
     const double rounding = 1e-6 * std::max({at.x, at.y, at.z});
     const auto floats = [&](double height) { return height > kMaxFloating * stem.radius + rounding; };

@@ -19,15 +19,10 @@ struct Bearers {
     std::vector<std::vector<std::uint32_t>> branches; ///< of each
 };
 
-Bearers bearersOf(const CTree& tree, std::size_t generation, const MeshPlan& plan, const MeshPlan& next) {
+Bearers bearersOf(const MeshPlan& plan, const MeshPlan& next) {
     std::vector<std::vector<std::uint32_t>> branches(plan.tubes.size());
-    for (std::uint32_t t = 0; t < next.tubes.size(); ++t) {
-        if (next.tubes[t].collarRings == 0) continue;
-        const CStem& stem = tree.generation(generation + 1).stems[next.tubes[t].stem];
-        const CStem& parent = tree.generation(generation).stems[static_cast<std::size_t>(stem.parent)];
-        if (const std::int32_t bearer = plan.tubeOfPath[parent.firstPath + stem.path]; bearer >= 0)
-            branches[static_cast<std::size_t>(bearer)].push_back(t);
-    }
+    for (std::uint32_t t = 0; t < next.tubes.size(); ++t)
+        if (next.tubes[t].collarRings > 0) branches[static_cast<std::size_t>(&plan.bearerOf(next, next.tubes[t]) - plan.tubes.data())].push_back(t);
     Bearers bearers;
     for (std::uint32_t t = 0; t < branches.size(); ++t)
         if (!branches[t].empty()) {
@@ -267,7 +262,7 @@ private:
 
 OpenWalls joinGeneration(const CTree& tree, std::size_t g, std::span<const StemMesh> stems, const CProgress& progress) {
     if (g + 1 >= stems.size()) return {};
-    Bearers bearers = bearersOf(tree, g, stems[g].plan, stems[g + 1].plan);
+    Bearers bearers = bearersOf(stems[g].plan, stems[g + 1].plan);
     std::vector<JoinedWalls> walls(bearers.tubes.size());
     parallelFor(
         walls.size(), kTubeGrain,
@@ -304,6 +299,7 @@ JoinedStems joinStems(const CTree& tree, std::span<const StemMesh> stems, const 
         for (const Tube& tube : stems[g].plan.tubes) {
             joined.joined += tube.forked;
             joined.apart += tube.collarRings > 0;
+            joined.bare += g > 0 && tree.generation(g).paths[tube.path].source < 0 && tube.collarRings == 0 && !tube.forked;
         }
         for (const JoinedWalls& own : open[g].walls) {
             joined.joined += own.joined.size();

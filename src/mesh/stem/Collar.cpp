@@ -26,12 +26,29 @@ double Collar::minGap() const {
     return gap;
 }
 
+/// At a fork a branch may leave the wood through the wall of the limb beside its own.
 const Collar* CCollarMaker::make(const CStem& stem, std::span<const CSegment> branch, double radius,
                                  std::uint32_t points) {
     const CStem& parent = m_parents.stems[static_cast<std::size_t>(stem.parent)];
+    if (const Collar* collar = makeOn(stem.path, stem, branch, radius, points)) return collar;
+    for (std::uint32_t path = 0; path < parent.pathCount; ++path) {
+        if (!partFromEachOther(parent, stem.path, path)) continue;
+        if (const Collar* collar = makeOn(path, stem, branch, radius, points)) return collar;
+    }
+    return nullptr;
+}
+
+/// Whether one path is a clone of the other, or both are clones of a third.
+bool CCollarMaker::partFromEachOther(const CStem& stem, std::uint32_t one, std::uint32_t other) const {
+    const std::int32_t sourceOfOne = m_parents.paths[stem.firstPath + one].source, sourceOfOther = m_parents.paths[stem.firstPath + other].source;
+    return one != other && (sourceOfOne == static_cast<std::int32_t>(other) || sourceOfOther == static_cast<std::int32_t>(one) || sourceOfOne == sourceOfOther);
+}
+
+const Collar* CCollarMaker::makeOn(std::uint32_t path, const CStem& stem, std::span<const CSegment> branch, double radius, std::uint32_t points) {
+    const CStem& parent = m_parents.stems[static_cast<std::size_t>(stem.parent)];
     const CSegment& wood = m_parents.segmentAt(parent, stem.path, stem.position);
     m_reach = reachOf(stem, wood.frame[2], branch[0].tangent(0), radius);
-    if (!collectTriangles(stem)) return nullptr;
+    if (!collectTriangles(parent.firstPath + path, stem.offset)) return nullptr;
     const auto exit = findExit(branch);
     if (!exit) return nullptr;
 
@@ -82,19 +99,17 @@ double CCollarMaker::reachOf(const CStem& stem, const glm::dvec3& parentAxis, co
     return (1.2 * stem.parentRadius + 2 * kAlong * radius) / sine;
 }
 
-/// The walls of the parent's tube that the branch can meet.
-bool CCollarMaker::collectTriangles(const CStem& stem) {
+/// The walls of a path's tube that a branch at a place along the parent can meet.
+bool CCollarMaker::collectTriangles(std::uint32_t path, double offset) {
     m_triangles.clear();
-    const CStem& parent = m_parents.stems[static_cast<std::size_t>(stem.parent)];
-    const std::uint32_t pathIndex = parent.firstPath + stem.path;
-    const std::int32_t tubeIndex = m_mesh.plan.tubeOfPath[pathIndex];
+    const std::int32_t tubeIndex = m_mesh.plan.tubeOfPath[path];
     if (tubeIndex < 0) return false;
     if (m_wallsOf != tubeIndex) { // siblings follow each other
         m_walls.emplace(m_parents, m_mesh.plan, m_mesh.plan.tubes[static_cast<std::size_t>(tubeIndex)]);
         m_wallsOf = tubeIndex;
     }
     const CMesh& mesh = *m_mesh.mesh;
-    const auto [begin, end] = m_walls->between(stem.offset - m_reach, stem.offset + m_reach);
+    const auto [begin, end] = m_walls->between(offset - m_reach, offset + m_reach);
     for (std::size_t i = begin; i < end; i += 3) {
         const std::uint32_t* v = &mesh.indices[i];
         const glm::dvec3 corner(mesh.positions[v[0]]);

@@ -67,6 +67,11 @@ const ForkedBranch* MeshPlan::branch(std::uint32_t stem) const {
     return at != branches.end() && at->stem == stem ? &*at : nullptr;
 }
 
+const Tube& MeshPlan::bearerOf(const MeshPlan& next, const Tube& branch) const {
+    const std::size_t triangle = next.collarPoints[branch.firstCollarPoint].triangle;
+    return *(std::ranges::upper_bound(tubes, triangle, {}, &Tube::firstIndex) - 1);
+}
+
 MeshPlan planStems(const CTree& tree, int generation, const MeshParams& params, const Detail& detail, const StemMesh* parents,
                    const std::vector<bool>& drawn, Thickening thickening, const BranchesAbove* above, const CProgress& progress) {
     const CGeneration& own = tree.generation(static_cast<std::size_t>(generation));
