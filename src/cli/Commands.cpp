@@ -296,7 +296,7 @@ bool checkMeshes(const CommonOptions& common, const ModelOptions& options, const
             sound &= printFaults(leaves.name(), checkLeaves(*leaves.expanded(progress)), out);
     }
     if (model->cards) sound &= printFaults(model->cards->name, checkLeaves(*model->cards), out);
-    out << whole.joined << " branches are one surface with their parents, " << whole.apart << " have a lid inside the wood, " << whole.bare
+    out << whole.joined << " branches are one surface with their parents, " << whole.apart << " have a lid inside the wood, " << whole.withoutCollar
         << " start there without a collar\n";
     out << countCrossings(*model->tree, progress) << " pairs of stems that are not parent and child run through each other\n";
     out << (sound ? "all sound\n" : "something is wrong\n");

@@ -130,14 +130,14 @@ TEST(JoinedStems, OfAlmostAllSpeciesAlmostAllBranchesAre) {
 
 TEST(JoinedStems, ABranchAtAForkMayStandOnTheLimbBesideItsOwn) {
     const Grown olive(preset("olive"));
-    std::size_t beside = 0, bare = 0, clones = 0; // that start inside the wood
+    std::size_t beside = 0, withoutCollar = 0, clones = 0; // that start inside the wood
     for (std::size_t g = 1; g < olive.stems.size(); ++g) {
         const MeshPlan &plan = olive.stems[g].plan, &below = olive.stems[g - 1].plan;
         for (const Tube& tube : plan.tubes) {
             const CStem& stem = olive.tree->generation(g).stems[tube.stem];
             const CStem& parent = olive.tree->generation(g - 1).stems[static_cast<std::size_t>(stem.parent)];
             const bool first = olive.tree->generation(g).paths[tube.path].source < 0;
-            bare += first && tube.collarRings == 0;
+            withoutCollar += first && tube.collarRings == 0;
             clones += !first && !tube.joined;
             if (tube.collarRings == 0) continue;
             const Tube& wood = below.bearerOf(plan, tube);
@@ -146,9 +146,9 @@ TEST(JoinedStems, ABranchAtAForkMayStandOnTheLimbBesideItsOwn) {
         }
     }
     EXPECT_GE(beside, 30u);
-    EXPECT_LE(bare, 30u) << "they start below where their parent leaves its own parent's wood";
-    EXPECT_EQ(olive.joined.bare, bare);
-    EXPECT_EQ(checkJoined(olive.joined, olive.stems).surfaces, 1 + olive.joined.apart + bare + clones);
+    EXPECT_LE(withoutCollar, 30u) << "they start below where their parent leaves its own parent's wood";
+    EXPECT_EQ(olive.joined.withoutCollar, withoutCollar);
+    EXPECT_EQ(checkJoined(olive.joined, olive.stems).surfaces, 1 + olive.joined.apart + withoutCollar + clones);
 }
 
 /// Three limbs of equal thickness leave each node of figure 2.8, one as the stem runs on.

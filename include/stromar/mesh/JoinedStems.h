@@ -14,7 +14,7 @@ struct JoinedStems {
     std::vector<std::vector<VertexSource>> sources; ///< of their vertices; what two generations share comes from one of them
     std::size_t joined = 0; ///< branches that are one surface with their parent: by a collar, or at a fork
     std::size_t apart = 0;  ///< others with a collar: closed by lids of their own inside the wood
-    std::size_t bare = 0;   ///< those without one likewise: they leave the wood too slowly, or start below where their parent leaves its own parent's
+    std::size_t withoutCollar = 0; ///< and those without, which start inside it: where none fits, or their parent is still inside its own parent's wood
 };
 
 /// Cuts the walls of stems open along the collars of their branches, and leaves out what lies inside, lids at forks too: with equal positions

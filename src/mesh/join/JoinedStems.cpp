@@ -299,7 +299,7 @@ JoinedStems joinStems(const CTree& tree, std::span<const StemMesh> stems, const 
         for (const Tube& tube : stems[g].plan.tubes) {
             joined.joined += tube.forked;
             joined.apart += tube.collarRings > 0;
-            joined.bare += g > 0 && tree.generation(g).paths[tube.path].source < 0 && tube.collarRings == 0 && !tube.forked;
+            joined.withoutCollar += g > 0 && tree.generation(g).paths[tube.path].source < 0 && tube.collarRings == 0 && !tube.forked;
         }
         for (const JoinedWalls& own : open[g].walls) {
             joined.joined += own.joined.size();

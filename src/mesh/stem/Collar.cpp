@@ -32,16 +32,20 @@ const Collar* CCollarMaker::make(const CStem& stem, std::span<const CSegment> br
     const CStem& parent = m_parents.stems[static_cast<std::size_t>(stem.parent)];
     if (const Collar* collar = makeOn(stem.path, stem, branch, radius, points)) return collar;
     for (std::uint32_t path = 0; path < parent.pathCount; ++path) {
-        if (!partFromEachOther(parent, stem.path, path)) continue;
+        if (!partAt(stem, parent, path)) continue;
         if (const Collar* collar = makeOn(path, stem, branch, radius, points)) return collar;
     }
     return nullptr;
 }
 
-/// Whether one path is a clone of the other, or both are clones of a third.
-bool CCollarMaker::partFromEachOther(const CStem& stem, std::uint32_t one, std::uint32_t other) const {
-    const std::int32_t sourceOfOne = m_parents.paths[stem.firstPath + one].source, sourceOfOther = m_parents.paths[stem.firstPath + other].source;
-    return one != other && (sourceOfOne == static_cast<std::int32_t>(other) || sourceOfOther == static_cast<std::int32_t>(one) || sourceOfOne == sourceOfOther);
+/// Whether another path parts from a branch's own at a fork where the segment begins or ends that it sits on.
+bool CCollarMaker::partAt(const CStem& branch, const CStem& parent, std::uint32_t other) const {
+    const CPath &own = m_parents.paths[parent.firstPath + branch.path], &beside = m_parents.paths[parent.firstPath + other];
+    const auto isAt = [&](const CPath& clone) { return clone.firstPosition == branch.position || clone.firstPosition == branch.position + 1; };
+    if (other == branch.path) return false;
+    if (own.source == static_cast<std::int32_t>(other)) return isAt(own);
+    const bool isClone = beside.source == static_cast<std::int32_t>(branch.path);
+    return (isClone || (beside.source == own.source && beside.firstPosition == own.firstPosition)) && isAt(beside);
 }
 
 const Collar* CCollarMaker::makeOn(std::uint32_t path, const CStem& stem, std::span<const CSegment> branch, double radius, std::uint32_t points) {

@@ -47,7 +47,7 @@ private:
         double helixArc; ///< length of the helix's turn, 0 when straight
     };
 
-    bool partFromEachOther(const CStem& stem, std::uint32_t one, std::uint32_t other) const;
+    bool partAt(const CStem& branch, const CStem& parent, std::uint32_t other) const;
     const Collar* makeOn(std::uint32_t path, const CStem& stem, std::span<const CSegment> branch, double radius, std::uint32_t points);
     bool collectTriangles(std::uint32_t path, double offset);
     double reachOf(const CStem& stem, const glm::dvec3& parentAxis, const glm::dvec3& axis, double radius) const;
