@@ -176,8 +176,9 @@ private:
     }
 
     MeshPlan planStems(std::size_t g) const {
-        const StemMesh* parents = g > 0 ? &m_made.stems[g - 1].stems : nullptr;
-        return planRings(m_tree, static_cast<int>(g), m_mesh, m_detail, parents, m_progress, *m_model->choice);
+        std::vector<const StemMesh*> below;
+        for (std::size_t b = 0; b < g; ++b) below.push_back(&m_made.stems[b].stems);
+        return planRings(m_tree, static_cast<int>(g), m_mesh, m_detail, below, m_progress, *m_model->choice);
     }
 
     /// The last level of detail has fewer leaves where wood takes much of its triangles.

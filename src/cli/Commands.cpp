@@ -280,12 +280,12 @@ bool checkMeshes(const CommonOptions& common, const ModelOptions& options, const
         return sound;
     }
     std::vector<StemMesh> all;
-    for (std::size_t g = 0; g < model->stems.size(); ++g) all.push_back(planned(*model, g, g > 0 ? &all.back() : nullptr, progress));
+    for (std::size_t g = 0; g < model->stems.size(); ++g) all.push_back(planned(*model, g, all, progress));
     printFaultsHead(out);
     bool sound = true;
     for (std::size_t g = 0; g < all.size(); ++g) {
         if (model->stems[g]->vertexCount() == 0) continue; // cards show it
-        const MeshFaults faults = checkStems(*model->tree, static_cast<int>(g), all[g], g > 0 ? &all[g - 1] : nullptr);
+        const MeshFaults faults = checkStems(*model->tree, static_cast<int>(g), all[g], all);
         sound &= printFaults(g == 0 ? "trunk" : "branches " + std::to_string(g), faults, out);
     }
     const JoinedStems whole = joinStems(*model->tree, all, progress);

@@ -4,10 +4,10 @@
 
 namespace stromar {
 
-StemMesh planned(const TreeModel& model, std::size_t generation, const StemMesh* below, const CProgress& progress) {
+StemMesh planned(const TreeModel& model, std::size_t generation, std::span<const StemMesh> below, const CProgress& progress) {
     if (model.planned) return (*model.planned)[generation];
     const Meshes& stems = model.unjoined ? model.unjoined->stems : model.stems;
-    StemMesh own{planRings(*model.tree, static_cast<int>(generation), meshParamsOf(model.params), *model.detail, below, progress, *model.choice),
+    StemMesh own{planRings(*model.tree, static_cast<int>(generation), meshParamsOf(model.params), *model.detail, stemsBelow(below, generation), progress, *model.choice),
                  stems[generation]};
     assert(own.plan.vertexCount == own.mesh->vertexCount());
     return own;
@@ -17,7 +17,7 @@ namespace {
 std::shared_ptr<const std::vector<StemMesh>> allPlanned(const TreeModel& model, const CProgress& progress) {
     if (model.planned) return model.planned;
     std::vector<StemMesh> all;
-    for (std::size_t g = 0; g < model.stems.size(); ++g) all.push_back(planned(model, g, g > 0 ? &all.back() : nullptr, progress));
+    for (std::size_t g = 0; g < model.stems.size(); ++g) all.push_back(planned(model, g, all, progress));
     return std::make_shared<const std::vector<StemMesh>>(std::move(all));
 }
 } // namespace

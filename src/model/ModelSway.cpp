@@ -46,15 +46,15 @@ private:
         const Meshes& stems = m_model.unjoined ? m_model.unjoined->stems : m_model.stems;
         std::size_t count = stems.size();
         while (count > 0 && isKnown(count - 1)) --count;
-        StemMesh below;
+        std::vector<StemMesh> below;
         for (std::size_t g = 0; g < stems.size(); ++g) {
             if (g >= count) {
                 m_sway.stems.push_back(m_known->stems[g]);
                 continue;
             }
-            StemMesh own = planned(m_model, g, g > 0 ? &below : nullptr, m_progress);
+            StemMesh own = planned(m_model, g, below, m_progress);
             m_sway.stems.push_back(isKnown(g) ? m_known->stems[g] : shared(swayOfStems(*m_sway.table, g, own.plan, *own.mesh, m_progress)));
-            below = std::move(own);
+            below.push_back(std::move(own));
         }
         if (m_model.unjoined) joinStems();
     }

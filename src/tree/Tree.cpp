@@ -41,6 +41,10 @@ CTree CTree::withOrgans(OrganArrays organs) const {
     return tree;
 }
 
+const CStem& CTree::ancestor(std::size_t g, const CStem& stem, std::size_t generations) const {
+    return generations == 0 ? stem : ancestor(g - 1, generation(g - 1).stems[static_cast<std::size_t>(stem.parent)], generations - 1);
+}
+
 bool CTree::branchesAtNodes(std::size_t g) const {
     return g + 1 < generationCount() && !generation(g + 1).stems.empty() && generation(g + 1).stems.front().atNode;
 }

@@ -158,7 +158,7 @@ TEST(Methods, GrowsMeshesAndExports) {
         EXPECT_EQ(model->tree->stemCount(), 1u);
         EXPECT_EQ(model->tree->leaves().size(), 3u);
         const auto stems = meshAllStems(*model->tree, meshParamsOf(params), detail, CProgress(2));
-        EXPECT_TRUE(checkStems(*model->tree, 0, stems[0], nullptr).sound()) << detail.name;
+        EXPECT_TRUE(checkStems(*model->tree, 0, stems[0], {}).sound()) << detail.name;
         const Prediction size = predictSize(params, detail);
         EXPECT_GE(size.vertices, double(model->vertexCount())) << detail.name;
     }

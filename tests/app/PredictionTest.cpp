@@ -20,7 +20,7 @@ constexpr Caps kCaps{{0, 14, 6, 3}, 0.9, 8, 30, 4};
 double bytesOfJoining(const TreeModel& model) {
     std::vector<StemMesh> stems;
     for (std::size_t g = 0; g < model.stems.size(); ++g)
-        stems.push_back(planned(model, g, g > 0 ? &stems.back() : nullptr, CProgress(2)));
+        stems.push_back(planned(model, g, stems, CProgress(2)));
     const JoinedStems wood = joinStems(*model.tree, stems, CProgress(2));
     double bytes = 0;
     for (std::size_t g = 0; g < stems.size(); ++g)

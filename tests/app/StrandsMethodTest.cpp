@@ -18,7 +18,7 @@ TEST(StrandsMethod, MeshesOfRandomTreesAreSound) {
         for (const Detail& detail : detailTable()) {
             const auto stems = meshAllStems(*tree, meshParamsOf(params), detail, CProgress(2));
             for (std::size_t g = 0; g < stems.size(); ++g) {
-                const MeshFaults faults = checkStems(*tree, static_cast<int>(g), stems[g], g > 0 ? &stems[g - 1] : nullptr);
+                const MeshFaults faults = checkStems(*tree, static_cast<int>(g), stems[g], stems);
                 EXPECT_TRUE(faults.sound()) << number << ", " << detail.name << ", generation " << g << ": " << inWords(faults);
             }
         }

@@ -130,7 +130,7 @@ TEST(HandBuiltTree, IsSoundAtEveryLevelOfDetail) {
         const auto all = meshAllStems(tree, meshParams(), detail, CProgress(2));
         ASSERT_EQ(all.size(), std::size_t{kGenerations});
         for (std::size_t g = 0; g < all.size(); ++g) {
-            const MeshFaults faults = checkStems(tree, static_cast<int>(g), all[g], g > 0 ? &all[g - 1] : nullptr);
+            const MeshFaults faults = checkStems(tree, static_cast<int>(g), all[g], all);
             EXPECT_TRUE(faults.sound()) << detail.name << ", generation " << g;
             EXPECT_GT(faults.surfaces, 0u);
             if (g > 0 && detail.model == Model::Full && detail.lod == 0) {
@@ -156,7 +156,7 @@ TEST(HandBuiltTree, LeavesOfTheTrunkAreDrawnBesideCards) {
 
 TEST(HandBuiltTree, RingsStandAtTheSegmentsEnds) {
     const CTree tree = CHand().tree();
-    const MeshPlan plan = planRings(tree, 1, meshParams(), detailOf(Model::Simple), nullptr, CProgress());
+    const MeshPlan plan = planRings(tree, 1, meshParams(), detailOf(Model::Simple), {}, CProgress());
     const CGeneration& generation = tree.generation(1);
     for (const Tube& tube : plan.tubes) {
         double last = -1;

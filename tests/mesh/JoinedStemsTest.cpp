@@ -120,9 +120,10 @@ TEST(JoinedStems, TheAspenIsOneSurface) {
 }
 
 TEST(JoinedStems, OfAlmostAllSpeciesAlmostAllBranchesAre) {
-    for (const std::string name : {"english_oak", "european_beech", "silver_birch", "norway_spruce", "strand_oak", "weeping_willow"}) {
+    for (const std::string name : {"english_oak", "european_beech", "silver_birch", "norway_spruce", "strand_oak", "strand_poplar", "weeping_willow",
+                                   "winter_oak", "ca_black_oak", "strand_willow"}) {
         const Grown tree(preset(name));
-        EXPECT_GE(double(tree.joined.joined), 0.98 * double(tree.attached())) << name;
+        EXPECT_GE(double(tree.joined.joined), 0.98 * double(tree.joined.joined + tree.joined.apart + tree.joined.withoutCollar)) << name;
         EXPECT_EQ(tree.joined.joined + tree.joined.apart, tree.attached()) << name;
         EXPECT_EQ(inWords(checkJoined(tree.joined, tree.stems)), "") << name;
     }
@@ -130,9 +131,9 @@ TEST(JoinedStems, OfAlmostAllSpeciesAlmostAllBranchesAre) {
 
 TEST(JoinedStems, ABranchAtAForkMayStandOnTheLimbBesideItsOwn) {
     const Grown olive(preset("olive"));
-    std::size_t beside = 0, withoutCollar = 0, clones = 0; // that start inside the wood
+    std::size_t beside = 0, onGrandparent = 0, withoutCollar = 0, clones = 0; // that start inside the wood
     for (std::size_t g = 1; g < olive.stems.size(); ++g) {
-        const MeshPlan &plan = olive.stems[g].plan, &below = olive.stems[g - 1].plan;
+        const MeshPlan& plan = olive.stems[g].plan;
         for (const Tube& tube : plan.tubes) {
             const CStem& stem = olive.tree->generation(g).stems[tube.stem];
             const CStem& parent = olive.tree->generation(g - 1).stems[static_cast<std::size_t>(stem.parent)];
@@ -140,13 +141,16 @@ TEST(JoinedStems, ABranchAtAForkMayStandOnTheLimbBesideItsOwn) {
             withoutCollar += first && tube.collarRings == 0;
             clones += !first && !tube.joined;
             if (tube.collarRings == 0) continue;
-            const Tube& wood = below.bearerOf(plan, tube);
-            EXPECT_EQ(wood.stem, static_cast<std::uint32_t>(stem.parent));
-            beside += wood.path != parent.firstPath + stem.path;
+            const CStem& sitting = olive.tree->ancestor(g, stem, tube.standsOn - 1);
+            const Tube& wood = olive.stems[g - tube.standsOn].plan.bearerOf(plan, tube);
+            EXPECT_EQ(wood.stem, static_cast<std::uint32_t>(sitting.parent));
+            onGrandparent += tube.standsOn > 1;
+            beside += tube.standsOn == 1 && wood.path != parent.firstPath + stem.path;
         }
     }
     EXPECT_GE(beside, 30u);
-    EXPECT_LE(withoutCollar, 30u) << "they start below where their parent leaves its own parent's wood";
+    EXPECT_GE(onGrandparent, 5u) << "they start below where their parent leaves its own parent's wood";
+    EXPECT_LE(withoutCollar, 10u);
     EXPECT_EQ(olive.joined.withoutCollar, withoutCollar);
     EXPECT_EQ(checkJoined(olive.joined, olive.stems).surfaces, 1 + olive.joined.apart + withoutCollar + clones);
 }
@@ -209,7 +213,7 @@ TEST(JoinedStems, VerticesAreWhereTheyComeFrom) {
         std::size_t edges = 0;
         for (std::size_t v = 0; v < mesh.vertexCount(); ++v) {
             const VertexSource& source = oak.joined.sources[g][v];
-            ASSERT_TRUE(source.generation == g || source.generation == g + 1);
+            ASSERT_GE(source.generation, g) << "or of a branch that stands there";
             ASSERT_EQ(mesh.positions[v], oak.stems[source.generation].mesh->positions[source.vertex]);
             edges += source.generation == g + 1;
         }

@@ -53,7 +53,7 @@ TEST(LSystemMesh, FiguresAreSoundAtEveryLevelOfDetail) {
             const auto all = meshAllStems(tree, mesh, detail, CProgress(2));
             std::size_t surfaces = 0, attached = 0;
             for (std::size_t g = 0; g < all.size(); ++g) {
-                const MeshFaults faults = checkStems(tree, static_cast<int>(g), all[g], g > 0 ? &all[g - 1] : nullptr);
+                const MeshFaults faults = checkStems(tree, static_cast<int>(g), all[g], all);
                 EXPECT_EQ(inWords(faults), "") << "generation " << g;
                 surfaces += faults.surfaces;
                 attached += faults.attached;

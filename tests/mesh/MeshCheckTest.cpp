@@ -27,7 +27,7 @@ protected:
                 spoil(*mesh, tube);
                 break;
             }
-        return checkStems(*m_tree, 1, {m_all[1].plan, mesh}, &m_all[0]);
+        return checkStems(*m_tree, 1, {m_all[1].plan, mesh}, m_all);
     }
 
     CParams m_params;

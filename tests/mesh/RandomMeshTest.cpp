@@ -32,7 +32,7 @@ void checkAll(const CParams& params, Report&& report) {
     for (const Detail& detail : detailTable()) {
         const auto all = meshAllStems(*tree, meshParamsOf(params), detail, CProgress(2));
         for (std::size_t g = 0; g < all.size(); ++g)
-            report(checkStems(*tree, static_cast<int>(g), all[g], g > 0 ? &all[g - 1] : nullptr),
+            report(checkStems(*tree, static_cast<int>(g), all[g], all),
                    std::string(detail.name) + ", " + all[g].mesh->name);
         if (detail.lod % 2 == 0) // the others differ little
             report(checkJoined(joinStems(*tree, all, CProgress(2)), all), std::string(detail.name) + ", joined");

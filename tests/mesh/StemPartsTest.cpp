@@ -1,6 +1,7 @@
 // Centre line, smoother and collar by themselves, on stems made by hand.
 #include "stem/CentreLine.h"
 #include "stem/Collar.h"
+#include "stem/CollarRoom.h"
 #include "stem/Smoother.h"
 #include "stromar/mesh/MeshBuilder.h"
 #include <algorithm>
@@ -182,12 +183,13 @@ struct Branch {
     const Collar* make(std::uint32_t points) {
         tree.emplace(treeOf({trunk, branches}));
         parents = meshAllStems(*tree, {}, detailOf(Model::Full), CProgress()).front();
-        maker.emplace(*trunk, parents);
-        return maker->make(branches->stems[0], branches->segments, branches->stems[0].radius, points);
+        maker.emplace(*tree, below);
+        return maker->make(branches->stems[0], {branches->segments, branches->stems[0].radius, points}, {});
     }
     std::shared_ptr<CGeneration> trunk, branches;
     std::optional<CTree> tree;
     StemMesh parents;
+    std::array<const StemMesh*, 1> below{&parents};
     std::optional<CCollarMaker> maker;
 };
 
@@ -227,7 +229,38 @@ TEST(Collar, StretchesAlongTheParentOfASteepBranch) {
 }
 
 TEST(Collar, IsNotMadeForABranchThatStaysInside) {
-    EXPECT_FALSE(Branch(0.05, 1.9, 0.05).make(12)) << "nearly along the trunk";
+    Branch along(0.05, 1.9, 0.05), out(0.6, 1.9, 0.05);
+    EXPECT_FALSE(along.make(12)) << "nearly along the trunk";
+    EXPECT_FALSE(along.maker->leavesWood());
+    EXPECT_TRUE(along.maker->hides(along.branches->stems[0], along.branches->segments));
+    EXPECT_TRUE(out.make(12));
+    EXPECT_FALSE(out.maker->hides(out.branches->stems[0], out.branches->segments));
+}
+
+/// Two branches of a trunk.
+std::vector<float> roomOf(double apart, double turn, double radius, bool coarse = false) {
+    Branch one(kRight, 1.5, radius);
+    const Branch other(kRight, 1.5 + apart, radius);
+    one.branches->stems.push_back(other.branches->stems[0]);
+    one.branches->stems[1].firstSegment = static_cast<std::uint32_t>(one.branches->segments.size());
+    for (CSegment segment : other.branches->segments) {
+        segment.frame = rotatedX(rotatedZ(one.trunk->segments[0].frame, turn), kRight);
+        one.branches->segments.push_back(segment);
+    }
+    return collarRoom(*one.branches, *one.trunk, std::array{BranchFoot{radius, coarse}, BranchFoot{radius, coarse}});
+}
+
+TEST(CollarRoom, IsSharedByBranchesThatSitCloseTogether) {
+    EXPECT_EQ(roomOf(1, 0, 0.05), (std::vector<float>{1, 1})) << "far apart";
+    EXPECT_EQ(roomOf(0.05, 2, 0.05), (std::vector<float>{1, 1})) << "on other sides";
+    const std::vector<float> near = roomOf(0.13, 0, 0.05);
+    EXPECT_EQ(near[0], near[1]);
+    EXPECT_LT(2 * CCollarMaker::kAlong * 0.05 * double(near[0]), 0.13) << "one above the other";
+    EXPECT_GT(2 * CCollarMaker::kAlong * 0.05 * double(near[0]), 0.11);
+    EXPECT_EQ(roomOf(0.02, 0, 0.05), roomOf(0.01, 0, 0.05)) << "no stalks";
+    EXPECT_LT(roomOf(0.02, 0, 0.05, true)[0], roomOf(0.02, 0, 0.05)[0]) << "which nobody sees of thin ones";
+    EXPECT_EQ(roomOf(1, 0, 0.2)[0], 1) << "of one as thick as its parent";
+    EXPECT_NEAR(double(roomOf(1, 0, 0.2, true)[0]) * CCollarMaker::kAcross * 0.2, 0.65 * 0.2, 1e-6) << "a thin one";
 }
 
 } // namespace

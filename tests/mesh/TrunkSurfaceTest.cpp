@@ -18,7 +18,7 @@ struct Trunk {
     std::shared_ptr<const CTree> tree;
     MeshPlan plan;
     std::shared_ptr<const CMesh> mesh;
-    MeshFaults faults() const { return checkStems(*tree, 0, {plan, mesh}, nullptr); }
+    MeshFaults faults() const { return checkStems(*tree, 0, {plan, mesh}, {}); }
     const CStem& stem() const { return tree->generation(0).stems[0]; }
 };
 

@@ -20,10 +20,10 @@ struct Ring {
     bool parted = false; ///< from the ring below by no wall: at a fork it has a part of that one's points, or all of them
 };
 
-/// A place on the surface of a parent's wood, as its triangles have it.
+/// A place on the surface of the wood that a branch stands on, as its triangles have it.
 struct SurfacePoint {
     glm::dvec3 position, normal;
-    std::size_t triangle = 0; ///< the first of its indices in the parent's mesh
+    std::size_t triangle = 0; ///< the first of its indices in that generation's mesh
 };
 
 /// A point of a ring at a fork.
@@ -87,6 +87,7 @@ struct Tube {
     bool pointed = false;               ///< the last ring is a single point
     std::uint32_t collarRings = 0;      ///< in front of the first ring, the lowest pressed onto the parent
     std::uint32_t firstCollarPoint = 0; ///< `points` of them, in the plan
+    std::uint32_t standsOn = 1; ///< the wood of its collar, generations below its own: more than one where its parent is still inside that
     std::uint32_t firstFork = 0, forkCount = 0; ///< in the plan
     bool joined = false; ///< starts at a fork, on the tube before it: without a lid
     bool forked = false; ///< starts at a fork of the parent's, closed by a lid
@@ -125,8 +126,8 @@ struct MeshPlan {
     std::span<const ForkedBranch> branchesOf(const Tube& tube) const { return std::span(branches).subspan(tube.firstBranch, tube.branchCount); }
     /// The one that a stem of the next generation is; null where it is none.
     const ForkedBranch* branch(std::uint32_t stem) const;
-    /// The tube whose walls a branch with a collar stands on, a tube of the next generation's plan. Time logarithmic in the tubes.
-    const Tube& bearerOf(const MeshPlan& next, const Tube& branch) const;
+    /// The tube whose walls a branch with a collar stands on, a tube of a later generation's plan: by its `standsOn` that on this one. Time logarithmic in the tubes.
+    const Tube& bearerOf(const MeshPlan& later, const Tube& branch) const;
 
     std::vector<Ring> rings;
     std::vector<Tube> tubes; ///< those that are joined to one follow it: together they are one closed surface
@@ -152,11 +153,15 @@ struct StemMesh {
     std::shared_ptr<const CMesh> mesh;
 };
 
-/// Decides where the rings of a generation stand. With the `parents`' mesh, that of the generation before at the same
-/// level of detail, branches get collars on it. Only stems that are chosen have tubes.
+/// The stems of all generations before one, from the trunks.
+using StemsBelow = std::span<const StemMesh* const>;
+std::vector<const StemMesh*> stemsBelow(std::span<const StemMesh> stems, std::size_t generation);
+
+/// Decides where the rings of a generation stand. With the meshes `below`, those of all generations before at the same
+/// level of detail, branches get collars on them. Only stems that are chosen have tubes.
 /// Time linear in the segments; runs on progress.threads() threads.
 MeshPlan planRings(const CTree& tree, int generation, const MeshParams& params, const Detail& detail,
-                   const StemMesh* parents, const CProgress& progress, const StemChoice& choice = {});
+                   StemsBelow below, const CProgress& progress, const StemChoice& choice = {});
 
 /// The mesh of one generation of stems: every tube is closed at its base and its tip. Same result for any number of
 /// threads. Throws CCancelled.

@@ -101,6 +101,8 @@ public:
     const LeafArray& grown(Organ organ) const { return organs(organ)->grown; }
     const LeafArray& leaves() const { return grown(Organ::Leaf); }
     std::size_t stemCount() const;
+    /// The stem so many generations below one of generation `g` that this grows on; 0: itself.
+    const CStem& ancestor(std::size_t g, const CStem& stem, std::size_t generations) const;
     /// Whether the branches of a generation's stems, the next generation, start at nodes.
     bool branchesAtNodes(std::size_t g) const;
 

@@ -217,37 +217,37 @@ double heightAbove(const CMesh& mesh, std::initializer_list<std::pair<std::size_
     return height;
 }
 
-/// The walls of the parents' tube that was asked for last: siblings follow each other.
-class CParentWalls {
+/// The walls of the tube that was asked for last: siblings follow each other.
+class CWallsBelow {
 public:
-    CParentWalls(const CGeneration& generation, const StemMesh& parents) : m_generation(generation), m_plan(parents.plan) {}
-
-    const CTubeWalls& of(const Tube& tube) {
-        if (m_tube != &tube) m_walls.emplace(m_generation, m_plan, tube);
+    const CTubeWalls& of(const CGeneration& generation, const MeshPlan& plan, const Tube& tube) {
+        if (m_tube != &tube) m_walls.emplace(generation, plan, tube);
         m_tube = &tube;
         return *m_walls;
     }
 
 private:
-    const CGeneration& m_generation;
-    const MeshPlan& m_plan;
     std::optional<CTubeWalls> m_walls;
     const Tube* m_tube = nullptr;
 };
 
-void checkCollar(const CTree& tree, int generation, const StemMesh& stems, const Tube& tube, const StemMesh& parents,
-                 CParentWalls& walls, MeshFaults& faults) {
-    const CStem& stem = tree.generation(static_cast<std::size_t>(generation)).stems[tube.stem];
+void checkCollar(const CTree& tree, std::size_t generation, const StemMesh& stems, const Tube& tube, std::span<const StemMesh> all,
+                 CWallsBelow& known, MeshFaults& faults) {
+    const CStem& stem = tree.generation(generation).stems[tube.stem];
     if (tube.collarRings == 0) return;
     ++faults.attached;
-    const glm::dvec3 base = tree.generation(static_cast<std::size_t>(generation)).segments[stem.firstSegment].position;
+    const std::size_t below = generation - tube.standsOn;
+    const CStem& first = tree.ancestor(generation, stem, tube.standsOn - 1); // that sits on this wood
+    const glm::dvec3 base = tree.generation(below + 1).segments[first.firstSegment].position;
     double reach = 0;
     for (std::uint32_t i = 0; i < tube.points; ++i)
         reach = std::max(reach, kReach * glm::distance(base, glm::dvec3(stems.mesh->positions[tube.firstVertex + i])));
-    const Tube& wood = parents.plan.bearerOf(stems.plan, tube);
-    const auto near = walls.of(wood).between(stem.offset - reach, stem.offset + reach);
-    const std::pair lids(walls.of(wood).end(), wood.firstIndex + wood.indexCount());
-    const std::pair all(wood.firstIndex, wood.firstIndex + wood.indexCount());
+    const StemMesh& bearers = all[below];
+    const Tube& wood = bearers.plan.bearerOf(stems.plan, tube);
+    const CTubeWalls& walls = known.of(tree.generation(below), bearers.plan, wood);
+    const auto near = walls.between(first.offset - reach, first.offset + reach);
+    const std::pair lids(walls.end(), wood.firstIndex + wood.indexCount());
+    const std::pair whole(wood.firstIndex, wood.firstIndex + wood.indexCount());
     const glm::dvec3 at = glm::abs(glm::dvec3(stems.mesh->positions[tube.firstVertex]));
     const double rounding = 1e-6 * std::max({at.x, at.y, at.z});
     const auto floats = [&](double height) { return height > kMaxFloating * stem.radius + rounding; };
@@ -255,8 +255,8 @@ void checkCollar(const CTree& tree, int generation, const StemMesh& stems, const
     bool floating = false, buried = false;
     for (std::uint32_t i = 0; i < tube.points; ++i) {
         const glm::dvec3 point(stems.mesh->positions[tube.firstVertex + i]);
-        double height = heightAbove(*parents.mesh, {near, lids}, point);
-        if (floats(height) || sinks(height)) height = heightAbove(*parents.mesh, {all}, point); // of wood that winds, other parts lie nearer
+        double height = heightAbove(*bearers.mesh, {near, lids}, point);
+        if (floats(height) || sinks(height)) height = heightAbove(*bearers.mesh, {whole}, point); // of wood that winds, other parts lie nearer
         floating = floating || floats(height);
         buried = buried || sinks(height);
     }
@@ -271,11 +271,10 @@ bool MeshFaults::sound() const {
 
 std::span<const MeshCheck> meshChecks() { return kChecks; }
 
-MeshFaults checkStems(const CTree& tree, int generation, const StemMesh& stems, const StemMesh* parents) {
+MeshFaults checkStems(const CTree& tree, int generation, const StemMesh& stems, std::span<const StemMesh> all) {
     MeshFaults faults{0, stems.mesh->vertexCount(), stems.mesh->triangleCount()};
     checkVertices(*stems.mesh, faults);
-    std::optional<CParentWalls> walls;
-    if (parents) walls.emplace(tree.generation(static_cast<std::size_t>(generation - 1)), *parents);
+    CWallsBelow walls;
     for (const std::span<const Tube> tubes : surfacesOf(stems.plan)) {
         const Tube &first = tubes.front(), &last = tubes.back();
         const Part part{first.firstVertex, last.firstVertex + last.vertexCount() - first.firstVertex, first.firstIndex,
@@ -283,10 +282,10 @@ MeshFaults checkStems(const CTree& tree, int generation, const StemMesh& stems, 
         if (checkTriangles(*stems.mesh, part, faults)) checkEdges(*stems.mesh, part, faults);
         ++faults.surfaces;
     }
-    if (parents)
+    if (!all.empty() && generation > 0)
         for (const Tube& tube : stems.plan.tubes) {
             faults.attached += tube.forked;
-            checkCollar(tree, generation, stems, tube, *parents, *walls, faults);
+            checkCollar(tree, static_cast<std::size_t>(generation), stems, tube, all, walls, faults);
         }
     return faults;
 }

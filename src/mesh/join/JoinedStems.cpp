@@ -16,13 +16,20 @@ constexpr std::size_t kTubeGrain = 16;
 /// The tubes of one generation that bear branches with collars, and these.
 struct Bearers {
     std::vector<std::uint32_t> tubes;
-    std::vector<std::vector<std::uint32_t>> branches; ///< of each
+    std::vector<std::vector<BranchTube>> branches; ///< of each, from the next generation on
 };
 
-Bearers bearersOf(const MeshPlan& plan, const MeshPlan& next) {
-    std::vector<std::vector<std::uint32_t>> branches(plan.tubes.size());
-    for (std::uint32_t t = 0; t < next.tubes.size(); ++t)
-        if (next.tubes[t].collarRings > 0) branches[static_cast<std::size_t>(&plan.bearerOf(next, next.tubes[t]) - plan.tubes.data())].push_back(t);
+Bearers bearersOf(std::span<const StemMesh> stems, std::size_t g) {
+    const MeshPlan& plan = stems[g].plan;
+    std::vector<std::vector<BranchTube>> branches(plan.tubes.size());
+    for (std::size_t above = g + 1; above < stems.size(); ++above) {
+        const MeshPlan& later = stems[above].plan;
+        for (std::uint32_t t = 0; t < later.tubes.size(); ++t) {
+            const Tube& tube = later.tubes[t];
+            if (tube.collarRings == 0 || tube.standsOn != above - g) continue;
+            branches[static_cast<std::size_t>(&plan.bearerOf(later, tube) - plan.tubes.data())].push_back({static_cast<std::uint32_t>(above), t});
+        }
+    }
     Bearers bearers;
     for (std::uint32_t t = 0; t < branches.size(); ++t)
         if (!branches[t].empty()) {
@@ -261,23 +268,25 @@ private:
 };
 
 OpenWalls joinGeneration(const CTree& tree, std::size_t g, std::span<const StemMesh> stems, const CProgress& progress) {
-    if (g + 1 >= stems.size()) return {};
-    Bearers bearers = bearersOf(stems[g].plan, stems[g + 1].plan);
+    Bearers bearers = bearersOf(stems, g);
     std::vector<JoinedWalls> walls(bearers.tubes.size());
     parallelFor(
         walls.size(), kTubeGrain,
         [&](std::size_t begin, std::size_t end) {
             for (std::size_t i = begin; i < end; ++i)
-                walls[i] = joinWalls(tree, g, stems[g], stems[g].plan.tubes[bearers.tubes[i]], stems[g + 1], bearers.branches[i], progress);
+                walls[i] = joinWalls(tree, g, stems, stems[g].plan.tubes[bearers.tubes[i]], bearers.branches[i], progress);
         },
         progress);
     return {std::move(bearers.tubes), std::move(walls)};
 }
 
-std::vector<bool> standingInHoles(const MeshPlan& plan, const OpenWalls& below) {
-    std::vector<bool> stands(plan.tubes.size());
-    for (const JoinedWalls& own : below.walls)
-        for (const std::uint32_t tube : own.joined) stands[tube] = true;
+/// By generation and tube.
+std::vector<std::vector<bool>> standingInHoles(std::span<const StemMesh> stems, std::span<const OpenWalls> open) {
+    std::vector<std::vector<bool>> stands;
+    for (const StemMesh& own : stems) stands.emplace_back(own.plan.tubes.size());
+    for (const OpenWalls& generation : open)
+        for (const JoinedWalls& own : generation.walls)
+            for (const BranchTube& branch : own.joined) stands[branch.generation][branch.tube] = true;
     return stands;
 }
 } // namespace
@@ -286,13 +295,11 @@ JoinedStems joinStems(const CTree& tree, std::span<const StemMesh> stems, const 
     JoinedStems joined{Meshes(stems.size()), std::vector<std::vector<VertexSource>>(stems.size())};
     std::vector<OpenWalls> open(stems.size());
     for (std::size_t g = 0; g < stems.size(); ++g) open[g] = joinGeneration(tree, g, stems, progress);
+    const auto standsInHole = standingInHoles(stems, open);
     parallelFor(
         stems.size(), 1,
         [&](std::size_t begin, std::size_t end) {
-            for (std::size_t g = begin; g < end; ++g) {
-                const std::vector<bool> standsInHole = standingInHoles(stems[g].plan, g > 0 ? open[g - 1] : OpenWalls());
-                CWoodWriter(static_cast<std::uint32_t>(g), stems, open[g], standsInHole).write(joined, progress);
-            }
+            for (std::size_t g = begin; g < end; ++g) CWoodWriter(static_cast<std::uint32_t>(g), stems, open[g], standsInHole[g]).write(joined, progress);
         },
         progress);
     for (std::size_t g = 0; g < stems.size(); ++g) {

@@ -12,7 +12,7 @@ constexpr double kTooFlat = 1e-8;   // twice the area of a triangle that is too 
 constexpr double kOnEdge = 1e-6; // share of a triangle below which a point lies on its edge
 constexpr int kMaxSteps = 400;  // to a point, along an edge, or flips for one: more is a fault of rounding
 constexpr int kPasses = 4;
-constexpr double kAboutHalf = 0.35;   // turns
+constexpr double kAboutHalf = 0.3;   // turns
 constexpr std::size_t kMaxUnsure = 4; // ways of a loop of which either side may be meant
 
 /// Twice the area: positive when counter-clockwise.
@@ -396,6 +396,20 @@ void CTriangulation::improve(const BetterFlipped& better) {
         }
         if (!flipped) return;
     }
+}
+
+bool CTriangulation::turnAway(Index triangle, Index from, Index to) {
+    const Triangle& own = m_triangles[triangle];
+    for (std::uint32_t c = 0; c < 3; ++c) {
+        if (own.vertices[c] != from || own.vertices[after(c)] != to) continue;
+        const Index next = own.next[c];
+        if (own.removed || own.fixed[c] || next == kNone || m_triangles[next].removed || !isConvex({triangle, c})) return false;
+        const Edge other = twin({triangle, c});
+        if (areConnected(own.vertices[before(c)], m_triangles[next].vertices[before(other.corner)])) return false;
+        flip({triangle, c});
+        return true;
+    }
+    return false;
 }
 
 } // namespace stromar

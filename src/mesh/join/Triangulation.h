@@ -45,6 +45,9 @@ public:
     /// Flips edges of changed triangles that are not part of a loop, where that is better.
     void improve(const BetterFlipped& better);
 
+    /// Flips the edge of a triangle that leads from one vertex to another, if it may be. False where there is none, or it stays.
+    bool turnAway(Index triangle, Index from, Index to);
+
     std::span<const Triangle> triangles() const { return m_triangles; }
     Index vertexCount() const { return static_cast<Index>(m_touching.size()); }
 

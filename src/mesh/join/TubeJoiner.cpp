@@ -11,6 +11,7 @@ namespace stromar {
 
 namespace {
 constexpr int kMaxTries = 16;         // without branches that could not be cut out, each time fewer
+constexpr int kSeparatePasses = 4;    // until no edge is doubled
 constexpr double kLeastAround = 1e-6; // repeats of the bark: to unroll it by
 constexpr double kGood = 0.3;         // quality of a triangle: not flipped
 constexpr double kFlat = 0.02;        // sine of a bend that is none
@@ -60,15 +61,15 @@ private:
 /// One tube's walls unrolled: turns about the stem by rings along it.
 class CTubeJoiner {
 public:
-    CTubeJoiner(const CTree& tree, std::size_t generation, const StemMesh& stems, const Tube& tube, const StemMesh& next)
-        : m_generation(static_cast<std::uint32_t>(generation)), m_mesh(*stems.mesh), m_plan(stems.plan), m_tube(tube), m_next(next),
-          m_wallsEnd(CTubeWalls(tree.generation(generation), stems.plan, tube).end()) {}
+    CTubeJoiner(const CTree& tree, std::size_t generation, std::span<const StemMesh> stems, const Tube& tube)
+        : m_generation(static_cast<std::uint32_t>(generation)), m_stems(stems), m_mesh(*stems[generation].mesh), m_plan(stems[generation].plan),
+          m_tube(tube), m_wallsEnd(CTubeWalls(tree.generation(generation), m_plan, tube).end()) {}
 
-    JoinedWalls join(const std::vector<std::uint32_t>& branches, const CProgress& progress) {
+    JoinedWalls join(const std::vector<BranchTube>& branches, const CProgress& progress) {
         unrollVertices();
         if (m_around < kLeastAround) return std::move(m_walls);
         const CTriangulation walls(unrolledTriangles(), m_tube.vertices);
-        std::vector<std::uint32_t> left = branches;
+        std::vector<BranchTube> left = branches;
         bool all = false;
         for (int tries = 0; !all && !left.empty() && tries < kMaxTries; ++tries) { // what was added for one that failed must not stay
             progress.poll();
@@ -76,7 +77,8 @@ public:
             all = cutOut(left, surface);
             if (!all) continue;
             surface.improve([&](const auto& corners) { return isBetterFlipped(corners); });
-            all = leaveTangled(surface, left);
+            separate(surface);
+            all = leaveTangled(surface, left, tries < kMaxTries / 2);
             if (all) write(surface);
         }
         if (all) m_walls.joined = left;
@@ -88,7 +90,7 @@ private:
     struct Added {
         JoinedWalls::Vertex vertex;
         double turns; ///< where it lies in the plane of its triangle at the start
-        std::uint32_t branch;
+        BranchTube branch;
     };
     const Added& addedAt(CTriangulation::Index vertex) const { return m_added[vertex - m_tube.vertices]; }
 
@@ -103,26 +105,50 @@ private:
     /// At a fork rings run from valley to valley.
     bool isClosed(std::uint32_t first, std::uint32_t points) const { return position(first) == position(first + points); }
 
-    /// The seam's vertices count as the ring's first, a turn further.
+    /// The seam's vertices count as the ring's first, a turn further, and those of a limb's lowest ring as the common ring's, so that
+    /// walls are one below and above a fork.
     void unrollVertices() {
+        const std::vector<std::uint32_t> rings = ringPoints();
+        m_around = turnOf(rings);
+        if (m_around < kLeastAround) return;
         m_own.resize(m_tube.vertices);
         std::iota(m_own.begin(), m_own.end(), 0u);
-        std::uint32_t first = 0;
-        std::vector<double> ring(m_tube.vertices);
-        const std::vector<std::uint32_t> rings = ringPoints();
+        m_at.resize(m_tube.vertices);
+        std::uint32_t first = 0, height = 0;
         for (std::size_t r = 0; r < rings.size(); ++r) {
-            const std::uint32_t last = first + rings[r];
-            std::fill(ring.begin() + first, ring.begin() + last + 1, double(r));
-            if (isClosed(first, rings[r])) {
-                if (m_around == 0) m_around = double(tex(last).x) - double(tex(first).x);
-                m_own[last] = first;
-            }
-            first = last + 1;
+            const bool parted = r > m_tube.collarRings && m_plan.ringsOf(m_tube)[r - m_tube.collarRings].parted;
+            for (std::uint32_t v = first; v <= first + rings[r]; ++v) m_at[v] = {double(tex(v).x) / m_around, height - (parted ? 1 : 0)};
+            if (parted)
+                standOnCommonRing(first, rings[r], rings[r - 1]);
+            else
+                ++height;
+            if (isClosed(first, rings[r])) stand(first + rings[r], m_own[first]);
+            first += rings[r] + 1;
         }
         m_firstTip = first;
-        std::fill(ring.begin() + first, ring.end(), double(rings.size())); // a tip, and lids, which are not unrolled
-        for (std::uint32_t v = 0; v < m_tube.vertices; ++v)
-            m_at.push_back(m_own[v] == v ? glm::dvec2(double(tex(v).x) / m_around, ring[v]) : m_at[m_own[v]] + glm::dvec2(1, 0));
+        for (std::uint32_t v = first; v < m_tube.vertices; ++v) m_at[v] = {double(tex(v).x) / m_around, height}; // a tip, and lids, which are not unrolled
+    }
+
+    /// How much of the bark goes around: as a closed ring says; 0 without one.
+    double turnOf(const std::vector<std::uint32_t>& rings) const {
+        std::uint32_t first = 0;
+        for (const std::uint32_t points : rings) {
+            if (isClosed(first, points)) return double(tex(first + points).x) - double(tex(first).x);
+            first += points + 1;
+        }
+        return 0;
+    }
+
+    /// A vertex counts as another at the same place, whole turns from it.
+    void stand(std::uint32_t v, std::uint32_t other) {
+        m_own[v] = other;
+        m_at[v] = {m_at[other].x + std::round(m_at[v].x - m_at[other].x), m_at[other].y};
+    }
+
+    void standOnCommonRing(std::uint32_t first, std::uint32_t points, std::uint32_t below) {
+        for (std::uint32_t v = first; v <= first + points; ++v)
+            for (std::uint32_t w = first - below - 1; w < first - 1; ++w)
+                if (position(v) == position(w)) stand(v, m_own[w]);
     }
 
     std::vector<Triangle> unrolledTriangles() const {
@@ -153,41 +179,55 @@ private:
     bool isTip(CTriangulation::Index vertex) const { return m_tube.pointed && vertex >= m_firstTip && vertex < m_tube.vertices; }
 
     /// Leaves those that can be; false when others cannot.
-    bool cutOut(std::vector<std::uint32_t>& branches, CTriangulation& surface) {
+    bool cutOut(std::vector<BranchTube>& branches, CTriangulation& surface) {
         m_added.clear();
-        return std::erase_if(branches, [&](std::uint32_t branch) { return !cutOut(branch, surface); }) == 0;
+        return std::erase_if(branches, [&](const BranchTube& branch) { return !cutOut(branch, surface); }) == 0;
     }
 
-    bool cutOut(std::uint32_t branch, CTriangulation& surface) {
-        const Tube& tube = m_next.plan.tubes[branch];
+    bool cutOut(const BranchTube& branch, CTriangulation& surface) {
+        const StemMesh& bearing = m_stems[branch.generation];
+        const Tube& tube = bearing.plan.tubes[branch.tube];
         std::vector<CTriangulation::LoopPoint> loop;
         for (std::uint32_t i = 0; i < tube.points; ++i) {
-            const SurfacePoint& point = m_next.plan.collarPoints[tube.firstCollarPoint + i];
+            const SurfacePoint& point = bearing.plan.collarPoints[tube.firstCollarPoint + i];
             const auto triangle = static_cast<CTriangulation::Index>((point.triangle - m_tube.firstIndex) / 3);
             loop.push_back({triangle, placeOf(point)});
-            m_added.push_back({vertexAt(point, tube.firstVertex + i), loop.back().at.x, branch});
+            m_added.push_back({vertexAt(point, {branch.generation, tube.firstVertex + i}), loop.back().at.x, branch});
         }
         const bool cut = surface.cutOut(loop);
         m_added.resize(surface.vertexCount() - m_tube.vertices); // fewer when one could not be added
         return cut;
     }
 
-    /// On a thin stem two edges may join the same vertices, one on either side. False when branches had to be left out for that.
-    bool leaveTangled(const CTriangulation& surface, std::vector<std::uint32_t>& branches) const {
+    /// On a thin stem two edges may join the same vertices, one on either side: flips those that may be.
+    void separate(CTriangulation& surface) const {
+        for (int pass = 0; pass < kSeparatePasses; ++pass) {
+            bool turned = false;
+            for (const Side& side : doubledSides(surface)) turned |= surface.turnAway(side.triangle, side.from, side.to);
+            if (!turned) return;
+        }
+    }
+
+    /// False when branches had to be left out for edges that join the same vertices: all that are at these, or only `one`.
+    bool leaveTangled(const CTriangulation& surface, std::vector<BranchTube>& branches, bool one) const {
         const std::vector<Side> doubled = doubledSides(surface);
         if (doubled.empty()) return true;
-        std::vector<std::uint32_t> tangled;
-        for (const Side& side : doubled)
-            for (const std::uint32_t v : {side.from, side.to, side.opposite})
-                if (v >= m_tube.vertices) tangled.push_back(addedAt(v).branch);
+        std::vector<BranchTube> tangled; // first those at the ends of such edges
+        const auto add = [&](CTriangulation::Index v) {
+            if (v >= m_tube.vertices) tangled.push_back(addedAt(v).branch);
+        };
+        for (const Side& side : doubled) add(side.from), add(side.to);
+        for (const Side& side : doubled) add(side.opposite);
         if (tangled.empty()) tangled = branches;
-        std::erase_if(branches, [&](std::uint32_t branch) { return std::ranges::find(tangled, branch) != tangled.end(); });
+        if (one) tangled.erase(tangled.begin() + 1, tangled.end());
+        std::erase_if(branches, [&](const BranchTube& branch) { return std::ranges::find(tangled, branch) != tangled.end(); });
         return false;
     }
 
     /// Of a triangle.
     struct Side {
         CTriangulation::Index from, to, opposite;
+        CTriangulation::Index triangle;
     };
     /// Those that another triangle has the same way round, where walls were changed.
     std::vector<Side> doubledSides(const CTriangulation& surface) const {
@@ -198,12 +238,13 @@ private:
                 for (const std::uint32_t corner : triangle.vertices) near[standIn(corner)] = true;
         std::vector<Side> doubled;
         CChains<Side> sides(surface.vertexCount());
-        for (const Triangle& triangle : surface.triangles()) {
+        for (std::size_t t = 0; t < surface.triangles().size(); ++t) {
+            const Triangle& triangle = surface.triangles()[t];
             std::array<std::uint32_t, 3> v = triangle.vertices;
             if (triangle.removed || std::ranges::count_if(v, [&](auto corner) { return isTip(corner); }) > 1) continue;
             for (std::uint32_t& corner : v) corner = standIn(corner);
             for (std::size_t c = 0; c < 3; ++c) {
-                const Side side{v[c], v[(c + 1) % 3], v[(c + 2) % 3]};
+                const Side side{v[c], v[(c + 1) % 3], v[(c + 2) % 3], static_cast<CTriangulation::Index>(t)};
                 if (!near[side.from] || !near[side.to]) continue;
                 if (const Side* other = sides.find(side.from, [&](const Side& known) { return known.to == side.to; })) doubled.insert(doubled.end(), {*other, side});
                 sides.add(side.from, side);
@@ -226,13 +267,14 @@ private:
     }
 
     /// Where a collar stands the wall is as dark as that, else as the triangle.
-    JoinedWalls::Vertex vertexAt(const SurfacePoint& point, std::uint32_t vertex) const {
+    JoinedWalls::Vertex vertexAt(const SurfacePoint& point, const VertexSource& source) const {
         const glm::vec3 shares(sharesAt(point));
         const auto corner = [&](std::size_t c) { return m_mesh.indices[point.triangle + c]; };
         const glm::vec2 at = shares.x * m_mesh.texCoords[corner(0)] + shares.y * m_mesh.texCoords[corner(1)] +
                              shares.z * m_mesh.texCoords[corner(2)];
-        const VertexLook look{m_next.mesh->looks[vertex].skyVisibility, m_mesh.looks[corner(0)].thinness};
-        return {{m_generation + 1, vertex}, m_next.mesh->positions[vertex], glm::vec3(point.normal), at, look};
+        const CMesh& branches = *m_stems[source.generation].mesh;
+        const VertexLook look{branches.looks[source.vertex].skyVisibility, m_mesh.looks[corner(0)].thinness};
+        return {source, branches.positions[source.vertex], glm::vec3(point.normal), at, look};
     }
 
     glm::dvec3 placeOf(CTriangulation::Index vertex) const {
@@ -309,10 +351,10 @@ private:
     const glm::vec3& position(std::uint32_t v) const { return m_mesh.positions[m_tube.firstVertex + v]; }
 
     std::uint32_t m_generation;
+    std::span<const StemMesh> m_stems;
     const CMesh& m_mesh;
     const MeshPlan& m_plan;
     const Tube& m_tube;
-    const StemMesh& m_next;
     std::size_t m_wallsEnd;
     double m_around = 0;
     std::uint32_t m_firstTip = 0; ///< of the tube's vertices: the tips of a pointed one
@@ -329,9 +371,9 @@ private:
 };
 } // namespace
 
-JoinedWalls joinWalls(const CTree& tree, std::size_t generation, const StemMesh& stems, const Tube& tube, const StemMesh& next,
-                      const std::vector<std::uint32_t>& branches, const CProgress& progress) {
-    return CTubeJoiner(tree, generation, stems, tube, next).join(branches, progress);
+JoinedWalls joinWalls(const CTree& tree, std::size_t generation, std::span<const StemMesh> stems, const Tube& tube,
+                      const std::vector<BranchTube>& branches, const CProgress& progress) {
+    return CTubeJoiner(tree, generation, stems, tube).join(branches, progress);
 }
 
 } // namespace stromar

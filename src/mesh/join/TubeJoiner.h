@@ -5,6 +5,13 @@
 
 namespace stromar {
 
+/// A tube of a generation that stands on the wood of an earlier one.
+struct BranchTube {
+    std::uint32_t generation, tube;
+
+    bool operator==(const BranchTube&) const = default;
+};
+
 /// What becomes of the walls of one tube in which branches stand.
 struct JoinedWalls {
     /// One that the tube has now: like a vertex of its own mesh, or of a branch's lowest ring.
@@ -17,11 +24,11 @@ struct JoinedWalls {
     std::vector<std::size_t> replaced;    ///< triangles that are gone: the first of their indices, ascending
     std::vector<Vertex> vertices;         ///< new ones
     std::vector<std::uint32_t> triangles; ///< new ones, three indices each: of the mesh, and behind its end of `vertices`
-    std::vector<std::uint32_t> joined;    ///< which of the branches stand in a hole
+    std::vector<BranchTube> joined;       ///< which of the branches stand in a hole
 };
 
-/// Cuts the collars of `branches`, tubes of the next generation, out of a tube. Throws CCancelled.
-JoinedWalls joinWalls(const CTree& tree, std::size_t generation, const StemMesh& stems, const Tube& tube, const StemMesh& next,
-                      const std::vector<std::uint32_t>& branches, const CProgress& progress);
+/// Cuts the collars of `branches` out of a tube of a generation of `stems`; the first come first. Throws CCancelled.
+JoinedWalls joinWalls(const CTree& tree, std::size_t generation, std::span<const StemMesh> stems, const Tube& tube,
+                      const std::vector<BranchTube>& branches, const CProgress& progress);
 
 } // namespace stromar

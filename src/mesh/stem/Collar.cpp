@@ -1,5 +1,6 @@
 #include "stem/Collar.h"
 #include <algorithm>
+#include <array>
 #include <cmath>
 #include <glm/geometric.hpp>
 #include <limits>
@@ -8,11 +9,13 @@
 namespace stromar {
 
 namespace {
-constexpr double kFurthest = 0.6;     // of the branch's length: where its own rings have to start at the latest
+constexpr double kFurthest = 0.9;     // of the branch's length: where its own rings have to start at the latest
+constexpr double kHidden = 0.8;       // of its length: inside the wood so far a branch is not drawn
 constexpr double kOfHelixTurn = 0.15; // of a helix's turn: how far a collar may rise while the branch turns away
 constexpr int kStepsPerTurn = 12;     // along a helix, to find where it leaves the wood
+constexpr double kMostSteps = 3;      // of them, ahead of where a line that bends leaves the wood
+constexpr double kAhead = 3;          // times as far along a parent that bends after its branch
 constexpr double kSteepest = 0.2;     // sine of the angle to the parent below which branches leave too slowly
-constexpr double kAboveSurface = 0.3; // radii between the collar's highest point and the first own ring
 constexpr int kEdgeHalvings = 8;          // to find the edge of the parent when a point misses it
 
 /// Length of the drawn centre line.
@@ -26,94 +29,188 @@ double Collar::minGap() const {
     return gap;
 }
 
-/// At a fork a branch may leave the wood through the wall of the limb beside its own.
-const Collar* CCollarMaker::make(const CStem& stem, std::span<const CSegment> branch, double radius,
-                                 std::uint32_t points) {
-    const CStem& parent = m_parents.stems[static_cast<std::size_t>(stem.parent)];
-    if (const Collar* collar = makeOn(stem.path, stem, branch, radius, points)) return collar;
-    for (std::uint32_t path = 0; path < parent.pathCount; ++path) {
-        if (!partAt(stem, parent, path)) continue;
-        if (const Collar* collar = makeOn(path, stem, branch, radius, points)) return collar;
+const Collar* CCollarMaker::make(const CStem& stem, const BranchBase& base, const CollarShape& shape, const ExitSearch& search) {
+    m_base = base;
+    m_shape = shape;
+    m_search = search;
+    const CStem* first = &stem; // that sits on the wood
+    m_collar.standsOn = 1;
+    m_leavesWood = false;
+    for (std::size_t g = m_below.size(); g-- > 0; ++m_collar.standsOn) {
+        standOn(g);
+        if (const Collar* collar = makeOnAnyPath(*first)) return collar;
+        const CStem& parent = m_parents->stems[static_cast<std::size_t>(first->parent)];
+        if (first->path > 0 || !isBelowItsWalls(parent, first->offset)) break;
+        first = &parent;
     }
     return nullptr;
 }
 
-/// Whether another path parts from a branch's own at a fork where the segment begins or ends that it sits on.
-bool CCollarMaker::partAt(const CStem& branch, const CStem& parent, std::uint32_t other) const {
-    const CPath &own = m_parents.paths[parent.firstPath + branch.path], &beside = m_parents.paths[parent.firstPath + other];
-    const auto isAt = [&](const CPath& clone) { return clone.firstPosition == branch.position || clone.firstPosition == branch.position + 1; };
-    if (other == branch.path) return false;
-    if (own.source == static_cast<std::int32_t>(other)) return isAt(own);
-    const bool isClone = beside.source == static_cast<std::int32_t>(branch.path);
-    return (isClone || (beside.source == own.source && beside.firstPosition == own.firstPosition)) && isAt(beside);
+bool CCollarMaker::hides(const CStem& stem, std::span<const CSegment> branch) {
+    const CStem* first = &stem; // that sits on the wood
+    for (std::size_t g = m_below.size(); g-- > 0;) {
+        standOn(g);
+        const CStem& parent = m_parents->stems[static_cast<std::size_t>(first->parent)];
+        const glm::dvec3 sitting = m_tree.generation(g + 1).segments[first->firstSegment].position;
+        m_reach = m_reachAhead = branch.back().end() + 2 * first->parentRadius + glm::distance(branch[0].position, sitting);
+        if (collectTriangles(parent.firstPath + first->path, first->offset) && surround(branch)) return true;
+        if (first->path > 0 || !isBelowItsWalls(parent, first->offset)) break;
+        first = &parent;
+    }
+    return false;
 }
 
-const Collar* CCollarMaker::makeOn(std::uint32_t path, const CStem& stem, std::span<const CSegment> branch, double radius, std::uint32_t points) {
-    const CStem& parent = m_parents.stems[static_cast<std::size_t>(stem.parent)];
-    const CSegment& wood = m_parents.segmentAt(parent, stem.path, stem.position);
-    m_reach = reachOf(stem, wood.frame[2], branch[0].tangent(0), radius);
-    if (!collectTriangles(parent.firstPath + path, stem.offset)) return nullptr;
-    const auto exit = findExit(branch);
-    if (!exit) return nullptr;
+bool CCollarMaker::surround(std::span<const CSegment> branch) const {
+    const double seen = kHidden * branch.back().end();
+    return std::ranges::all_of(branch, [&](const CSegment& segment) {
+        if (segment.start >= seen) return true;
+        const double end = std::min(1.0, (seen - segment.start) / segment.length);
+        return isInside(segment.centre(end / 2), segment.frame) && isInside(segment.centre(end), segment.frame);
+    });
+}
 
-    const glm::dvec3 axis = exit->frame[2];
-    const glm::dvec3 sideways = glm::cross(wood.frame[2], axis);
+/// Whether the wood surrounds a place to all sides across a stem.
+bool CCollarMaker::isInside(const glm::dvec3& place, const Frame& across) const {
+    const std::array ways{across[0], -across[0], across[1], -across[1]};
+    return std::ranges::all_of(ways, [&](const glm::dvec3& way) { return lastExit(place, way).has_value(); });
+}
+
+void CCollarMaker::standOn(std::size_t generation) {
+    m_parents = &m_tree.generation(generation);
+    m_wood = m_below[generation];
+}
+
+/// Whether a stem is still inside the wood it grows on, or not drawn at all, so far along.
+bool CCollarMaker::isBelowItsWalls(const CStem& parent, double offset) const {
+    const std::int32_t index = m_wood->plan.tubeOfPath[parent.firstPath];
+    return index < 0 || offset < placeOf(*m_wood->plan.ringsOf(m_wood->plan.tubes[static_cast<std::size_t>(index)]));
+}
+
+/// Of a ring, metres from its stem's base.
+double CCollarMaker::placeOf(const Ring& ring) const {
+    const CSegment& segment = m_parents->segments[ring.segment];
+    return segment.start + ring.t * segment.length;
+}
+
+/// At a fork a branch may leave the wood through the wall of the limb beside its own.
+const Collar* CCollarMaker::makeOnAnyPath(const CStem& stem) {
+    const CStem& parent = m_parents->stems[static_cast<std::size_t>(stem.parent)];
+    if (const Collar* collar = makeOn(stem.path, stem)) return collar;
+    for (std::uint32_t path = 0; path < parent.pathCount; ++path) {
+        if (!partAt(stem, parent, path)) continue;
+        if (const Collar* collar = makeOn(path, stem)) return collar;
+    }
+    return nullptr;
+}
+
+/// Whether another path parts from a branch's own at a fork and still runs beside it where the branch sits.
+bool CCollarMaker::partAt(const CStem& branch, const CStem& parent, std::uint32_t other) const {
+    const CPath &own = m_parents->paths[parent.firstPath + branch.path], &beside = m_parents->paths[parent.firstPath + other];
+    if (other == branch.path) return false;
+    const bool isSource = own.source == static_cast<std::int32_t>(other), isClone = beside.source == static_cast<std::int32_t>(branch.path);
+    if (!isSource && !isClone && (beside.source != own.source || beside.firstPosition != own.firstPosition)) return false;
+    const std::uint32_t clone = isSource ? branch.path : other, node = m_parents->paths[parent.firstPath + clone].firstPosition;
+    return branch.position + 1 >= node && (branch.position <= node || branch.offset <= endOfLimb(parent.firstPath + clone));
+}
+
+/// How far along its stem the rings of the fork reach that a path starts at, metres; 0 when it is not drawn so.
+double CCollarMaker::endOfLimb(std::uint32_t path) const {
+    const std::int32_t index = m_wood->plan.tubeOfPath[path];
+    if (index < 0) return 0;
+    const Tube& tube = m_wood->plan.tubes[static_cast<std::size_t>(index)];
+    if (!tube.startsAtFork()) return 0;
+    const Fork& fork = m_wood->plan.forksOf(tube)[0];
+    return placeOf(m_wood->plan.ringsOf(tube)[fork.ring + fork.rings - 1]);
+}
+
+/// `stem` is the branch, or, on wood further down, the one that sits there.
+const Collar* CCollarMaker::makeOn(std::uint32_t path, const CStem& stem) {
+    const CStem& parent = m_parents->stems[static_cast<std::size_t>(stem.parent)];
+    const glm::dvec3 woodAxis = m_parents->segmentAt(parent, stem.path, stem.position).frame[2];
+    setReach(stem, woodAxis);
+    if (!collectTriangles(parent.firstPath + path, stem.offset)) return nullptr;
+    const auto exit = findExit(aside(stem));
+    if (!exit) return nullptr;
+    m_leavesWood = true;
+    const std::optional<double> highest = pressOn(*exit, woodAxis);
+    if (!highest) return nullptr;
+    const double rise = *highest + m_shape.above * m_base.radius;
+    if (exit->helixArc > 0 && rise > kOfHelixTurn * exit->helixArc) return nullptr;
+    m_collar.clear = exit->along + rise * exit->rise;
+    return m_collar.clear < kFurthest * m_base.path.back().end() ? &m_collar : nullptr;
+}
+
+/// Lays the points around where the branch leaves the wood; how far above that the highest lies, metres.
+std::optional<double> CCollarMaker::pressOn(const Exit& exit, const glm::dvec3& woodAxis) {
+    const glm::dvec3 axis = exit.frame[2], sideways = glm::cross(woodAxis, axis);
     const double sine = glm::length(sideways);
-    const glm::dvec3 across = sine > 1e-6 ? sideways / sine : exit->frame[0];
+    const glm::dvec3 across = sine > 1e-6 ? sideways / sine : exit.frame[0];
     const glm::dvec3 along = glm::cross(axis, across);
     m_collar.points.clear();
     double highest = 0;
-    for (std::uint32_t i = 0; i < points; ++i) {
-        const double angle = 2 * std::numbers::pi * i / points;
-        const glm::dvec3 out = std::cos(angle) * exit->frame[0] + std::sin(angle) * exit->frame[1];
+    for (std::uint32_t i = 0; i < m_base.points; ++i) {
+        const double angle = 2 * std::numbers::pi * i / m_base.points;
+        const glm::dvec3 out = std::cos(angle) * exit.frame[0] + std::sin(angle) * exit.frame[1];
         const auto hit = nearestExit(
-            *exit, radius * (kAcross * glm::dot(out, across) * across + kAlong * glm::dot(out, along) * along));
-        if (!hit) return nullptr;
-        highest = std::max(highest, glm::dot(hit->point.position - exit->centre, axis));
+            exit, m_shape.width * m_base.radius * (kAcross * glm::dot(out, across) * across + kAlong * glm::dot(out, along) * along));
+        if (!hit) return {};
+        highest = std::max(highest, glm::dot(hit->point.position - exit.centre, axis));
         m_collar.points.push_back(hit->point);
     }
-    const double rise = highest + kAboveSurface * radius;
-    if (exit->helixArc > 0 && rise > kOfHelixTurn * exit->helixArc) return nullptr;
-    m_collar.clear = exit->along + rise * exit->rise;
-    return m_collar.clear < kFurthest * branch.back().end() ? &m_collar : nullptr;
+    return highest;
 }
 
-/// Follows the branch's centre line out of the wood.
-std::optional<CCollarMaker::Exit> CCollarMaker::findExit(std::span<const CSegment> branch) const {
-    for (const CSegment& segment : branch) {
+/// Follows the branch's centre line, or one beside it, out of the wood.
+std::optional<CCollarMaker::Exit> CCollarMaker::findExit(const glm::dvec3& aside) const {
+    std::optional<Exit> last; // where it would be left on the way straight on
+    for (const CSegment& segment : m_base.path) {
         const int steps = segment.helixRadius > 0 ? kStepsPerTurn : 1;
         for (int step = 0; step < steps; ++step) {
-            const double t = double(step) / steps;
+            const double t = double(step) / steps, arc = arcOf(segment), way = arc / steps;
             const double along = segment.start + t * segment.length;
-            if (along > kFurthest * branch.back().end()) return {};
-            const glm::dvec3 centre = segment.centre(t), axis = segment.tangent(t);
+            if (along > kFurthest * m_base.path.back().end()) return {};
+            const glm::dvec3 centre = segment.centre(t) + aside, axis = segment.tangent(t);
             const auto hit = lastExit(centre, axis);
+            if (!hit && last) return last; // the line bent out of the wood before
+            if (!hit || hit->distance > kMostSteps * way) {
+                last.reset();
+                continue;
+            }
+            last = {centre, transported(segment.frame, axis), along, segment.length / arc, segment.helixRadius > 0 ? arc : 0};
             // The next step turns at most a little away from this one's direction.
-            if (hit && hit->distance <= 1.1 * arcOf(segment) / steps)
-                return Exit{centre, transported(segment.frame, axis), along, segment.length / arcOf(segment),
-                            segment.helixRadius > 0 ? arcOf(segment) : 0};
+            if (hit->distance <= 1.1 * way) return last;
         }
     }
     return {};
 }
 
-double CCollarMaker::reachOf(const CStem& stem, const glm::dvec3& parentAxis, const glm::dvec3& axis,
-                             double radius) const {
-    const double sine = std::max(kSteepest, glm::length(glm::cross(parentAxis, axis)));
-    return (1.2 * stem.parentRadius + 2 * kAlong * radius) / sine;
+/// From the axis of the branch's parent, where it starts, to the middle of what is drawn there, if that is looked for; 0 when it is further
+/// than the wood is thick.
+glm::dvec3 CCollarMaker::aside(const CStem& stem) const {
+    if (!m_search.aside || m_collar.standsOn > 1) return glm::dvec3(0);
+    const glm::dvec3 way = m_walls->middleAt(*m_wood->mesh, stem.offset) - m_base.path[0].position;
+    return glm::length(way) < stem.parentRadius + m_base.radius ? way : glm::dvec3(0);
+}
+
+void CCollarMaker::setReach(const CStem& stem, const glm::dvec3& woodAxis) {
+    const double sine = std::max(kSteepest, glm::length(glm::cross(woodAxis, m_base.path[0].tangent(0))));
+    const CSegment& sitting = m_tree.generation(m_below.size() + 1 - m_collar.standsOn).segments[stem.firstSegment];
+    m_reach = (1.2 * stem.parentRadius + 2 * kAlong * m_base.radius) / sine + glm::distance(m_base.path[0].position, sitting.position);
+    m_reachAhead = (m_search.ahead ? kAhead : 1) * m_reach;
 }
 
 /// The walls of a path's tube that a branch at a place along the parent can meet.
 bool CCollarMaker::collectTriangles(std::uint32_t path, double offset) {
     m_triangles.clear();
-    const std::int32_t tubeIndex = m_mesh.plan.tubeOfPath[path];
+    const std::int32_t tubeIndex = m_wood->plan.tubeOfPath[path];
     if (tubeIndex < 0) return false;
-    if (m_wallsOf != tubeIndex) { // siblings follow each other
-        m_walls.emplace(m_parents, m_mesh.plan, m_mesh.plan.tubes[static_cast<std::size_t>(tubeIndex)]);
-        m_wallsOf = tubeIndex;
+    const Tube& tube = m_wood->plan.tubes[static_cast<std::size_t>(tubeIndex)];
+    if (m_wallsOf != &tube) { // siblings follow each other
+        m_walls.emplace(*m_parents, m_wood->plan, tube);
+        m_wallsOf = &tube;
     }
-    const CMesh& mesh = *m_mesh.mesh;
-    const auto [begin, end] = m_walls->between(offset - m_reach, offset + m_reach);
+    const CMesh& mesh = *m_wood->mesh;
+    const auto [begin, end] = m_walls->between(offset - m_reach, offset + m_reachAhead);
     for (std::size_t i = begin; i < end; i += 3) {
         const std::uint32_t* v = &mesh.indices[i];
         const glm::dvec3 corner(mesh.positions[v[0]]);
@@ -141,7 +238,7 @@ std::optional<CCollarMaker::Hit> CCollarMaker::lastExit(const glm::dvec3& origin
         const double v = glm::dot(direction, q) / determinant;
         if (v < -kEdge || u + v > 1 + kEdge) continue;
         const double here = glm::dot(triangle.edge2, q) / determinant;
-        if (here <= distance || here > 2 * m_reach) continue;
+        if (here <= distance || here > m_reach + m_reachAhead) continue;
         last = &triangle;
         distance = here;
         lastU = u;
@@ -169,7 +266,7 @@ std::optional<CCollarMaker::Hit> CCollarMaker::nearestExit(const Exit& exit, con
 }
 
 SurfacePoint CCollarMaker::surfaceAt(const Triangle& triangle, double u, double v) const {
-    const auto normal = [&](std::size_t corner) { return glm::dvec3(m_mesh.mesh->normals[m_mesh.mesh->indices[triangle.firstIndex + corner]]); };
+    const auto normal = [&](std::size_t corner) { return glm::dvec3(m_wood->mesh->normals[m_wood->mesh->indices[triangle.firstIndex + corner]]); };
     return {triangle.corner + u * triangle.edge1 + v * triangle.edge2,
             glm::normalize((1 - u - v) * normal(0) + u * normal(1) + v * normal(2)), triangle.firstIndex};
 }

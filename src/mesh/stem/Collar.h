@@ -7,26 +7,52 @@
 
 namespace stromar {
 
-/// The base of a branch: a ring of points on its parent's surface.
+/// The base of a branch: a ring of points on the surface of the wood that it leaves.
 struct Collar {
     std::vector<SurfacePoint> points;
+    std::uint32_t standsOn; ///< generations below its own: 1 on its parent's
     double clear; ///< how far along the branch, from its base, its own rings may start; metres
 
     /// The shortest distance between neighbours; metres.
     double minGap() const;
 };
 
-/// Presses the first rings of branches onto the triangles of their parents (thesis §4.4, "branch connection").
+/// How a collar is to be made.
+struct CollarShape {
+    double width = 1;   ///< times the usual one
+    double above = 0.3; ///< between its highest point and the first own ring, radii of the branch
+};
+
+/// How it is found where a branch leaves the wood.
+struct ExitSearch {
+    bool ahead = false; ///< looks further along the parent, which may bend after the branch
+    bool aside = false; ///< starts in the middle of what is drawn of the parent: a thin one is a prism beside its axis
+};
+
+/// Of a branch.
+struct BranchBase {
+    std::span<const CSegment> path; ///< its first
+    double radius;                  ///< metres
+    std::uint32_t points;           ///< of its rings
+};
+
+/// Presses the first rings of branches onto the triangles of their parents (thesis §4.4, "branch connection"); of those that start where
+/// their parent is still inside the wood it grows on, onto that.
 class CCollarMaker {
 public:
     static constexpr double kAlong = 1.5, kAcross = 1.2; ///< width, in radii, along the parent's axis and across it
 
-    CCollarMaker(const CGeneration& parents, const StemMesh& parentMesh) : m_parents(parents), m_mesh(parentMesh) {}
+    /// For the branches that grow on the last of `below`.
+    CCollarMaker(const CTree& tree, StemsBelow below) : m_tree(tree), m_below(below) {}
 
-    /// `branch` are the segments of its first path, `radius` is its at the base, `points` how many its rings have.
     /// Nothing when the branch does not leave the wood, or leaves it so late that too little of it would be seen: then
     /// it simply starts inside.
-    const Collar* make(const CStem& stem, std::span<const CSegment> branch, double radius, std::uint32_t points);
+    const Collar* make(const CStem& stem, const BranchBase& base, const CollarShape& shape, const ExitSearch& search = {});
+    /// Whether the last branch that one was to be made for leaves the wood at all.
+    bool leavesWood() const { return m_leavesWood; }
+
+    /// Whether almost all of the centre line of a branch without clones lies inside its parent's wood, or what that one starts in.
+    bool hides(const CStem& stem, std::span<const CSegment> branch);
 
 private:
     struct Triangle {
@@ -47,21 +73,37 @@ private:
         double helixArc; ///< length of the helix's turn, 0 when straight
     };
 
+    void standOn(std::size_t generation);
+    bool surround(std::span<const CSegment> branch) const;
+    bool isInside(const glm::dvec3& place, const Frame& across) const;
+    bool isBelowItsWalls(const CStem& parent, double offset) const;
+    const Collar* makeOnAnyPath(const CStem& stem);
     bool partAt(const CStem& branch, const CStem& parent, std::uint32_t other) const;
-    const Collar* makeOn(std::uint32_t path, const CStem& stem, std::span<const CSegment> branch, double radius, std::uint32_t points);
+    double endOfLimb(std::uint32_t path) const;
+    double placeOf(const Ring& ring) const;
+    const Collar* makeOn(std::uint32_t path, const CStem& stem);
     bool collectTriangles(std::uint32_t path, double offset);
-    double reachOf(const CStem& stem, const glm::dvec3& parentAxis, const glm::dvec3& axis, double radius) const;
-    std::optional<Exit> findExit(std::span<const CSegment> branch) const;
+    std::optional<Exit> findExit(const glm::dvec3& aside) const;
+    glm::dvec3 aside(const CStem& stem) const;
+    void setReach(const CStem& stem, const glm::dvec3& woodAxis);
+    std::optional<double> pressOn(const Exit& exit, const glm::dvec3& woodAxis);
     std::optional<Hit> lastExit(const glm::dvec3& origin, const glm::dvec3& direction) const;
     std::optional<Hit> nearestExit(const Exit& exit, const glm::dvec3& offset) const;
     SurfacePoint surfaceAt(const Triangle& triangle, double u, double v) const;
 
-    const CGeneration& m_parents;
-    const StemMesh& m_mesh;
-    std::optional<CTubeWalls> m_walls; ///< of the parents' tube that was looked at last
-    std::int32_t m_wallsOf = -1;
+    const CTree& m_tree;
+    StemsBelow m_below;
+    BranchBase m_base{};
+    CollarShape m_shape;
+    ExitSearch m_search;
+    const CGeneration* m_parents = nullptr; ///< the generation whose wood is looked at
+    const StemMesh* m_wood = nullptr;
+    std::optional<CTubeWalls> m_walls; ///< of its tube that was looked at last
+    const Tube* m_wallsOf = nullptr;
     std::vector<Triangle> m_triangles;
     double m_reach = 0; ///< metres along the parent and the branch within which they can meet
+    double m_reachAhead = 0; ///< likewise, but towards their tips
+    bool m_leavesWood = false;
     Collar m_collar;
 };
 

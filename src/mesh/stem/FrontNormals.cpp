@@ -5,7 +5,7 @@
 namespace stromar {
 
 namespace {
-constexpr int kPasses = 8;
+constexpr int kPasses = 24;
 constexpr float kMargin = 0.02f; // cosine
 constexpr float kEffort = 0.05f; // more than needed with every pass: faces that work against each other
 

@@ -42,12 +42,18 @@ std::vector<const MeshPlan*> plansOf(std::span<const StemMesh> stems) {
     return plans;
 }
 
+std::vector<const StemMesh*> stemsBelow(std::span<const StemMesh> stems, std::size_t generation) {
+    std::vector<const StemMesh*> below;
+    for (const StemMesh& own : stems.first(generation)) below.push_back(&own);
+    return below;
+}
+
 std::vector<StemMesh> meshAllStems(const CTree& tree, const MeshParams& params, const Detail& detail,
                                    const CProgress& progress) {
     const StemChoice choice = chooseStems(tree, params, detail, {}, progress);
     std::vector<StemMesh> all;
     for (int g = 0; g < static_cast<int>(tree.generationCount()); ++g) {
-        StemMesh own{planRings(tree, g, params, detail, all.empty() ? nullptr : &all.back(), progress, choice), nullptr};
+        StemMesh own{planRings(tree, g, params, detail, stemsBelow(all, all.size()), progress, choice), nullptr};
         own.mesh = meshOfStems(tree, g, own.plan, params, progress);
         all.push_back(std::move(own));
     }

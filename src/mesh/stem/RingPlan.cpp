@@ -1,4 +1,5 @@
 #include "stem/RingPlan.h"
+#include "stem/CollarRoom.h"
 #include "stem/Simplifier.h"
 #include "stem/TubeWriter.h"
 #include "stromar/util/Parallel.h"
@@ -8,6 +9,7 @@ namespace stromar {
 
 namespace {
 constexpr std::size_t kGrain = 64;
+constexpr int kFewPoints = 4; // of a ring: nobody sees how wide its collar is
 
 void append(MeshPlan& whole, const MeshPlan& part) {
     const auto rings = static_cast<std::uint32_t>(whole.rings.size());
@@ -40,6 +42,15 @@ void append(MeshPlan& whole, const MeshPlan& part) {
     }
 }
 
+std::vector<BranchFoot> feetOf(const CGeneration& generation, const CStemSurface& surface, const std::vector<bool>& drawn) {
+    std::vector<BranchFoot> feet(generation.stems.size());
+    for (std::size_t s = 0; s < feet.size(); ++s) {
+        const CStem& stem = generation.stems[s];
+        if (drawn[s]) feet[s] = {surface.drawnAtBase(stem, generation.segments[stem.firstSegment]), surface.ringPoints(stem.radius) <= kFewPoints};
+    }
+    return feet;
+}
+
 /// Gives every tube its place in the mesh.
 void layOut(MeshPlan& plan, std::size_t paths) {
     plan.tubeOfPath.assign(paths, -1);
@@ -67,19 +78,24 @@ const ForkedBranch* MeshPlan::branch(std::uint32_t stem) const {
     return at != branches.end() && at->stem == stem ? &*at : nullptr;
 }
 
-const Tube& MeshPlan::bearerOf(const MeshPlan& next, const Tube& branch) const {
-    const std::size_t triangle = next.collarPoints[branch.firstCollarPoint].triangle;
+const Tube& MeshPlan::bearerOf(const MeshPlan& later, const Tube& branch) const {
+    const std::size_t triangle = later.collarPoints[branch.firstCollarPoint].triangle;
     return *(std::ranges::upper_bound(tubes, triangle, {}, &Tube::firstIndex) - 1);
 }
 
-MeshPlan planStems(const CTree& tree, int generation, const MeshParams& params, const Detail& detail, const StemMesh* parents,
+MeshPlan planStems(const CTree& tree, int generation, const MeshParams& params, const Detail& detail, StemsBelow below,
                    const std::vector<bool>& drawn, Thickening thickening, const BranchesAbove* above, const CProgress& progress) {
     const CGeneration& own = tree.generation(static_cast<std::size_t>(generation));
+    std::vector<float> room;
+    if (!below.empty() && detail.collarRings > 0) {
+        const CStemSurface surface(tree, generation, params, detail, thickening);
+        room = collarRoom(own, tree.generation(below.size() - 1), feetOf(own, surface, drawn));
+    }
     std::vector<MeshPlan> parts((own.stems.size() + kGrain - 1) / kGrain);
     parallelFor(
         own.stems.size(), kGrain,
         [&](std::size_t begin, std::size_t end) {
-            CSimplifier simplifier(tree, generation, params, detail, parents, thickening, above);
+            CSimplifier simplifier(tree, generation, params, detail, below, room, thickening, above);
             for (std::size_t s = begin; s < end; ++s)
                 if (drawn[s]) simplifier.planStem(static_cast<std::uint32_t>(s), parts[begin / kGrain]);
         },
@@ -93,13 +109,13 @@ MeshPlan planStems(const CTree& tree, int generation, const MeshParams& params, 
 }
 
 MeshPlan planRings(const CTree& tree, int generation, const MeshParams& params, const Detail& detail,
-                   const StemMesh* parents, const CProgress& progress, const StemChoice& choice) {
+                   StemsBelow below, const CProgress& progress, const StemChoice& choice) {
     const auto g = static_cast<std::size_t>(generation);
     const std::size_t stems = tree.generation(g).stems.size(), branches = g + 1 < tree.generationCount() ? tree.generation(g + 1).stems.size() : 0;
     std::vector<bool> bears;
     for (std::size_t s = 0; s < stems; ++s) bears.push_back(choice.bears(g, s));
     const BranchesAbove above{choice.drawn(g + 1, branches), choice.thickening(g + 1)};
-    MeshPlan plan = planStems(tree, generation, params, detail, parents, choice.drawn(g, stems), choice.thickening(g), &above, progress);
+    MeshPlan plan = planStems(tree, generation, params, detail, below, choice.drawn(g, stems), choice.thickening(g), &above, progress);
     plan.stemBears = std::move(bears);
     return plan;
 }

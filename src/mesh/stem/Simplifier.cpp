@@ -15,6 +15,7 @@ constexpr double kAside = 0.85;      // cosine between a ring and the way to the
 constexpr double kTipReach = 4;      // radii of rings that a tip pushes out
 constexpr double kApart = 0.2;       // radii between the first own ring above a collar and the next
 constexpr double kApartOfFork = 0.05; // likewise above a fork
+constexpr CollarShape kCollarShapes[]{{1, 0.3}, {1, 0.1}, {0.6, 0.3}, {0.6, 0.1}, {0.6, 0.02}, {0.4, 0.1}}; // first the usual one
 constexpr std::uint32_t kOneByOne = 16; // folded rings that are taken out before many are at a time; likewise tries with the forks that do not fold
 
 /// Whether branches may part at forks of a generation's stems.
@@ -35,14 +36,14 @@ void CSimplifier::Mark::restore(MeshPlan& plan) const {
 }
 
 CSimplifier::CSimplifier(const CTree& tree, int generation, const MeshParams& params, const Detail& detail,
-                         const StemMesh* parents, const Thickening& thickening, const BranchesAbove* above)
+                         StemsBelow below, std::span<const float> room, const Thickening& thickening, const BranchesAbove* above)
     : m_detail(detail), m_generation(tree.generation(static_cast<std::size_t>(generation))),
       m_surface(tree, generation, params, detail, thickening), m_smoother(m_surface), m_line(m_generation, m_surface),
       m_forkMaker(tree, static_cast<std::size_t>(generation), m_surface, detail), m_trial(m_generation, m_surface),
-      m_smooth(generation < detail.smoothGenerations), m_maxSag(detail.maxSag * tree.height()) {
-    if (parents && detail.collarRings > 0) {
-        m_collars.emplace(tree.generation(static_cast<std::size_t>(generation - 1)), *parents);
-        m_parents = &parents->plan;
+      m_smooth(generation < detail.smoothGenerations), m_maxSag(detail.maxSag * tree.height()), m_room(room) {
+    if (!below.empty() && detail.collarRings > 0) {
+        m_collars.emplace(tree, below);
+        m_parents = &below.back()->plan;
     }
     if (!branchesPart(tree, generation, detail, above)) return;
     m_branches.emplace(tree, static_cast<std::size_t>(generation), params, detail, *above, m_surface);
@@ -80,7 +81,8 @@ std::uint32_t CSimplifier::planPath(std::uint32_t s, std::uint32_t p, MeshPlan& 
     const std::uint32_t index = m_generation.stems[s].firstPath + p;
     const CPath& path = m_generation.paths[index];
     const bool mayHaveCollar = m_collars && path.source < 0 && m_starts[p].common.points == 0;
-    if ((mayHaveCollar && planTube(s, index, true, plan)) || planTube(s, index, false, plan)) return p + 1;
+    if (mayHaveCollar && (planWithCollar(s, index, plan) || isHidden(m_generation.stems[s], path))) return p + 1;
+    if (planTube(s, index, {}, plan)) return p + 1;
     ForkStart& start = m_starts[p];
     const bool starts = start.common.points > 0;
     if (!starts || !m_startFolds) {
@@ -98,8 +100,30 @@ std::uint32_t CSimplifier::planPath(std::uint32_t s, std::uint32_t p, MeshPlan& 
     return static_cast<std::uint32_t>(path.source);
 }
 
+/// Whether the wood of its parent hides a stem: then it is not drawn.
+bool CSimplifier::isHidden(const CStem& stem, const CPath& path) {
+    return stem.pathCount == 1 && m_collars->hides(stem, m_generation.segmentsOf(path));
+}
+
+/// With the usual collar, or in turn with what may fit where that folds or the branch does not seem to leave the wood; one that has too
+/// little room crosses others.
+bool CSimplifier::planWithCollar(std::uint32_t s, std::uint32_t p, MeshPlan& plan) {
+    const double room = double(m_room[s]);
+    return planWithCollar(s, p, room, plan) || (room < 1 && planWithCollar(s, p, 1, plan));
+}
+
+bool CSimplifier::planWithCollar(std::uint32_t s, std::uint32_t p, double room, MeshPlan& plan) {
+    for (const ExitSearch& search : {ExitSearch{}, {.ahead = true}, {.ahead = true, .aside = true}})
+        for (CollarShape shape : kCollarShapes) {
+            shape.width *= room;
+            if (planTube(s, p, CollarTry{shape, search}, plan)) return true;
+            if (!m_collars->leavesWood()) break;
+        }
+    return false;
+}
+
 /// False, and the plan as it was, when the tube cannot be drawn so.
-bool CSimplifier::planTube(std::uint32_t s, std::uint32_t p, bool withCollar, MeshPlan& plan) {
+bool CSimplifier::planTube(std::uint32_t s, std::uint32_t p, const std::optional<CollarTry>& collar, MeshPlan& plan) {
     const CStem& stem = m_generation.stems[s];
     const CPath& path = m_generation.paths[p];
     const Mark before(plan);
@@ -128,8 +152,8 @@ bool CSimplifier::planTube(std::uint32_t s, std::uint32_t p, bool withCollar, Me
     m_startFolds = false;
     for (std::uint32_t q = 1; q < stem.pathCount; ++q)
         if (m_generation.paths[stem.firstPath + q].source == static_cast<std::int32_t>(p - stem.firstPath)) m_starts[q] = {};
-    const double start = withCollar ? addCollar(stem, tube, plan) : 0;
-    if ((start > 0 || !withCollar) && addRings(stem, path, start, tube, plan) && !collarFolds(tube, plan) &&
+    const double start = collar ? addCollar(stem, *collar, tube, plan) : 0;
+    if ((start > 0 || !collar) && addRings(stem, path, start, tube, plan) && !collarFolds(tube, plan) &&
         !forksFold(tube, plan) && unfold(stem, tube, plan)) {
         plan.tubes.push_back(tube);
         return true;
@@ -147,14 +171,13 @@ std::uint32_t CSimplifier::surfaceOf(const Tube& tube, std::span<const Tube> own
 }
 
 /// How far from the stem's base its own rings start, metres; 0 without a collar.
-double CSimplifier::addCollar(const CStem& stem, Tube& tube, MeshPlan& plan) {
+double CSimplifier::addCollar(const CStem& stem, const CollarTry& own, Tube& tube, MeshPlan& plan) {
     const CSegment& first = m_generation.segments[stem.firstSegment];
-    const double radius = std::max(m_surface.woodRadius(stem, first, 0), m_surface.drawnFloor(stem, first));
-    const Collar* collar = m_collars->make(
-        stem,
-        std::span(m_generation.segments).subspan(stem.firstSegment, m_generation.paths[tube.path].segmentCount),
-        radius, tube.points);
+    const double radius = m_surface.drawnAtBase(stem, first);
+    const auto segments = std::span(m_generation.segments).subspan(stem.firstSegment, m_generation.paths[tube.path].segmentCount);
+    const Collar* collar = m_collars->make(stem, {segments, radius, tube.points}, own.shape, own.search);
     if (!collar || collar->minGap() < CStemSurface::minDrawn(stem, first)) return 0;
+    tube.standsOn = collar->standsOn;
     tube.collarRings = static_cast<std::uint32_t>(tube.points > 3 ? m_detail.collarRings : 1);
     plan.collarPoints.insert(plan.collarPoints.end(), collar->points.begin(), collar->points.end());
     return collar->clear;
@@ -359,7 +382,7 @@ bool CSimplifier::collarFolds(const Tube& tube, const MeshPlan& plan) {
     Tube trial = tube;
     trial.pointed = tube.pointed && tube.ringCount == 2;
     trial.ringCount = 2;
-    return !m_trial.write(plan, trial);
+    return !m_trial.write(plan, trial) || !m_trial.enclosesWood();
 }
 
 /// Whether a tube with forks folds: it is to be planned without those where it does.

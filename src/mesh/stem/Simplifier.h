@@ -13,8 +13,8 @@ namespace stromar {
 /// for many stems.
 class CSimplifier {
 public:
-    /// With the parents' mesh, branches get collars on it. With the branches that will grow on these stems, they may part at forks.
-    CSimplifier(const CTree& tree, int generation, const MeshParams& params, const Detail& detail, const StemMesh* parents,
+    /// With the meshes below, branches get collars on them, as wide as there is `room` (see collarRoom()). With the branches that will grow on these stems, they may part at forks.
+    CSimplifier(const CTree& tree, int generation, const MeshParams& params, const Detail& detail, StemsBelow below, std::span<const float> room,
                 const Thickening& thickening, const BranchesAbove* above);
 
     /// Appends a stem's tubes; those that a fork joins follow each other.
@@ -37,12 +37,21 @@ private:
         double radius;
     };
 
+    /// With which a branch is drawn.
+    struct CollarTry {
+        CollarShape shape;
+        ExitSearch search;
+    };
+
     void planPaths(std::uint32_t s, MeshPlan& plan);
     std::uint32_t planPath(std::uint32_t s, std::uint32_t p, MeshPlan& plan);
-    bool planTube(std::uint32_t s, std::uint32_t p, bool withCollar, MeshPlan& plan);
+    bool isHidden(const CStem& stem, const CPath& path);
+    bool planWithCollar(std::uint32_t s, std::uint32_t p, MeshPlan& plan);
+    bool planWithCollar(std::uint32_t s, std::uint32_t p, double room, MeshPlan& plan);
+    bool planTube(std::uint32_t s, std::uint32_t p, const std::optional<CollarTry>& collar, MeshPlan& plan);
     std::uint32_t surfaceOf(const Tube& tube, std::span<const Tube> own) const;
 
-    double addCollar(const CStem& stem, Tube& tube, MeshPlan& plan);
+    double addCollar(const CStem& stem, const CollarTry& own, Tube& tube, MeshPlan& plan);
     bool addRings(const CStem& stem, const CPath& path, double start, Tube& tube, MeshPlan& plan);
     std::uint32_t addFirstRings(const CStem& stem, const CPath& path, double start, Tube& tube, MeshPlan& plan);
     bool addFork(const CStem& stem, Tube& tube, std::uint32_t segment, MeshPlan& plan);
@@ -94,6 +103,7 @@ private:
     CTubeTrial m_trial;
     bool m_smooth;
     double m_maxSag; ///< metres
+    std::span<const float> m_room; ///< for collars, by stem
     std::optional<CCollarMaker> m_collars;
     std::optional<CBranchForks> m_branches; ///< where they part at forks
     const MeshPlan* m_parents = nullptr;    ///< whose forks the stems may start at

@@ -31,7 +31,7 @@ PerStem<double> costs(const CTree& tree, const MeshParams& params, const Detail&
     for (std::size_t g = 0; g < all.size(); ++g) {
         std::vector<bool> drawn(all[g].size());
         for (std::size_t s = 0; s < drawn.size(); ++s) drawn[s] = !asCards.has(g, s);
-        for (const Tube& tube : planStems(tree, static_cast<int>(g), params, detail, nullptr, drawn, {}, nullptr, progress).tubes)
+        for (const Tube& tube : planStems(tree, static_cast<int>(g), params, detail, {}, drawn, {}, nullptr, progress).tubes)
             all[g][tube.stem] += double(tube.indices);
     }
     return all;
@@ -57,7 +57,7 @@ FullCost fullCost(const CTree& tree, const MeshParams& params, const Detail& ful
         std::vector<bool> drawn(stems);
         for (std::size_t s = 0; s < stems; s += step) drawn[s] = true;
         const BranchesAbove above{std::vector<bool>(g + 1 < tree.generationCount() ? tree.generation(g + 1).stems.size() : 0, true), {}};
-        const MeshPlan plan = planStems(tree, static_cast<int>(g), params, full, nullptr, drawn, {}, &above, progress);
+        const MeshPlan plan = planStems(tree, static_cast<int>(g), params, full, {}, drawn, {}, &above, progress);
         sum.stems += double(step) * double(plan.indexCount);
         if (g > 0) sum.collars += double(step) * cornersOfCollars(plan, full);
     }

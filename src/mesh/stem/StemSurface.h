@@ -43,6 +43,9 @@ public:
         return std::numbers::pi / 180 * std::min(kCoarsestTurn * ofTrunk, ofTrunk / std::max(1e-6, thickness(stem.radius)));
     }
 
+    /// With which a stem is drawn at its base.
+    double drawnAtBase(const CStem& stem, const CSegment& first) const { return std::max(woodRadius(stem, first, 0), drawnFloor(stem, first)); }
+
     /// As in VertexLook.
     std::uint8_t thinness(double radius) const { return thinnessOf(radius, m_trunkRadius); }
 

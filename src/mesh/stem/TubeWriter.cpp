@@ -1,5 +1,8 @@
 #include "stem/TubeWriter.h"
 #include "stem/FrontNormals.h"
+#include <algorithm>
+#include <array>
+#include <glm/geometric.hpp>
 
 namespace stromar {
 
@@ -74,6 +77,17 @@ private:
     std::uint32_t m_next, m_points;
 };
 
+/// The quads of a collar are split along their shorter diagonals: a branch at an acute angle leaves the wood on one side long before
+/// the other, and along the longer one its walls would fold.
+void splitCollarQuads(const Tube& tube, CMesh& mesh) {
+    std::uint32_t* out = mesh.indices.data() + tube.firstIndex;
+    const auto length = [&](std::uint32_t a, std::uint32_t b) { return glm::distance(mesh.positions[a], mesh.positions[b]); };
+    for (std::uint32_t r = 0; r < tube.collarRings; ++r)
+        for (std::uint32_t i = 0; i < tube.points; ++i, out += 6) {
+            const std::uint32_t a = tube.firstVertex + r * (tube.points + 1) + i, b = a + tube.points + 1;
+            if (length(a + 1, b) < length(a, b + 1)) std::ranges::copy(std::array{a, a + 1, b, a + 1, b + 1, b}, out);
+        }
+}
 } // namespace
 
 bool writeTube(const MeshPlan& plan, const Tube& tube, CPointGenerator& points, CMesh& mesh) {
@@ -111,6 +125,7 @@ bool writeTube(const MeshPlan& plan, const Tube& tube, CPointGenerator& points, 
         points.addLid(true, sink);
         triangles.addLid(true, plan.baseLidPoints(tube), tube.middleOfLid(true));
     }
+    splitCollarQuads(tube, mesh);
     return turnNormalsToFront(mesh, plan, tube);
 }
 

@@ -24,7 +24,7 @@ public:
         const SwayPlace base{static_cast<float>(m_table.nodeOf(m_generation, m_all.paths[tube.path].firstSegment)), 0};
         m_next = tube.firstVertex;
         if (tube.collarRings > 0) {
-            for (std::uint32_t i = 0; i <= tube.points; ++i) add(onParent(tube, m_mesh.positions[m_next]));
+            for (std::uint32_t i = 0; i <= tube.points; ++i) add(onWood(tube, m_mesh.positions[m_next]));
             add(base, std::size_t{tube.collarRings - 1} * (tube.points + 1));
         }
         const std::uint32_t full = tube.ringCount - (tube.pointed ? 1 : 0);
@@ -88,10 +88,11 @@ private:
         return {static_cast<float>(m_table.nodeOf(m_generation - 1, segment)), static_cast<float>(t)};
     }
 
-    /// Beside the branch's base, up or down the parent's path.
-    SwayPlace onParent(const Tube& tube, const glm::vec3& point) const {
-        const CStem& stem = m_all.stems[tube.stem];
-        const CGeneration& before = m_tree.generation(m_generation - 1);
+    /// On the wood of the collar, beside the branch's base, up or down the path there.
+    SwayPlace onWood(const Tube& tube, const glm::vec3& point) const {
+        const std::size_t below = m_generation - tube.standsOn;
+        const CStem& stem = m_tree.ancestor(m_generation, m_all.stems[tube.stem], tube.standsOn - 1);
+        const CGeneration& before = m_tree.generation(below);
         const CStem& parent = before.stems[static_cast<std::size_t>(stem.parent)];
         const CPath& path = before.paths[parent.firstPath + stem.path];
         std::uint32_t at = stem.position - path.firstPosition;
@@ -104,7 +105,7 @@ private:
         double t = along();
         for (; t > 1 && at + 1 < path.segmentCount; t = along()) ++at;
         for (; t < 0 && at > 0; t = along()) --at;
-        return {static_cast<float>(m_table.nodeOf(m_generation - 1, path.firstSegment + at)),
+        return {static_cast<float>(m_table.nodeOf(below, path.firstSegment + at)),
                 static_cast<float>(glm::clamp(t, 0.0, 1.0))};
     }
 

@@ -32,8 +32,8 @@ std::span<const MeshCheck> meshChecks();
 
 constexpr double kMaxFloating = 0.001, kMaxBuried = 0.01; ///< radii of the branch: rounding
 
-/// Checks the closed surfaces of a generation's stems; their collars against the parents' triangles, if given.
-MeshFaults checkStems(const CTree& tree, int generation, const StemMesh& stems, const StemMesh* parents);
+/// Checks the closed surfaces of a generation's stems; their collars against the triangles of the generations before, if given.
+MeshFaults checkStems(const CTree& tree, int generation, const StemMesh& stems, std::span<const StemMesh> all);
 /// Checks joined wood as one mesh: equal positions count as one vertex on a stem, and where a branch stands in it. Surfaces are
 /// counted as they hang together. `stems` are those that were joined.
 MeshFaults checkJoined(const JoinedStems& joined, std::span<const StemMesh> stems);
