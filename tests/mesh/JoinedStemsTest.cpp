@@ -155,6 +155,30 @@ TEST(JoinedStems, ABranchAtAForkMayStandOnTheLimbBesideItsOwn) {
     EXPECT_EQ(checkJoined(olive.joined, olive.stems).surfaces, 1 + olive.joined.apart + withoutCollar + clones);
 }
 
+/// Also of branches that start where their parent is still inside the wood.
+TEST(JoinedStems, TheFootOfABranchMovesWithTheWoodItStandsOn) {
+    const Grown oak(preset("winter_oak"));
+    const CWindTable table(oak.tree, *oak.tree, 1, 1);
+    std::size_t onGrandparents = 0;
+    for (std::size_t g = 1; g < oak.stems.size(); ++g) {
+        const StemMesh& own = oak.stems[g];
+        const SwayPlaces places = swayOfStems(table, g, own.plan, *own.mesh, CProgress(2));
+        for (const Tube& tube : own.plan.tubes) {
+            if (tube.collarRings == 0) continue;
+            onGrandparents += tube.standsOn > 1;
+            const CStem& sitting = oak.tree->ancestor(g, oak.tree->generation(g).stems[tube.stem], tube.standsOn - 1);
+            const CGeneration& wood = oak.tree->generation(g - tube.standsOn);
+            const CPath& path = wood.paths[wood.stems[static_cast<std::size_t>(sitting.parent)].firstPath + sitting.path];
+            const std::size_t first = table.nodeOf(g - tube.standsOn, path.firstSegment);
+            for (std::uint32_t i = 0; i <= tube.points; ++i) {
+                const std::size_t node = places[tube.firstVertex + i].index();
+                ASSERT_TRUE(node >= first && node < first + path.segmentCount) << tube.standsOn;
+            }
+        }
+    }
+    EXPECT_GE(onGrandparents, 300u);
+}
+
 /// Three limbs of equal thickness leave each node of figure 2.8, one as the stem runs on.
 TEST(JoinedStems, BranchesThatPartAtANodeAreOneSurface) {
     for (const int lod : {0, 1, 2}) {

@@ -10,7 +10,7 @@ namespace stromar {
 using SwayPlaces = RawVector<SwayPlace>;
 
 /// Of a generation's wood; `plan` is the one that `mesh` was made by, with its rings and tubes. The edge of a collar
-/// goes with the parent's wood, what is above with the branch. Linear in the vertices.
+/// goes with the wood it stands on, what is above with the branch. Linear in the vertices.
 SwayPlaces swayOfStems(const CWindTable& table, std::size_t generation, const MeshPlan& plan, const CMesh& mesh,
                        const CProgress& progress);
 /// One for each instance, on the stem that bears it.
