@@ -2,6 +2,7 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
+#include <glm/common.hpp>
 #include <glm/geometric.hpp>
 #include <limits>
 #include <numbers>
@@ -47,24 +48,30 @@ const Collar* CCollarMaker::make(const CStem& stem, const BranchBase& base, cons
 }
 
 bool CCollarMaker::hides(const CStem& stem, std::span<const CSegment> branch) {
+    m_base.path = branch;
     const CStem* first = &stem; // that sits on the wood
     for (std::size_t g = m_below.size(); g-- > 0;) {
         standOn(g);
+        if (surrounds(*first, m_tree.generation(g + 1).segments[first->firstSegment].position)) return true;
         const CStem& parent = m_parents->stems[static_cast<std::size_t>(first->parent)];
-        const glm::dvec3 sitting = m_tree.generation(g + 1).segments[first->firstSegment].position;
-        m_reach = m_reachAhead = branch.back().end() + 2 * first->parentRadius + glm::distance(branch[0].position, sitting);
-        if (collectTriangles(parent.firstPath + first->path, first->offset) && surround(branch)) return true;
         if (first->path > 0 || !isBelowItsWalls(parent, first->offset)) break;
         first = &parent;
     }
     return false;
 }
 
-bool CCollarMaker::surround(std::span<const CSegment> branch) const {
-    const double seen = kHidden * branch.back().end();
-    return std::ranges::all_of(branch, [&](const CSegment& segment) {
-        if (segment.start >= seen) return true;
-        const double end = std::min(1.0, (seen - segment.start) / segment.length);
+/// Whether the wood does on which a stem sits at a place. A hidden branch runs along it, so each of its segments lies inside the walls
+/// as far up or down the wood.
+bool CCollarMaker::surrounds(const CStem& sitting, const glm::dvec3& place) {
+    const CStem& parent = m_parents->stems[static_cast<std::size_t>(sitting.parent)];
+    const glm::dvec3 woodAxis = m_parents->segmentAt(parent, sitting.path, sitting.position).frame[2];
+    const double hidden = kHidden * m_base.path.back().end(), way = std::copysign(1.0, glm::dot(woodAxis, m_base.path[0].tangent(0)));
+    const double aside = 2 * sitting.parentRadius + glm::distance(m_base.path[0].position, place);
+    return std::ranges::all_of(m_base.path, [&](const CSegment& segment) {
+        if (segment.start >= hidden) return true;
+        m_reach = m_reachAhead = segment.length + aside;
+        if (!collectTriangles(parent.firstPath + sitting.path, sitting.offset + way * segment.start)) return false;
+        const double end = std::min(1.0, (hidden - segment.start) / segment.length);
         return isInside(segment.centre(end / 2), segment.frame) && isInside(segment.centre(end), segment.frame);
     });
 }
@@ -202,6 +209,8 @@ void CCollarMaker::setReach(const CStem& stem, const glm::dvec3& woodAxis) {
 /// The walls of a path's tube that a branch at a place along the parent can meet.
 bool CCollarMaker::collectTriangles(std::uint32_t path, double offset) {
     m_triangles.clear();
+    m_low = glm::dvec3(std::numeric_limits<double>::infinity());
+    m_high = -m_low;
     const std::int32_t tubeIndex = m_wood->plan.tubeOfPath[path];
     if (tubeIndex < 0) return false;
     const Tube& tube = m_wood->plan.tubes[static_cast<std::size_t>(tubeIndex)];
@@ -213,11 +222,12 @@ bool CCollarMaker::collectTriangles(std::uint32_t path, double offset) {
     const auto [begin, end] = m_walls->between(offset - m_reach, offset + m_reachAhead);
     for (std::size_t i = begin; i < end; i += 3) {
         const std::uint32_t* v = &mesh.indices[i];
-        const glm::dvec3 corner(mesh.positions[v[0]]);
-        m_triangles.push_back({corner,
-                               glm::dvec3(mesh.positions[v[1]]) - corner,
-                               glm::dvec3(mesh.positions[v[2]]) - corner,
-                               i});
+        const std::array corners{glm::dvec3(mesh.positions[v[0]]), glm::dvec3(mesh.positions[v[1]]), glm::dvec3(mesh.positions[v[2]])};
+        m_triangles.push_back({corners[0], corners[1] - corners[0], corners[2] - corners[0], i});
+        for (const glm::dvec3& corner : corners) {
+            m_low = glm::min(m_low, corner);
+            m_high = glm::max(m_high, corner);
+        }
     }
     return !m_triangles.empty();
 }
@@ -225,6 +235,7 @@ bool CCollarMaker::collectTriangles(std::uint32_t path, double offset) {
 /// Where a line leaves the wood for the last time (Möller & Trumbore 1997).
 std::optional<CCollarMaker::Hit> CCollarMaker::lastExit(const glm::dvec3& origin, const glm::dvec3& direction) const {
     constexpr double kEdge = 1e-9; // neighbours share their edge, so nothing slips through between them
+    if (glm::distance(origin, glm::clamp(origin, m_low, m_high)) > m_reach + m_reachAhead) return {};
     const Triangle* last = nullptr;
     double distance = 0, lastU = 0, lastV = 0;
     for (const Triangle& triangle : m_triangles) {

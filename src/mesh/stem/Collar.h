@@ -29,7 +29,7 @@ struct ExitSearch {
     bool aside = false; ///< starts in the middle of what is drawn of the parent: a thin one is a prism beside its axis
 };
 
-/// Of a branch.
+/// The base of a branch, as its rings are drawn.
 struct BranchBase {
     std::span<const CSegment> path; ///< its first
     double radius;                  ///< metres
@@ -74,7 +74,7 @@ private:
     };
 
     void standOn(std::size_t generation);
-    bool surround(std::span<const CSegment> branch) const;
+    bool surrounds(const CStem& sitting, const glm::dvec3& place);
     bool isInside(const glm::dvec3& place, const Frame& across) const;
     bool isBelowItsWalls(const CStem& parent, double offset) const;
     const Collar* makeOnAnyPath(const CStem& stem);
@@ -101,6 +101,7 @@ private:
     std::optional<CTubeWalls> m_walls; ///< of its tube that was looked at last
     const Tube* m_wallsOf = nullptr;
     std::vector<Triangle> m_triangles;
+    glm::dvec3 m_low{0}, m_high{0}; ///< of their box
     double m_reach = 0; ///< metres along the parent and the branch within which they can meet
     double m_reachAhead = 0; ///< likewise, but towards their tips
     bool m_leavesWood = false;

@@ -117,6 +117,7 @@ bool CSimplifier::planWithCollar(std::uint32_t s, std::uint32_t p, double room, 
         for (CollarShape shape : kCollarShapes) {
             shape.width *= room;
             if (planTube(s, p, CollarTry{shape, search}, plan)) return true;
+            if (!m_folded.empty()) return false; // it is a fork that folds
             if (!m_collars->leavesWood()) break;
         }
     return false;

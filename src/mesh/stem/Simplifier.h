@@ -13,7 +13,8 @@ namespace stromar {
 /// for many stems.
 class CSimplifier {
 public:
-    /// With the meshes below, branches get collars on them, as wide as there is `room` (see collarRoom()). With the branches that will grow on these stems, they may part at forks.
+    /// With the meshes below, branches get collars on them, as wide as there is `room` (see collarRoom()). With the branches that will
+    /// grow on these stems, they may part at forks.
     CSimplifier(const CTree& tree, int generation, const MeshParams& params, const Detail& detail, StemsBelow below, std::span<const float> room,
                 const Thickening& thickening, const BranchesAbove* above);
 
@@ -37,7 +38,7 @@ private:
         double radius;
     };
 
-    /// With which a branch is drawn.
+    /// A collar that is tried, and how its place is found.
     struct CollarTry {
         CollarShape shape;
         ExitSearch search;
