@@ -238,7 +238,7 @@ TEST(Collar, IsNotMadeForABranchThatStaysInside) {
 }
 
 /// Two branches of a trunk.
-std::vector<float> roomOf(double apart, double turn, double radius, bool coarse = false) {
+std::vector<float> roomOf(double apart, double turn, double radius, const CollarLimit& limit = {}) {
     Branch one(kRight, 1.5, radius);
     const Branch other(kRight, 1.5 + apart, radius);
     one.branches->stems.push_back(other.branches->stems[0]);
@@ -247,7 +247,7 @@ std::vector<float> roomOf(double apart, double turn, double radius, bool coarse 
         segment.frame = rotatedX(rotatedZ(one.trunk->segments[0].frame, turn), kRight);
         one.branches->segments.push_back(segment);
     }
-    return collarRoom(*one.branches, *one.trunk, std::array{BranchFoot{radius, coarse}, BranchFoot{radius, coarse}});
+    return collarRoom(*one.branches, *one.trunk, std::array{BranchFoot{radius, limit}, BranchFoot{radius, limit}});
 }
 
 TEST(CollarRoom, IsSharedByBranchesThatSitCloseTogether) {
@@ -258,9 +258,9 @@ TEST(CollarRoom, IsSharedByBranchesThatSitCloseTogether) {
     EXPECT_LT(2 * CCollarMaker::kAlong * 0.05 * double(near[0]), 0.13) << "one above the other";
     EXPECT_GT(2 * CCollarMaker::kAlong * 0.05 * double(near[0]), 0.11);
     EXPECT_EQ(roomOf(0.02, 0, 0.05), roomOf(0.01, 0, 0.05)) << "no stalks";
-    EXPECT_LT(roomOf(0.02, 0, 0.05, true)[0], roomOf(0.02, 0, 0.05)[0]) << "which nobody sees of thin ones";
+    EXPECT_EQ(roomOf(0.02, 0, 0.05, {.narrowest = 0.35})[0], 0.35f) << "which nobody sees of thin ones";
     EXPECT_EQ(roomOf(1, 0, 0.2)[0], 1) << "of one as thick as its parent";
-    EXPECT_NEAR(double(roomOf(1, 0, 0.2, true)[0]) * CCollarMaker::kAcross * 0.2, 0.65 * 0.2, 1e-6) << "a thin one";
+    EXPECT_NEAR(double(roomOf(1, 0, 0.2, {.around = 0.65})[0]) * CCollarMaker::kAcross * 0.2, 0.65 * 0.2, 1e-6) << "a thin one";
 }
 
 } // namespace

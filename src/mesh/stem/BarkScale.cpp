@@ -5,6 +5,14 @@
 
 namespace stromar {
 
+namespace {
+
+/// Of a segment whose radius changes other than evenly: parts looked at, how often each is halved, and what then passes for even.
+constexpr int kParts = 4, kMostHalvings = 4;
+constexpr double kEven = 0.01;
+
+} // namespace
+
 void CBarkScale::start(const CGeneration& generation, const CStem& stem, const CPath& path, const BarkJoint* joint) {
     m_offset = glm::dvec2(0);
     m_bark = m_surface.barkOf(stem);
@@ -40,15 +48,31 @@ glm::dvec2 CBarkScale::onLimb(double turns, double along) const {
 
 void CBarkScale::add(const CStem& stem, std::span<const CSegment> segments, double until) {
     const double base = m_surface.growthOf(stem) * std::max(m_surface.minRadius(), stem.radius);
-    const auto scaleAt = [&](const CSegment& segment, double t) {
-        return base > 0 ? m_surface.woodRadius(stem, segment, t) / base : 1;
-    };
+    const bool uneven = base > 0 && m_surface.uneven(stem);
     for (const CSegment& segment : segments) {
         if (segment.start >= until) return;
-        const Piece* below = m_pieces.empty() ? nullptr : &m_pieces.back();
-        const double repeats = below ? below->repeats + m_bark.perMetre * within(*below, 1) : 0;
-        m_pieces.push_back({segment.start, segment.length, repeats, scaleAt(segment, 0), scaleAt(segment, 1)});
+        const auto scaleAt = [&](double t) { return base > 0 ? m_surface.woodRadius(stem, segment, t) / base : 1; };
+        const int parts = uneven ? kParts : 1;
+        for (int i = 0; i < parts; ++i) {
+            const double from = static_cast<double>(i) / parts, to = static_cast<double>(i + 1) / parts;
+            addEven({from, to, scaleAt(from), scaleAt(to)}, segment, scaleAt, uneven ? kMostHalvings : 0);
+        }
     }
+}
+
+template <class Scale>
+void CBarkScale::addEven(const Part& part, const CSegment& segment, const Scale& scaleAt, int halvings) {
+    if (halvings > 0) {
+        const double middle = (part.from + part.to) / 2, scale = scaleAt(middle);
+        if (std::abs(scale - (part.low + part.high) / 2) > kEven * std::max(scale, m_finest)) {
+            addEven({part.from, middle, part.low, scale}, segment, scaleAt, halvings - 1);
+            addEven({middle, part.to, scale, part.high}, segment, scaleAt, halvings - 1);
+            return;
+        }
+    }
+    const Piece* below = m_pieces.empty() ? nullptr : &m_pieces.back();
+    const double repeats = below ? below->repeats + m_bark.perMetre * within(*below, 1) : 0;
+    m_pieces.push_back({segment.start + part.from * segment.length, (part.to - part.from) * segment.length, repeats, part.low, part.high});
 }
 
 double CBarkScale::ownAt(double along) const {

@@ -41,6 +41,12 @@ private:
     double ownAt(double along) const;
     double alongLimb(double along) const;
     void add(const CStem& stem, std::span<const CSegment> segments, double until);
+    struct Part {
+        double from, to;  ///< of a segment
+        double low, high; ///< radii in those of the base
+    };
+    /// In pieces along which the radius runs evenly.
+    template <class Scale> void addEven(const Part& part, const CSegment& segment, const Scale& scaleAt, int halvings);
 
     const CStemSurface& m_surface;
     CStemSurface::Bark m_bark{1, 1};

@@ -9,8 +9,6 @@ namespace stromar {
 
 namespace {
 constexpr double kOfRoom = 0.9;        // of the room between two collars that both may take
-constexpr double kAround = 0.65;      // of the parent's radius that a collar may reach to each side
-constexpr double kNarrowest = 0.6, kNarrowestCoarse = 0.35; // share below which a branch would stand on a stalk
 constexpr double kLeastSine = 0.2;    // of the angle to the parent
 constexpr std::size_t kMostNear = 64; // siblings that are looked at
 
@@ -20,7 +18,7 @@ struct Footprint {
     double along, turn;         ///< of the middle: metres along the parent, radians about it
     double halfLength, halfWidth; ///< metres
     double parentRadius;
-    bool coarse;
+    CollarLimit limit;
 };
 
 Footprint footprintOf(const CGeneration& branches, const CGeneration& parents, std::uint32_t s, const BranchFoot& foot) {
@@ -31,7 +29,7 @@ Footprint footprintOf(const CGeneration& branches, const CGeneration& parents, s
     const double cosine = glm::dot(way, wood[2]), x = glm::dot(way, wood[0]), y = glm::dot(way, wood[1]);
     const double sine = std::max(kLeastSine, std::hypot(x, y));
     return {s, stem.offset + stem.parentRadius * cosine / sine, std::atan2(y, x), CCollarMaker::kAlong * foot.radius / sine,
-            CCollarMaker::kAcross * foot.radius, stem.parentRadius, foot.coarse};
+            CCollarMaker::kAcross * foot.radius, stem.parentRadius, foot.limit};
 }
 
 /// Below 1 two of them overlap.
@@ -47,9 +45,8 @@ void shareRoom(std::vector<Footprint>& siblings, std::vector<float>& room) {
     for (const Footprint& own : siblings) longest = std::max(longest, own.halfLength);
     for (std::size_t i = 0; i < siblings.size(); ++i) {
         const Footprint& own = siblings[i];
-        const double narrowest = own.coarse ? kNarrowestCoarse : kNarrowest;
-        double share = own.coarse ? std::min(1.0, kAround * own.parentRadius / own.halfWidth) : 1;
-        const auto keepOff = [&](const Footprint& other) { share = std::min(share, std::max(narrowest, kOfRoom * apart(own, other))); };
+        double share = std::min(1.0, own.limit.around * own.parentRadius / own.halfWidth);
+        const auto keepOff = [&](const Footprint& other) { share = std::min(share, std::max(own.limit.narrowest, kOfRoom * apart(own, other))); };
         const double far = own.halfLength + longest;
         for (std::size_t j = i + 1; j < std::min(siblings.size(), i + 1 + kMostNear) && siblings[j].along - own.along < far; ++j) keepOff(siblings[j]);
         for (std::size_t j = i; j-- > 0 && i - j <= kMostNear && own.along - siblings[j].along < far;) keepOff(siblings[j]);

@@ -9,7 +9,9 @@ namespace stromar {
 
 namespace {
 constexpr std::size_t kGrain = 64;
-constexpr int kFewPoints = 4; // of a ring: nobody sees how wide its collar is
+// Of branches with so few points nobody sees how wide their collars are; their parents may be prisms of three sides.
+constexpr int kFewPoints = 4, kFewPointsFar = 6;
+constexpr CollarLimit kThin{.narrowest = 0.35, .around = 0.5}, kThinFar{.narrowest = 0.35, .around = 0.33};
 
 void append(MeshPlan& whole, const MeshPlan& part) {
     const auto rings = static_cast<std::uint32_t>(whole.rings.size());
@@ -42,11 +44,17 @@ void append(MeshPlan& whole, const MeshPlan& part) {
     }
 }
 
-std::vector<BranchFoot> feetOf(const CGeneration& generation, const CStemSurface& surface, const std::vector<bool>& drawn) {
+/// At a level of detail.
+CollarLimit limitOf(int points, int lod) {
+    if (lod == 0) return points <= kFewPoints ? kThin : CollarLimit();
+    return points <= kFewPointsFar ? kThinFar : CollarLimit();
+}
+
+std::vector<BranchFoot> feetOf(const CGeneration& generation, const CStemSurface& surface, int lod, const std::vector<bool>& drawn) {
     std::vector<BranchFoot> feet(generation.stems.size());
     for (std::size_t s = 0; s < feet.size(); ++s) {
         const CStem& stem = generation.stems[s];
-        if (drawn[s]) feet[s] = {surface.drawnAtBase(stem, generation.segments[stem.firstSegment]), surface.ringPoints(stem.radius) <= kFewPoints};
+        if (drawn[s]) feet[s] = {surface.drawnAtBase(stem, generation.segments[stem.firstSegment]), limitOf(surface.ringPoints(stem.radius), lod)};
     }
     return feet;
 }
@@ -89,7 +97,7 @@ MeshPlan planStems(const CTree& tree, int generation, const MeshParams& params, 
     std::vector<float> room;
     if (!below.empty() && detail.collarRings > 0) {
         const CStemSurface surface(tree, generation, params, detail, thickening);
-        room = collarRoom(own, tree.generation(below.size() - 1), feetOf(own, surface, drawn));
+        room = collarRoom(own, tree.generation(below.size() - 1), feetOf(own, surface, detail.lod, drawn));
     }
     std::vector<MeshPlan> parts((own.stems.size() + kGrain - 1) / kGrain);
     parallelFor(
