@@ -15,7 +15,6 @@ constexpr double kHidden = 0.8;       // of its length: inside the wood so far a
 constexpr double kOfHelixTurn = 0.15; // of a helix's turn: how far a collar may rise while the branch turns away
 constexpr int kStepsPerTurn = 12;     // along a helix, to find where it leaves the wood
 constexpr double kMostSteps = 3;      // of them, ahead of where a line that bends leaves the wood
-constexpr double kAhead = 3;          // times as far along a parent that bends after its branch
 constexpr double kSteepest = 0.2;     // sine of the angle to the parent below which branches leave too slowly
 constexpr int kEdgeHalvings = 8;          // to find the edge of the parent when a point misses it
 
@@ -64,22 +63,27 @@ bool CCollarMaker::hides(const CStem& stem, std::span<const CSegment> branch) {
 /// as far up or down the wood.
 bool CCollarMaker::surrounds(const CStem& sitting, const glm::dvec3& place) {
     const CStem& parent = m_parents->stems[static_cast<std::size_t>(sitting.parent)];
-    const glm::dvec3 woodAxis = m_parents->segmentAt(parent, sitting.path, sitting.position).frame[2];
-    const double hidden = kHidden * m_base.path.back().end(), way = std::copysign(1.0, glm::dot(woodAxis, m_base.path[0].tangent(0)));
+    const Frame& wood = m_parents->segmentAt(parent, sitting.path, sitting.position).frame;
+    const double hidden = kHidden * m_base.path.back().end(), way = std::copysign(1.0, glm::dot(wood[2], m_base.path[0].tangent(0)));
     const double aside = 2 * sitting.parentRadius + glm::distance(m_base.path[0].position, place);
     return std::ranges::all_of(m_base.path, [&](const CSegment& segment) {
         if (segment.start >= hidden) return true;
         m_reach = m_reachAhead = segment.length + aside;
-        if (!collectTriangles(parent.firstPath + sitting.path, sitting.offset + way * segment.start)) return false;
+        collectAllTriangles(sitting, sitting.offset + way * segment.start);
         const double end = std::min(1.0, (hidden - segment.start) / segment.length);
-        return isInside(segment.centre(end / 2), segment.frame) && isInside(segment.centre(end), segment.frame);
+        return isInside(segment.centre(end / 2), wood) && isInside(segment.centre(end), wood);
     });
 }
 
-/// Whether the wood surrounds a place to all sides across a stem.
-bool CCollarMaker::isInside(const glm::dvec3& place, const Frame& across) const {
-    const std::array ways{across[0], -across[0], across[1], -across[1]};
-    return std::ranges::all_of(ways, [&](const glm::dvec3& way) { return lastExit(place, way).has_value(); });
+/// Whether the walls lie around a place to all sides across the wood.
+bool CCollarMaker::isInside(const glm::dvec3& place, const Frame& wood) const {
+    const std::array ways{wood[0], -wood[0], wood[1], -wood[1]};
+    return std::ranges::all_of(ways, [&](const glm::dvec3& way) {
+        int walls = 0; // left more often than entered
+        for (const Triangle& triangle : m_triangles)
+            if (const auto crossing = crossingOf(triangle, place, way)) walls += crossing->leaves ? 1 : -1;
+        return walls > 0;
+    });
 }
 
 void CCollarMaker::standOn(std::size_t generation) {
@@ -110,6 +114,14 @@ const Collar* CCollarMaker::makeOnAnyPath(const CStem& stem) {
     return nullptr;
 }
 
+/// Likewise: the walls of all paths that a branch may be inside of.
+void CCollarMaker::collectAllTriangles(const CStem& sitting, double offset) {
+    const CStem& parent = m_parents->stems[static_cast<std::size_t>(sitting.parent)];
+    clearTriangles();
+    for (std::uint32_t path = 0; path < parent.pathCount; ++path)
+        if (path == sitting.path || partAt(sitting, parent, path)) addTriangles(parent.firstPath + path, offset);
+}
+
 /// Whether another path parts from a branch's own at a fork and still runs beside it where the branch sits.
 bool CCollarMaker::partAt(const CStem& branch, const CStem& parent, std::uint32_t other) const {
     const CPath &own = m_parents->paths[parent.firstPath + branch.path], &beside = m_parents->paths[parent.firstPath + other];
@@ -135,13 +147,16 @@ const Collar* CCollarMaker::makeOn(std::uint32_t path, const CStem& stem) {
     const CStem& parent = m_parents->stems[static_cast<std::size_t>(stem.parent)];
     const glm::dvec3 woodAxis = m_parents->segmentAt(parent, stem.path, stem.position).frame[2];
     setReach(stem, woodAxis);
-    if (!collectTriangles(parent.firstPath + path, stem.offset)) return nullptr;
-    const auto exit = findExit(aside(stem));
+    clearTriangles();
+    addTriangles(parent.firstPath + path, stem.offset);
+    if (m_triangles.empty()) return nullptr;
+    const glm::dvec3 aside = asideOf(stem);
+    const auto exit = findExit(aside);
     if (!exit) return nullptr;
     m_leavesWood = true;
     const std::optional<double> highest = pressOn(*exit, woodAxis);
     if (!highest) return nullptr;
-    const double rise = *highest + m_shape.above * m_base.radius;
+    const double rise = *highest + m_shape.above * m_base.radius + glm::length(aside); // its own rings lie beside the collar
     if (exit->helixArc > 0 && rise > kOfHelixTurn * exit->helixArc) return nullptr;
     m_collar.clear = exit->along + rise * exit->rise;
     return m_collar.clear < kFurthest * m_base.path.back().end() ? &m_collar : nullptr;
@@ -193,7 +208,7 @@ std::optional<CCollarMaker::Exit> CCollarMaker::findExit(const glm::dvec3& aside
 
 /// From the axis of the branch's parent, where it starts, to the middle of what is drawn there, if that is looked for; 0 when it is further
 /// than the wood is thick.
-glm::dvec3 CCollarMaker::aside(const CStem& stem) const {
+glm::dvec3 CCollarMaker::asideOf(const CStem& stem) const {
     if (!m_search.aside || m_collar.standsOn > 1) return glm::dvec3(0);
     const glm::dvec3 way = m_walls->middleAt(*m_wood->mesh, stem.offset) - m_base.path[0].position;
     return glm::length(way) < stem.parentRadius + m_base.radius ? way : glm::dvec3(0);
@@ -203,16 +218,19 @@ void CCollarMaker::setReach(const CStem& stem, const glm::dvec3& woodAxis) {
     const double sine = std::max(kSteepest, glm::length(glm::cross(woodAxis, m_base.path[0].tangent(0))));
     const CSegment& sitting = m_tree.generation(m_below.size() + 1 - m_collar.standsOn).segments[stem.firstSegment];
     m_reach = (1.2 * stem.parentRadius + 2 * kAlong * m_base.radius) / sine + glm::distance(m_base.path[0].position, sitting.position);
-    m_reachAhead = (m_search.ahead ? kAhead : 1) * m_reach;
+    m_reachAhead = m_search.ahead * m_reach;
 }
 
-/// The walls of a path's tube that a branch at a place along the parent can meet.
-bool CCollarMaker::collectTriangles(std::uint32_t path, double offset) {
+void CCollarMaker::clearTriangles() {
     m_triangles.clear();
     m_low = glm::dvec3(std::numeric_limits<double>::infinity());
     m_high = -m_low;
+}
+
+/// The walls of a path's tube that a branch at a place along the parent can meet; none of one that is not drawn.
+void CCollarMaker::addTriangles(std::uint32_t path, double offset) {
     const std::int32_t tubeIndex = m_wood->plan.tubeOfPath[path];
-    if (tubeIndex < 0) return false;
+    if (tubeIndex < 0) return;
     const Tube& tube = m_wood->plan.tubes[static_cast<std::size_t>(tubeIndex)];
     if (m_wallsOf != &tube) { // siblings follow each other
         m_walls.emplace(*m_parents, m_wood->plan, tube);
@@ -229,34 +247,38 @@ bool CCollarMaker::collectTriangles(std::uint32_t path, double offset) {
             m_high = glm::max(m_high, corner);
         }
     }
-    return !m_triangles.empty();
 }
 
-/// Where a line leaves the wood for the last time (Möller & Trumbore 1997).
-std::optional<CCollarMaker::Hit> CCollarMaker::lastExit(const glm::dvec3& origin, const glm::dvec3& direction) const {
+/// Möller & Trumbore 1997.
+std::optional<CCollarMaker::Crossing> CCollarMaker::crossingOf(const Triangle& triangle, const glm::dvec3& origin, const glm::dvec3& direction) {
     constexpr double kEdge = 1e-9; // neighbours share their edge, so nothing slips through between them
+    const glm::dvec3 p = glm::cross(direction, triangle.edge2);
+    const double determinant = glm::dot(triangle.edge1, p);
+    if (determinant == 0) return {};
+    const glm::dvec3 toOrigin = origin - triangle.corner;
+    const double u = glm::dot(toOrigin, p) / determinant;
+    if (u < -kEdge || u > 1 + kEdge) return {};
+    const glm::dvec3 q = glm::cross(toOrigin, triangle.edge1);
+    const double v = glm::dot(direction, q) / determinant;
+    if (v < -kEdge || u + v > 1 + kEdge) return {};
+    const double distance = glm::dot(triangle.edge2, q) / determinant;
+    if (distance <= 0) return {};
+    return Crossing{distance, u, v, determinant < 0};
+}
+
+/// Where a line leaves the wood for the last time.
+std::optional<CCollarMaker::Hit> CCollarMaker::lastExit(const glm::dvec3& origin, const glm::dvec3& direction) const {
     if (glm::distance(origin, glm::clamp(origin, m_low, m_high)) > m_reach + m_reachAhead) return {};
-    const Triangle* last = nullptr;
-    double distance = 0, lastU = 0, lastV = 0;
+    const Triangle* left = nullptr;
+    Crossing last{};
     for (const Triangle& triangle : m_triangles) {
-        const glm::dvec3 p = glm::cross(direction, triangle.edge2);
-        const double determinant = glm::dot(triangle.edge1, p);
-        if (determinant >= 0) continue; // seen from outside: the line enters here
-        const glm::dvec3 toOrigin = origin - triangle.corner;
-        const double u = glm::dot(toOrigin, p) / determinant;
-        if (u < -kEdge || u > 1 + kEdge) continue;
-        const glm::dvec3 q = glm::cross(toOrigin, triangle.edge1);
-        const double v = glm::dot(direction, q) / determinant;
-        if (v < -kEdge || u + v > 1 + kEdge) continue;
-        const double here = glm::dot(triangle.edge2, q) / determinant;
-        if (here <= distance || here > m_reach + m_reachAhead) continue;
-        last = &triangle;
-        distance = here;
-        lastU = u;
-        lastV = v;
+        const auto crossing = crossingOf(triangle, origin, direction);
+        if (!crossing || !crossing->leaves || crossing->distance <= last.distance || crossing->distance > m_reach + m_reachAhead) continue;
+        left = &triangle;
+        last = *crossing;
     }
-    if (!last) return {};
-    return Hit{distance, surfaceAt(*last, lastU, lastV)};
+    if (!left) return {};
+    return Hit{last.distance, surfaceAt(*left, last.u, last.v)};
 }
 
 /// The same for a point beside the centre line; one that misses the parent is drawn in until it meets its edge.

@@ -25,7 +25,7 @@ struct CollarShape {
 
 /// How it is found where a branch leaves the wood.
 struct ExitSearch {
-    bool ahead = false; ///< looks further along the parent, which may bend after the branch
+    double ahead = 1;   ///< looks so many times as far along the parent, which may bend after the branch
     bool aside = false; ///< starts in the middle of what is drawn of the parent: a thin one is a prism beside its axis
 };
 
@@ -59,6 +59,11 @@ private:
         glm::dvec3 corner, edge1, edge2;
         std::size_t firstIndex;
     };
+    /// Of a line with a triangle.
+    struct Crossing {
+        double distance, u, v;
+        bool leaves; ///< the wood
+    };
     struct Hit {
         double distance;
         SurfacePoint point;
@@ -75,18 +80,21 @@ private:
 
     void standOn(std::size_t generation);
     bool surrounds(const CStem& sitting, const glm::dvec3& place);
-    bool isInside(const glm::dvec3& place, const Frame& across) const;
+    bool isInside(const glm::dvec3& place, const Frame& wood) const;
     bool isBelowItsWalls(const CStem& parent, double offset) const;
     const Collar* makeOnAnyPath(const CStem& stem);
     bool partAt(const CStem& branch, const CStem& parent, std::uint32_t other) const;
     double endOfLimb(std::uint32_t path) const;
     double placeOf(const Ring& ring) const;
     const Collar* makeOn(std::uint32_t path, const CStem& stem);
-    bool collectTriangles(std::uint32_t path, double offset);
+    void collectAllTriangles(const CStem& sitting, double offset);
+    void clearTriangles();
+    void addTriangles(std::uint32_t path, double offset);
     std::optional<Exit> findExit(const glm::dvec3& aside) const;
-    glm::dvec3 aside(const CStem& stem) const;
+    glm::dvec3 asideOf(const CStem& stem) const;
     void setReach(const CStem& stem, const glm::dvec3& woodAxis);
     std::optional<double> pressOn(const Exit& exit, const glm::dvec3& woodAxis);
+    static std::optional<Crossing> crossingOf(const Triangle& triangle, const glm::dvec3& origin, const glm::dvec3& direction);
     std::optional<Hit> lastExit(const glm::dvec3& origin, const glm::dvec3& direction) const;
     std::optional<Hit> nearestExit(const Exit& exit, const glm::dvec3& offset) const;
     SurfacePoint surfaceAt(const Triangle& triangle, double u, double v) const;

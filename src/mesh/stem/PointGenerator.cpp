@@ -217,17 +217,17 @@ void CPointGenerator::addForkLid(bool base, const LimbLayout& limb, const ForkPo
         sink.add(line[i], normal, m_bark.around() * double(given[boundary[i]].turn), m_bark.at(ring.along), ring.look);
 }
 
-/// Closes a collar inside the parent: seen along the branch its points lie around the branch's middle in their order.
+/// Closes a collar inside the parent: seen along the branch its points lie around their middle in their order.
 void CPointGenerator::addCollarLid(VertexSink& sink) const {
     const SurfacePoint* points = &m_plan.collarPoints[m_tube->firstCollarPoint];
     const DrawnRing& own = m_rings.front();
     const glm::dvec3 inwards = -own.frame[2];
-    double depth = kLidDepth * own.radius;
-    for (std::uint32_t i = 0; i < m_points; ++i) depth += glm::dot(points[i].position - own.centre, inwards) / m_points;
+    glm::dvec3 middle = kLidDepth * own.radius * inwards;
+    for (std::uint32_t i = 0; i < m_points; ++i) middle += points[i].position / double(m_points);
     const auto add = [&](const glm::dvec3& point, glm::dvec2 at) {
         sink.add(point, inwards, m_bark.around() * (0.5 + at.x / 8), m_bark.around() * at.y / 8, lookAt(own, 0));
     };
-    add(own.centre + depth * inwards, {0, 0});
+    add(middle, {0, 0});
     for (std::uint32_t i = 0; i < m_points; ++i) add(points[i].position, m_circle[i]);
 }
 

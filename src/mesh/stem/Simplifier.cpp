@@ -16,6 +16,8 @@ constexpr double kTipReach = 4;      // radii of rings that a tip pushes out
 constexpr double kApart = 0.2;       // radii between the first own ring above a collar and the next
 constexpr double kApartOfFork = 0.05; // likewise above a fork
 constexpr CollarShape kCollarShapes[]{{1, 0.3}, {1, 0.1}, {0.6, 0.3}, {0.6, 0.1}, {0.6, 0.02}, {0.4, 0.1}}; // first the usual one
+constexpr ExitSearch kExitSearches[]{{}, {.ahead = 3}, {.ahead = 3, .aside = true}, {.ahead = 20}};
+constexpr double kLeastGap = 0.4; // between neighbours on a collar, of what can be drawn well
 constexpr std::uint32_t kOneByOne = 16; // folded rings that are taken out before many are at a time; likewise tries with the forks that do not fold
 
 /// Whether branches may part at forks of a generation's stems.
@@ -113,7 +115,7 @@ bool CSimplifier::planWithCollar(std::uint32_t s, std::uint32_t p, MeshPlan& pla
 }
 
 bool CSimplifier::planWithCollar(std::uint32_t s, std::uint32_t p, double room, MeshPlan& plan) {
-    for (const ExitSearch& search : {ExitSearch{}, {.ahead = true}, {.ahead = true, .aside = true}})
+    for (const ExitSearch& search : kExitSearches)
         for (CollarShape shape : kCollarShapes) {
             shape.width *= room;
             if (planTube(s, p, CollarTry{shape, search}, plan)) return true;
@@ -177,7 +179,7 @@ double CSimplifier::addCollar(const CStem& stem, const CollarTry& own, Tube& tub
     const double radius = m_surface.drawnAtBase(stem, first);
     const auto segments = std::span(m_generation.segments).subspan(stem.firstSegment, m_generation.paths[tube.path].segmentCount);
     const Collar* collar = m_collars->make(stem, {segments, radius, tube.points}, own.shape, own.search);
-    if (!collar || collar->minGap() < CStemSurface::minDrawn(stem, first)) return 0;
+    if (!collar || collar->minGap() < kLeastGap * CStemSurface::minDrawn(stem, first)) return 0;
     tube.standsOn = collar->standsOn;
     tube.collarRings = static_cast<std::uint32_t>(tube.points > 3 ? m_detail.collarRings : 1);
     plan.collarPoints.insert(plan.collarPoints.end(), collar->points.begin(), collar->points.end());
@@ -383,6 +385,7 @@ bool CSimplifier::collarFolds(const Tube& tube, const MeshPlan& plan) {
     Tube trial = tube;
     trial.pointed = tube.pointed && tube.ringCount == 2;
     trial.ringCount = 2;
+    trial.branchCount = 0; // their forks are further up
     return !m_trial.write(plan, trial) || !m_trial.enclosesWood();
 }
 
