@@ -20,6 +20,15 @@ constexpr int kEdgeHalvings = 8;          // to find the edge of the parent when
 
 /// Length of the drawn centre line.
 double arcOf(const CSegment& segment) { return std::hypot(segment.length, 2 * std::numbers::pi * segment.turns * segment.helixRadius); }
+
+/// Whether one of two loops has a side with all of the other beyond it, seen from where they look counter-clockwise.
+bool isPartedBySideOf(const std::vector<glm::dvec3>& one, const std::vector<glm::dvec3>& other, const glm::dvec3& seenFrom) {
+    for (std::size_t i = 0; i < one.size(); ++i) {
+        const glm::dvec3 outwards = glm::cross(one[(i + 1) % one.size()] - one[i], seenFrom);
+        if (std::ranges::all_of(other, [&](const glm::dvec3& point) { return glm::dot(point - one[i], outwards) > 0; })) return true;
+    }
+    return false;
+}
 } // namespace
 
 double Collar::minGap() const {
@@ -38,12 +47,30 @@ const Collar* CCollarMaker::make(const CStem& stem, const BranchBase& base, cons
     m_leavesWood = false;
     for (std::size_t g = m_below.size(); g-- > 0; ++m_collar.standsOn) {
         standOn(g);
-        if (const Collar* collar = makeOnAnyPath(*first)) return collar;
+        if (const Collar* collar = makeOnAnyPath(*first)) return isApartFromCollarOf(*first) ? collar : nullptr;
         const CStem& parent = m_parents->stems[static_cast<std::size_t>(first->parent)];
         if (first->path > 0 || !isBelowItsWalls(parent, first->offset)) break;
         first = &parent;
     }
     return nullptr;
+}
+
+/// Whether the collar keeps off that of the stem below the branch, which sits on the same wood.
+bool CCollarMaker::isApartFromCollarOf(const CStem& sitting) const {
+    if (m_collar.standsOn == 1) return true;
+    const StemMesh& bearing = *m_below[m_below.size() + 1 - m_collar.standsOn];
+    const std::int32_t index = bearing.plan.tubeOfPath[sitting.firstPath];
+    if (index < 0) return true;
+    const Tube& tube = bearing.plan.tubes[static_cast<std::size_t>(index)];
+    if (tube.collarRings == 0) return true;
+    std::vector<glm::dvec3> own, other;
+    glm::dvec3 outwards(0);
+    for (const SurfacePoint& point : m_collar.points) {
+        own.push_back(point.position);
+        outwards += point.normal;
+    }
+    for (std::uint32_t i = 0; i < tube.points; ++i) other.emplace_back(bearing.mesh->positions[tube.firstVertex + i]);
+    return isPartedBySideOf(own, other, outwards) || isPartedBySideOf(other, own, outwards);
 }
 
 bool CCollarMaker::hides(const CStem& stem, std::span<const CSegment> branch) {

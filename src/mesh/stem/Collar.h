@@ -79,6 +79,7 @@ private:
     };
 
     void standOn(std::size_t generation);
+    bool isApartFromCollarOf(const CStem& sitting) const;
     bool surrounds(const CStem& sitting, const glm::dvec3& place);
     bool isInside(const glm::dvec3& place, const Frame& wood) const;
     bool isBelowItsWalls(const CStem& parent, double offset) const;
