@@ -1,4 +1,5 @@
 // Centre line, smoother and collar by themselves, on stems made by hand.
+#include "stem/BarkScale.h"
 #include "stem/CentreLine.h"
 #include "stem/Collar.h"
 #include "stem/CollarRoom.h"
@@ -162,10 +163,24 @@ TEST(Smoother, AHelixHasItsRingsPerTurn) {
     EXPECT_EQ(smoothed(treeOf({generation}), {}, 4).size(), 6u);
 }
 
+TEST(BarkScale, FollowsAFlareThatBendsWithinASegment) {
+    BaseForm base;
+    base.flare = 1.5;
+    const auto trunk = bent({2, 6}, 0, 0.3, 0.8); // the flare is the first metre
+    const CTree tree = treeOf({trunk}, base);
+    const CStemSurface surface(tree, 0, {});
+    CBarkScale bark(surface);
+    bark.start(*trunk, trunk->stems[0], trunk->paths[0]);
+    for (double along = 0.03; along < 1.9; along += 0.05) {
+        const double radius = surface.woodRadius(trunk->stems[0], trunk->segments[0], along / 2);
+        EXPECT_NEAR(bark.perMetreAt(along) * radius / (bark.perMetre() * 0.3), 1, 0.02) << along;
+    }
+}
+
 /// A straight trunk with one branch, and what the collar maker needs.
 struct Branch {
-    Branch(double down, double offset, double radius)
-        : trunk(bent({0.7, 2.1, 1.2}, 0, 0.2)), branches(bent({0.3, 0.9}, 0.1, radius)) {
+    Branch(double down, double offset, double radius, const std::vector<double>& lengths = {0.3, 0.9})
+        : trunk(bent({0.7, 2.1, 1.2}, 0, 0.2)), branches(bent(lengths, 0.1, radius)) {
         CStem& stem = branches->stems[0];
         stem.parent = 0;
         stem.offset = offset;
@@ -235,6 +250,16 @@ TEST(Collar, IsNotMadeForABranchThatStaysInside) {
     EXPECT_TRUE(along.maker->hides(along.branches->stems[0], along.branches->segments));
     EXPECT_TRUE(out.make(12));
     EXPECT_FALSE(out.maker->hides(out.branches->stems[0], out.branches->segments));
+}
+
+TEST(Collar, HidesBranchesThatAreTooShortToLeaveTheWood) {
+    for (const double offset : {1.9, 3.97}) { // also beneath the flat end of a stem
+        Branch inside(kRight, offset, 0.02, {0.15}), outside(kRight, offset, 0.02, {0.5});
+        EXPECT_FALSE(inside.make(6));
+        EXPECT_TRUE(inside.maker->hides(inside.branches->stems[0], inside.branches->segments)) << offset;
+        outside.make(6);
+        EXPECT_FALSE(outside.maker->hides(outside.branches->stems[0], outside.branches->segments)) << offset;
+    }
 }
 
 /// Two branches of a trunk.

@@ -104,11 +104,12 @@ bool CCollarMaker::surrounds(const CStem& sitting, const glm::dvec3& place) {
 
 /// Whether the walls lie around a place to all sides across the wood.
 bool CCollarMaker::isInside(const glm::dvec3& place, const Frame& wood) const {
+    if (place != glm::clamp(place, m_low, m_high)) return false;
     const std::array ways{wood[0], -wood[0], wood[1], -wood[1]};
     return std::ranges::all_of(ways, [&](const glm::dvec3& way) {
         int walls = 0; // left more often than entered
         for (const Triangle& triangle : m_triangles)
-            if (const auto crossing = crossingOf(triangle, place, way)) walls += crossing->leaves ? 1 : -1;
+            if (const auto crossing = crossingOf(triangle, place, way, true)) walls += crossing->leaves ? 1 : -1;
         return walls > 0;
     });
 }
@@ -276,12 +277,13 @@ void CCollarMaker::addTriangles(std::uint32_t path, double offset) {
     }
 }
 
-/// Möller & Trumbore 1997.
-std::optional<CCollarMaker::Crossing> CCollarMaker::crossingOf(const Triangle& triangle, const glm::dvec3& origin, const glm::dvec3& direction) {
+/// Möller & Trumbore 1997. Of lines that leave the wood, or also of those that enter it.
+std::optional<CCollarMaker::Crossing> CCollarMaker::crossingOf(const Triangle& triangle, const glm::dvec3& origin, const glm::dvec3& direction,
+                                                               bool entering) {
     constexpr double kEdge = 1e-9; // neighbours share their edge, so nothing slips through between them
     const glm::dvec3 p = glm::cross(direction, triangle.edge2);
     const double determinant = glm::dot(triangle.edge1, p);
-    if (determinant == 0) return {};
+    if (entering ? determinant == 0 : determinant >= 0) return {};
     const glm::dvec3 toOrigin = origin - triangle.corner;
     const double u = glm::dot(toOrigin, p) / determinant;
     if (u < -kEdge || u > 1 + kEdge) return {};
@@ -299,8 +301,8 @@ std::optional<CCollarMaker::Hit> CCollarMaker::lastExit(const glm::dvec3& origin
     const Triangle* left = nullptr;
     Crossing last{};
     for (const Triangle& triangle : m_triangles) {
-        const auto crossing = crossingOf(triangle, origin, direction);
-        if (!crossing || !crossing->leaves || crossing->distance <= last.distance || crossing->distance > m_reach + m_reachAhead) continue;
+        const auto crossing = crossingOf(triangle, origin, direction, false);
+        if (!crossing || crossing->distance <= last.distance || crossing->distance > m_reach + m_reachAhead) continue;
         left = &triangle;
         last = *crossing;
     }

@@ -95,7 +95,7 @@ private:
     glm::dvec3 asideOf(const CStem& stem) const;
     void setReach(const CStem& stem, const glm::dvec3& woodAxis);
     std::optional<double> pressOn(const Exit& exit, const glm::dvec3& woodAxis);
-    static std::optional<Crossing> crossingOf(const Triangle& triangle, const glm::dvec3& origin, const glm::dvec3& direction);
+    static std::optional<Crossing> crossingOf(const Triangle& triangle, const glm::dvec3& origin, const glm::dvec3& direction, bool entering);
     std::optional<Hit> lastExit(const glm::dvec3& origin, const glm::dvec3& direction) const;
     std::optional<Hit> nearestExit(const Exit& exit, const glm::dvec3& offset) const;
     SurfacePoint surfaceAt(const Triangle& triangle, double u, double v) const;

@@ -16,7 +16,7 @@ constexpr double kTipReach = 4;      // radii of rings that a tip pushes out
 constexpr double kApart = 0.2;       // radii between the first own ring above a collar and the next
 constexpr double kApartOfFork = 0.05; // likewise above a fork
 constexpr CollarShape kCollarShapes[]{{1, 0.3}, {1, 0.1}, {0.6, 0.3}, {0.6, 0.1}, {0.6, 0.02}, {0.4, 0.1}}; // first the usual one
-constexpr ExitSearch kExitSearches[]{{}, {.ahead = 3}, {.ahead = 3, .aside = true}, {.ahead = 20}};
+constexpr ExitSearch kExitSearches[]{{}, {.ahead = 3}, {.ahead = 3, .aside = true}, {.ahead = 6}};
 constexpr double kLeastGap = 0.4; // between neighbours on a collar, of what can be drawn well
 constexpr std::uint32_t kOneByOne = 16; // folded rings that are taken out before many are at a time; likewise tries with the forks that do not fold
 
