@@ -1,4 +1,5 @@
 #include "stromar/app/ExportRow.h"
+#include "BarkParts.h"
 #include "ExportParts.h"
 #include "Merge.h"
 #include "SecondUvs.h"
@@ -61,6 +62,7 @@ private:
         if (isTwoSided(m_options, m_format)) addBacks(own, arrangement.scale);
         if (m_options.instances != static_cast<int>(ExportedInstances::None) && !isSolid(m_options))
             addInstances(own, *model, arrangement, static_cast<float>(tree.place));
+        partByBark(own, coloured);
         atlas = atlasFor(*model, shown, m_options, m_treeFolder, progress);
         if (atlas) {
             Material foliage = plainMaterial(Surface::Leaf);

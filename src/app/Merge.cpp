@@ -43,17 +43,12 @@ std::shared_ptr<const CMesh> merged(const Meshes& meshes, const MaterialGroup& g
     return mesh;
 }
 
-std::size_t bytesOf(const VertexChannel& channel) {
-    constexpr std::size_t kBytes[] = {4, 1, 2};
-    return kBytes[static_cast<std::size_t>(channel.type)] * static_cast<std::size_t>(channel.components);
-}
-
 /// Vertices of a mesh that has no such channel are white, or nothing.
 VertexChannels merged(const std::vector<VertexChannels>& channels, const Meshes& meshes, const MaterialGroup& group) {
     VertexChannels all;
     std::size_t before = 0;
     const auto fill = [&](VertexChannel& channel, std::size_t vertices) {
-        channel.bytes.append(vertices * bytesOf(channel), channel.type == VertexChannel::Type::Byte ? '\xff' : '\0');
+        channel.bytes.append(vertices * channel.bytesPerVertex(), channel.type == VertexChannel::Type::Byte ? '\xff' : '\0');
     };
     for (const std::size_t i : group.members) {
         for (const VertexChannel& own : channels[i]) {
@@ -66,7 +61,7 @@ VertexChannels merged(const std::vector<VertexChannels>& channels, const Meshes&
         }
         before += meshes[i]->vertexCount();
         for (VertexChannel& channel : all)
-            if (const std::size_t has = channel.bytes.size() / bytesOf(channel); has < before) fill(channel, before - has);
+            if (const std::size_t has = channel.bytes.size() / channel.bytesPerVertex(); has < before) fill(channel, before - has);
     }
     return all;
 }

@@ -1,4 +1,5 @@
 #include "ModelMaker.h"
+#include "BarkParts.h"
 #include "Merge.h"
 #include "SecondUvs.h"
 #include "VertexColours.h"
@@ -38,6 +39,7 @@ ExportModel CModelMaker::modelOf(const Pose& pose, const std::string& name, std:
     if (m_format.channels != Channels::None) addColours(model, isSolid(m_options) ? lods.first(0) : lods.subspan(first, count), m_options);
     if (isTwoSided(m_options, m_format)) addBacks(model, m_arrangement.scale);
     if (m_options.instances != static_cast<int>(ExportedInstances::None) && !isSolid(m_options)) addInstances(model, *pose.lods[first], m_arrangement);
+    if (!isSolid(m_options)) partByBark(model, lods.subspan(first, count));
     if (m_atlas) m_atlas->replaceIn(model, *m_foliage);
     if (m_options.secondUv == static_cast<int>(ExportedSecondUv::LightMap)) addSecondUvs(model, m_progress);
     if (m_options.objects == static_cast<int>(ExportedObjects::Materials)) mergeByMaterial(model);

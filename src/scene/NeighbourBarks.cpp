@@ -1,4 +1,5 @@
 #include "stromar/scene/NeighbourBarks.h"
+#include "stromar/model/BarkLevels.h"
 #include "stromar/model/Material.h"
 #include "stromar/scene/SurfaceMaps.h"
 #include <algorithm>
@@ -18,35 +19,23 @@ constexpr SharedPicture kShared[] = {{kAlbedoUnit, {{"olderPicture", 7}, {"young
                                      {kReliefUnit, {{"olderRelief", 9}, {"youngerRelief", 10}}},
                                      {kGlossUnit, {{"olderGloss", 11}, {"youngerGloss", 12}}}};
 
-double meanRadius(const CGeneration& generation) {
-    double sum = 0;
-    for (const CStem& stem : generation.stems) sum += stem.radius;
-    return sum / std::max(1.0, double(generation.stems.size()));
-}
-
-/// Over the whole range of VertexLook::thinness.
-float thinnessOf(const CTree& tree, std::size_t generation) {
-    return static_cast<float>(stromar::thinnessOf(meanRadius(tree.generation(generation)), tree.generation(0).stems[0].radius)) / 255;
-}
-
-/// From stems of one generation to those of another.
-NeighbourBark between(const CTree& tree, std::size_t own, std::size_t other, Surface surface) {
-    const float from = thinnessOf(tree, own), to = thinnessOf(tree, other);
-    const bool apart = other > own ? to > from : to < from;
-    return apart ? NeighbourBark{surface, from, 1 / (to - from)} : NeighbourBark{};
+/// From stems of one level to those of another.
+NeighbourBark between(const CBarkLevels& levels, std::size_t own, std::size_t other, Surface surface) {
+    if (!levels.isApart(own, other)) return {};
+    const float from = static_cast<float>(levels.thinness(own)) / 255, to = static_cast<float>(levels.thinness(other)) / 255;
+    return {surface, from, 1 / (to - from)};
 }
 } // namespace
 
 NeighbourBarks neighbourBarksOf(const TreeModel& model, Surface bark) {
-    const CTree& tree = *model.tree;
-    const std::size_t levels = std::min(tree.generationCount(), kBarks.size());
-    if (levels == 0 || tree.generation(0).stems.empty()) return {};
+    const CBarkLevels levels(*model.tree);
+    if (levels.count() == 0) return {};
     const auto first = static_cast<std::size_t>(std::ranges::find(kBarks, bark) - kBarks.begin());
     std::size_t last = first;
-    while (last + 1 < levels && shownSurface(model.params, kBarks[last + 1]) == bark) ++last;
+    while (last + 1 < levels.count() && shownSurface(model.params, kBarks[last + 1]) == bark) ++last;
     NeighbourBarks barks;
-    if (first > 0) barks[0] = between(tree, first, first - 1, shownSurface(model.params, kBarks[first - 1]));
-    if (last + 1 < levels) barks[1] = between(tree, last, last + 1, kBarks[last + 1]);
+    if (first > 0) barks[0] = between(levels, first, first - 1, shownSurface(model.params, kBarks[first - 1]));
+    if (last + 1 < levels.count()) barks[1] = between(levels, last, last + 1, kBarks[last + 1]);
     return barks;
 }
 

@@ -16,6 +16,11 @@ struct VertexChannel {
     Type type;
     int components;
     std::string bytes; ///< of all vertices
+
+    std::size_t bytesPerVertex() const {
+        constexpr std::size_t kBytes[] = {4, 1, 2};
+        return kBytes[static_cast<std::size_t>(type)] * static_cast<std::size_t>(components);
+    }
 };
 using VertexChannels = std::vector<VertexChannel>;
 

@@ -1,0 +1,162 @@
+#include "BarkParts.h"
+#include "stromar/model/BarkLevels.h"
+#include <algorithm>
+#include <array>
+#include <numeric>
+#include <set>
+#include <tuple>
+
+namespace stromar {
+
+namespace {
+/// Which stem each vertex of a mesh belongs to, by one of that stem's vertices: edges or places join them.
+class CStems {
+public:
+    explicit CStems(const CMesh& mesh) : m_standIn(mesh.vertexCount()) {
+        std::iota(m_standIn.begin(), m_standIn.end(), 0u);
+        for (std::size_t i = 0; i + 2 < mesh.indices.size(); i += 3) {
+            join(mesh.indices[i], mesh.indices[i + 1]);
+            join(mesh.indices[i], mesh.indices[i + 2]);
+        }
+        joinSamePlaces(mesh);
+    }
+
+    std::uint32_t of(std::uint32_t vertex) {
+        while (m_standIn[vertex] != vertex) vertex = m_standIn[vertex] = m_standIn[m_standIn[vertex]];
+        return vertex;
+    }
+
+private:
+    void join(std::uint32_t one, std::uint32_t other) {
+        one = of(one), other = of(other);
+        m_standIn[std::max(one, other)] = std::min(one, other);
+    }
+
+    void joinSamePlaces(const CMesh& mesh) {
+        const auto placeOf = [&](std::uint32_t v) { return std::tuple(mesh.positions[v].x, mesh.positions[v].y, mesh.positions[v].z); };
+        std::vector<std::uint32_t> sorted(mesh.vertexCount());
+        std::iota(sorted.begin(), sorted.end(), 0u);
+        std::ranges::sort(sorted, {}, placeOf);
+        for (std::size_t i = 1; i < sorted.size(); ++i)
+            if (placeOf(sorted[i - 1]) == placeOf(sorted[i])) join(sorted[i - 1], sorted[i]);
+    }
+
+    std::vector<std::uint32_t> m_standIn;
+};
+
+/// The level whose bark each vertex of one level's wood shows.
+std::vector<std::size_t> barkLevelsOf(const CMesh& mesh, std::size_t own, const CBarkLevels& levels) {
+    CStems stems(mesh);
+    std::vector<int> thickest(mesh.vertexCount(), 255);
+    for (std::uint32_t v = 0; v < mesh.vertexCount(); ++v) {
+        int& least = thickest[stems.of(v)];
+        least = std::min<int>(least, mesh.looks[v].thinness);
+    }
+    std::vector<std::size_t> shown;
+    shown.reserve(mesh.vertexCount());
+    for (std::uint32_t v = 0; v < mesh.vertexCount(); ++v) shown.push_back(levels.levelOf(own, thickest[stems.of(v)]));
+    return shown;
+}
+
+/// Of a mesh.
+struct Part {
+    std::shared_ptr<const CMesh> mesh;
+    std::vector<std::uint32_t> vertices; ///< of the whole
+};
+
+template <class Shows> Part partOf(const CMesh& whole, const std::string& name, Surface surface, const Shows& shows) {
+    constexpr std::uint32_t kNone = ~std::uint32_t{0};
+    auto mesh = std::make_shared<CMesh>();
+    mesh->name = name;
+    mesh->surface = surface;
+    Part part;
+    std::vector<std::uint32_t> placeOf(whole.vertexCount(), kNone);
+    for (std::uint32_t v = 0; v < whole.vertexCount(); ++v) {
+        if (!shows(v)) continue;
+        placeOf[v] = static_cast<std::uint32_t>(part.vertices.size());
+        part.vertices.push_back(v);
+        mesh->positions.push_back(whole.positions[v]);
+        mesh->normals.push_back(whole.normals[v]);
+        mesh->texCoords.push_back(whole.texCoords[v]);
+        mesh->looks.push_back(whole.looks[v]);
+    }
+    for (const std::uint32_t index : whole.indices)
+        if (placeOf[index] != kNone) mesh->indices.push_back(placeOf[index]);
+    part.mesh = std::move(mesh);
+    return part;
+}
+
+/// Those of the barks, by level.
+std::array<std::size_t, kBarks.size()> barkMaterials(const ExportModel& model) {
+    std::array<std::size_t, kBarks.size()> materials;
+    std::ranges::transform(kBarks, materials.begin(), [&](Surface bark) {
+        CMesh wood;
+        wood.surface = bark;
+        return model.materialIndex(wood);
+    });
+    return materials;
+}
+
+/// Nothing where all of a mesh shows its own bark.
+std::vector<Part> partsOf(const ExportModel& model, const CMesh& mesh, const CBarkLevels& levels) {
+    const std::array materials = barkMaterials(model);
+    if (std::ranges::count(materials, materials[0]) == std::ssize(materials)) return {};
+    const auto own = static_cast<std::size_t>(std::ranges::find(kBarks, mesh.surface) - kBarks.begin());
+    const std::vector<std::size_t> levelOf = barkLevelsOf(mesh, own, levels);
+    std::set<std::size_t> shown;
+    for (const std::size_t level : levelOf) shown.insert(materials[level]);
+    if (shown == std::set{materials[own]}) return {};
+    std::vector<Part> parts;
+    for (const std::size_t material : shown) {
+        const bool isOwn = material == materials[own];
+        const std::size_t level = isOwn ? own : static_cast<std::size_t>(std::ranges::find(materials, material) - materials.begin());
+        const std::string name = isOwn ? mesh.name : mesh.name + "_" + model.materials[material].name;
+        parts.push_back(partOf(mesh, name, kBarks[level], [&](std::uint32_t v) { return materials[levelOf[v]] == material; }));
+    }
+    return parts;
+}
+
+VertexChannels channelsOf(const VertexChannels& whole, const std::vector<std::uint32_t>& vertices) {
+    VertexChannels own;
+    for (const VertexChannel& channel : whole) {
+        VertexChannel& part = own.emplace_back(VertexChannel{channel.name, channel.type, channel.components, {}});
+        const std::size_t bytes = channel.bytesPerVertex();
+        for (const std::uint32_t v : vertices) part.bytes.append(channel.bytes, v * bytes, bytes);
+    }
+    return own;
+}
+
+/// Of one level of detail.
+void partByBark(const ExportModel& model, const CBarkLevels& levels, Meshes& meshes, std::vector<VertexChannels>* channels, std::vector<Instances>* instances) {
+    Meshes newMeshes;
+    std::vector<VertexChannels> newChannels;
+    std::vector<Instances> newInstances;
+    for (std::size_t i = 0; i < meshes.size(); ++i) {
+        std::vector<Part> parts = isBark(meshes[i]->surface) ? partsOf(model, *meshes[i], levels) : std::vector<Part>();
+        for (Part& part : parts) {
+            newMeshes.push_back(std::move(part.mesh));
+            if (channels) newChannels.push_back(channelsOf((*channels)[i], part.vertices));
+            if (instances) newInstances.emplace_back();
+        }
+        if (!parts.empty()) continue;
+        newMeshes.push_back(meshes[i]);
+        if (channels) newChannels.push_back(std::move((*channels)[i]));
+        if (instances) newInstances.push_back(i < instances->size() ? std::move((*instances)[i]) : Instances{});
+    }
+    meshes = std::move(newMeshes);
+    if (channels) *channels = std::move(newChannels);
+    if (instances) *instances = std::move(newInstances);
+}
+} // namespace
+
+void partByBark(ExportModel& model, std::span<const std::shared_ptr<const TreeModel>> lods) {
+    if (lods.empty()) return;
+    const CBarkLevels levels(*lods.front()->tree);
+    partByBark(model, levels, model.meshes, model.channels.empty() ? nullptr : &model.channels, model.instances.empty() ? nullptr : &model.instances);
+    for (std::size_t lod = 0; lod < model.coarser.size(); ++lod) {
+        const bool carries = lod < model.coarserChannels.size() && !model.coarserChannels[lod].empty();
+        partByBark(model, levels, model.coarser[lod], carries ? &model.coarserChannels[lod] : nullptr, nullptr);
+    }
+}
+
+} // namespace stromar
