@@ -4,13 +4,16 @@
 #include "stem/TubeWriter.h"
 #include "stromar/util/Parallel.h"
 #include <algorithm>
+#include <array>
 
 namespace stromar {
 
 namespace {
 constexpr std::size_t kGrain = 64;
-// Of branches with so few points nobody sees how wide their collars are; their parents may be prisms of three sides.
-constexpr int kFewPoints = 4, kFewPointsFar = 6;
+// By level of detail: of branches with so few points nobody sees how wide their collars are; their parents may be prisms of three sides.
+// More of them on level 2 would cover visibly less than level 3 does.
+constexpr std::array kFewPoints{4, 6, 4, 4};
+static_assert(kFewPoints.size() == kMaxLod + 1);
 constexpr CollarLimit kThin{.narrowest = 0.35, .around = 0.5}, kThinFar{.narrowest = 0.35, .around = 0.33};
 
 void append(MeshPlan& whole, const MeshPlan& part) {
@@ -46,8 +49,8 @@ void append(MeshPlan& whole, const MeshPlan& part) {
 
 /// At a level of detail.
 CollarLimit limitOf(int points, int lod) {
-    if (lod == 0) return points <= kFewPoints ? kThin : CollarLimit();
-    return points <= kFewPointsFar ? kThinFar : CollarLimit();
+    if (points > kFewPoints[static_cast<std::size_t>(lod)]) return {};
+    return lod == 0 ? kThin : kThinFar;
 }
 
 std::vector<BranchFoot> feetOf(const CGeneration& generation, const CStemSurface& surface, int lod, const std::vector<bool>& drawn) {
