@@ -126,6 +126,13 @@ VertexChannels channelsOf(const VertexChannels& whole, const std::vector<std::ui
     return own;
 }
 
+/// Whether limbs may be of other levels than the trunks that they part from.
+bool mayStartAtForks(const CTree& tree) {
+    for (std::size_t g = 0; g < tree.generationCount(); ++g)
+        if (tree.branchesAtNodes(g)) return true;
+    return false;
+}
+
 /// Of one level of detail.
 void partByBark(const ExportModel& model, const CBarkLevels& levels, Meshes& meshes, std::vector<VertexChannels>* channels, std::vector<Instances>* instances) {
     Meshes newMeshes;
@@ -150,7 +157,7 @@ void partByBark(const ExportModel& model, const CBarkLevels& levels, Meshes& mes
 } // namespace
 
 void partByBark(ExportModel& model, std::span<const std::shared_ptr<const TreeModel>> lods) {
-    if (lods.empty()) return;
+    if (lods.empty() || !mayStartAtForks(*lods.front()->tree)) return;
     const CBarkLevels levels(*lods.front()->tree);
     partByBark(model, levels, model.meshes, model.channels.empty() ? nullptr : &model.channels, model.instances.empty() ? nullptr : &model.instances);
     for (std::size_t lod = 0; lod < model.coarser.size(); ++lod) {

@@ -39,7 +39,7 @@ std::map<std::string, std::size_t> trianglesByName(const Meshes& meshes) {
 }
 
 class BarkParts : public ::testing::TestWithParam<std::tuple<const char*, int>> {};
-INSTANTIATE_TEST_SUITE_P(Trees, BarkParts, ::testing::Combine(::testing::Values("strand_acacia", "silver_birch"), ::testing::Values(0, 2)));
+INSTANTIATE_TEST_SUITE_P(Trees, BarkParts, ::testing::Combine(::testing::Values("strand_acacia", "strand_winter"), ::testing::Values(0, 2)));
 
 TEST_P(BarkParts, KeepTheWoodAndWhatItsVerticesCarry) {
     const auto [name, lod] = GetParam();
@@ -75,6 +75,14 @@ TEST(BarkParts, ALimbAsThickAsTheTrunkHasItsBark) {
     const CBarkLevels levels(*tree->tree);
     EXPECT_LE(thickest.at("bark"), 1);
     EXPECT_GE(thickest.at("bark_1"), (levels.thinness(0) + levels.thinness(1)) / 2);
+}
+
+TEST(BarkParts, BranchesOfWeberAndPennHaveThatOfTheirLevel) {
+    const auto tree = joinedModel("silver_birch");
+    ExportModel model = exported(*tree, {Surface::Bark, Surface::Bark1, Surface::Bark2});
+    const Meshes before = model.meshes;
+    partByBark(model, std::span(&tree, 1));
+    EXPECT_EQ(model.meshes, before);
 }
 
 TEST(BarkParts, WoodOfOneBarkStaysAsItIs) {

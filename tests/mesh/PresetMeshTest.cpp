@@ -29,6 +29,9 @@ std::pair<std::size_t, std::uint32_t> fullRing(const MeshPlan& plan, const Tube&
 }
 
 std::string nameOf(const testing::TestParamInfo<std::size_t>& info) { return presets()[info.param].name; }
+
+/// A level of a single branch, which other wood may hide.
+bool mayBeHidden(const CTree& tree, std::size_t generation) { return generation > 0 && tree.generation(generation).stems.size() == 1; }
 } // namespace
 
 class PresetMesh : public testing::TestWithParam<std::size_t> {
@@ -52,7 +55,7 @@ TEST_P(PresetMesh, IsSound) {
             for (std::size_t g = 0; g < all.size(); ++g) {
                 const MeshFaults faults = checkStems(*tree, static_cast<int>(g), all[g], all);
                 EXPECT_EQ(inWords(faults), "") << label << all[g].mesh->name;
-                EXPECT_GT(faults.triangles, 0u) << label << all[g].mesh->name;
+                EXPECT_TRUE(faults.triangles > 0 || mayBeHidden(*tree, g)) << label << all[g].mesh->name;
             }
             EXPECT_EQ(inWords(checkJoined(joinStems(*tree, all, CProgress(2)), all)), "") << label << "joined";
             EXPECT_EQ(inWords(checkLeaves(*organsOf(*tree, seeded, Organ::Leaf, all, detail))), "") << label;
@@ -142,8 +145,7 @@ TEST_P(PresetMesh, EveryTubeFacesOutwards) {
     const auto tree = grow(params());
     for (const Detail& detail : detailTable())
         forEachStemMesh(*tree, params(), detail, [&](int g, const MeshPlan& plan, const CMesh& mesh) {
-            const bool single = tree->generation(static_cast<std::size_t>(g)).stems.size() == 1; // which the wood may hide
-            ASSERT_FALSE(plan.tubes.empty() && !(g > 0 && single));
+            ASSERT_TRUE(!plan.tubes.empty() || mayBeHidden(*tree, static_cast<std::size_t>(g)));
             EXPECT_EQ(invertedSurfaces(plan, mesh), 0u) << "of " << plan.tubes.size() << ", " << detail.name << ", " << mesh.name;
         });
 }

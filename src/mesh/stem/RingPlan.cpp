@@ -4,17 +4,21 @@
 #include "stem/TubeWriter.h"
 #include "stromar/util/Parallel.h"
 #include <algorithm>
-#include <array>
+#include <iterator>
 
 namespace stromar {
 
 namespace {
 constexpr std::size_t kGrain = 64;
-// By level of detail: of branches with so few points nobody sees how wide their collars are; their parents may be prisms of three sides.
-// More of them on level 2 would cover visibly less than level 3 does.
-constexpr std::array kFewPoints{4, 6, 4, 4};
-static_assert(kFewPoints.size() == kMaxLod + 1);
-constexpr CollarLimit kThin{.narrowest = 0.35, .around = 0.5}, kThinFar{.narrowest = 0.35, .around = 0.33};
+/// Of branches with so few points nobody sees how wide their collars are; their parents may be prisms of three sides.
+struct ThinCollars {
+    int points;
+    CollarLimit limit;
+};
+/// By level of detail. Narrower ones, or more of them, would have level 2 cover visibly less than level 3.
+constexpr ThinCollars kThinCollars[]{{4, {.narrowest = 0.35, .around = 0.5}}, {6, {.narrowest = 0.35, .around = 0.33}},
+                                     {4, {.narrowest = 0.35, .around = 0.4}}, {4, {.narrowest = 0.35, .around = 0.4}}};
+static_assert(std::size(kThinCollars) == kMaxLod + 1);
 
 void append(MeshPlan& whole, const MeshPlan& part) {
     const auto rings = static_cast<std::uint32_t>(whole.rings.size());
@@ -49,8 +53,8 @@ void append(MeshPlan& whole, const MeshPlan& part) {
 
 /// At a level of detail.
 CollarLimit limitOf(int points, int lod) {
-    if (points > kFewPoints[static_cast<std::size_t>(lod)]) return {};
-    return lod == 0 ? kThin : kThinFar;
+    const ThinCollars& thin = kThinCollars[lod];
+    return points <= thin.points ? thin.limit : CollarLimit();
 }
 
 std::vector<BranchFoot> feetOf(const CGeneration& generation, const CStemSurface& surface, int lod, const std::vector<bool>& drawn) {
