@@ -1,60 +1,29 @@
 #include "BarkParts.h"
+#include "ExportParts.h"
+#include "stromar/mesh/Weld.h"
 #include "stromar/model/BarkLevels.h"
+#include "stromar/util/DisjointSets.h"
 #include <algorithm>
 #include <array>
-#include <numeric>
 #include <set>
-#include <tuple>
 
 namespace stromar {
 
 namespace {
-/// Which stem each vertex of a mesh belongs to, by one of that stem's vertices: edges or places join them.
-class CStems {
-public:
-    explicit CStems(const CMesh& mesh) : m_standIn(mesh.vertexCount()) {
-        std::iota(m_standIn.begin(), m_standIn.end(), 0u);
-        for (std::size_t i = 0; i + 2 < mesh.indices.size(); i += 3) {
-            join(mesh.indices[i], mesh.indices[i + 1]);
-            join(mesh.indices[i], mesh.indices[i + 2]);
-        }
-        joinSamePlaces(mesh);
-    }
-
-    std::uint32_t of(std::uint32_t vertex) {
-        while (m_standIn[vertex] != vertex) vertex = m_standIn[vertex] = m_standIn[m_standIn[vertex]];
-        return vertex;
-    }
-
-private:
-    void join(std::uint32_t one, std::uint32_t other) {
-        one = of(one), other = of(other);
-        m_standIn[std::max(one, other)] = std::min(one, other);
-    }
-
-    void joinSamePlaces(const CMesh& mesh) {
-        const auto placeOf = [&](std::uint32_t v) { return std::tuple(mesh.positions[v].x, mesh.positions[v].y, mesh.positions[v].z); };
-        std::vector<std::uint32_t> sorted(mesh.vertexCount());
-        std::iota(sorted.begin(), sorted.end(), 0u);
-        std::ranges::sort(sorted, {}, placeOf);
-        for (std::size_t i = 1; i < sorted.size(); ++i)
-            if (placeOf(sorted[i - 1]) == placeOf(sorted[i])) join(sorted[i - 1], sorted[i]);
-    }
-
-    std::vector<std::uint32_t> m_standIn;
-};
-
-/// The level whose bark each vertex of one level's wood shows.
-std::vector<std::size_t> barkLevelsOf(const CMesh& mesh, std::size_t own, const CBarkLevels& levels) {
-    CStems stems(mesh);
-    std::vector<int> thickest(mesh.vertexCount(), 255);
+/// Of all vertices of a level's wood: the bark of which level they show.
+std::vector<std::uint8_t> barkLevelsOf(const CMesh& mesh, std::size_t own, const CBarkLevels& levels) {
+    const std::vector<std::uint32_t> places = weld(mesh.positions, std::vector<std::uint32_t>(mesh.vertexCount()));
+    CDisjointSets stems(mesh.vertexCount());
+    for (std::size_t i = 0; i + 2 < mesh.indices.size(); i += 3)
+        for (std::size_t c = 1; c < 3; ++c) stems.join(places[mesh.indices[i]], places[mesh.indices[i + c]]);
+    std::vector<std::uint8_t> thinness(mesh.vertexCount(), 255); // of each stem where it is thickest
     for (std::uint32_t v = 0; v < mesh.vertexCount(); ++v) {
-        int& least = thickest[stems.of(v)];
-        least = std::min<int>(least, mesh.looks[v].thinness);
+        std::uint8_t& least = thinness[stems.of(places[v])];
+        least = std::min(least, mesh.looks[v].thinness);
     }
-    std::vector<std::size_t> shown;
+    std::vector<std::uint8_t> shown;
     shown.reserve(mesh.vertexCount());
-    for (std::uint32_t v = 0; v < mesh.vertexCount(); ++v) shown.push_back(levels.levelOf(own, thickest[stems.of(v)]));
+    for (std::uint32_t v = 0; v < mesh.vertexCount(); ++v) shown.push_back(static_cast<std::uint8_t>(levels.levelOf(own, thinness[stems.of(places[v])])));
     return shown;
 }
 
@@ -102,9 +71,9 @@ std::vector<Part> partsOf(const ExportModel& model, const CMesh& mesh, const CBa
     const std::array materials = barkMaterials(model);
     if (std::ranges::count(materials, materials[0]) == std::ssize(materials)) return {};
     const auto own = static_cast<std::size_t>(std::ranges::find(kBarks, mesh.surface) - kBarks.begin());
-    const std::vector<std::size_t> levelOf = barkLevelsOf(mesh, own, levels);
+    const std::vector<std::uint8_t> levelOf = barkLevelsOf(mesh, own, levels);
     std::set<std::size_t> shown;
-    for (const std::size_t level : levelOf) shown.insert(materials[level]);
+    for (const std::uint8_t level : levelOf) shown.insert(materials[level]);
     if (shown == std::set{materials[own]}) return {};
     std::vector<Part> parts;
     for (const std::size_t material : shown) {
@@ -159,11 +128,9 @@ void partByBark(const ExportModel& model, const CBarkLevels& levels, Meshes& mes
 void partByBark(ExportModel& model, std::span<const std::shared_ptr<const TreeModel>> lods) {
     if (lods.empty() || !mayStartAtForks(*lods.front()->tree)) return;
     const CBarkLevels levels(*lods.front()->tree);
-    partByBark(model, levels, model.meshes, model.channels.empty() ? nullptr : &model.channels, model.instances.empty() ? nullptr : &model.instances);
-    for (std::size_t lod = 0; lod < model.coarser.size(); ++lod) {
-        const bool carries = lod < model.coarserChannels.size() && !model.coarserChannels[lod].empty();
-        partByBark(model, levels, model.coarser[lod], carries ? &model.coarserChannels[lod] : nullptr, nullptr);
-    }
+    forEachLevel(model, [&](Meshes& meshes, std::vector<VertexChannels>* channels, std::vector<Instances>* instances) {
+        partByBark(model, levels, meshes, channels, instances);
+    });
 }
 
 } // namespace stromar

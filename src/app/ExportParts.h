@@ -32,6 +32,16 @@ Meshes arranged(const Meshes& meshes, const Arrangement& to);
 /// The backs of leaves, with what their vertices carry. `metre` in the unit of the model.
 void addBacks(ExportModel& model, float metre);
 
+/// Calls what there is to do with the meshes of each level of detail, the channels of their vertices (null: there are none) and where they stand
+/// (null: each once).
+template <class Do> void forEachLevel(ExportModel& model, const Do& act) {
+    act(model.meshes, model.channels.empty() ? nullptr : &model.channels, model.instances.empty() ? nullptr : &model.instances);
+    for (std::size_t lod = 0; lod < model.coarser.size(); ++lod) {
+        const bool carries = lod < model.coarserChannels.size() && !model.coarserChannels[lod].empty();
+        act(model.coarser[lod], carries ? &model.coarserChannels[lod] : nullptr, nullptr);
+    }
+}
+
 /// Organs as instances of their blade instead of vertices of their own, with what these carry. The model has the meshes of `tree` in the
 /// order of TreeModel::visitMeshes(), moved by `shift` along x before they were arranged.
 void addInstances(ExportModel& model, const TreeModel& tree, const Arrangement& arrangement, float shift = 0);

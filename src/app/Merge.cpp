@@ -1,4 +1,5 @@
 #include "Merge.h"
+#include "ExportParts.h"
 #include <algorithm>
 #include <utility>
 
@@ -85,11 +86,9 @@ void merge(const ExportModel& model, Meshes& meshes, std::vector<VertexChannels>
 } // namespace
 
 void mergeByMaterial(ExportModel& model) {
-    merge(model, model.meshes, model.channels.empty() ? nullptr : &model.channels, model.instances.empty() ? nullptr : &model.instances);
-    for (std::size_t lod = 0; lod < model.coarser.size(); ++lod) {
-        const bool carries = lod < model.coarserChannels.size() && !model.coarserChannels[lod].empty();
-        merge(model, model.coarser[lod], carries ? &model.coarserChannels[lod] : nullptr, nullptr);
-    }
+    forEachLevel(model, [&](Meshes& meshes, std::vector<VertexChannels>* channels, std::vector<Instances>* instances) {
+        merge(model, meshes, channels, instances);
+    });
 }
 
 } // namespace stromar

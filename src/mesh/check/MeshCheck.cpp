@@ -1,13 +1,14 @@
 #include "stromar/mesh/check/MeshCheck.h"
+#include "Groups.h"
 #include "stem/TubeWalls.h"
+#include "stromar/mesh/Weld.h"
+#include "stromar/util/DisjointSets.h"
 #include <algorithm>
 #include <cmath>
 #include <glm/geometric.hpp>
 #include <initializer_list>
-#include <numeric>
 #include <optional>
 #include <set>
-#include <tuple>
 
 namespace stromar {
 
@@ -69,41 +70,6 @@ bool checkTriangles(const CMesh& mesh, const Part& part, MeshFaults& faults) {
     return faults.badIndices == bad;
 }
 
-/// Values by a number below `groups` that `groupOf(i)` gives them: those of a group lie together.
-template <typename Value> class CGroups {
-public:
-    template <typename GroupOf, typename ValueOf> CGroups(std::size_t groups, std::size_t count, GroupOf&& groupOf, ValueOf&& valueOf) : m_ends(groups + 1), m_values(count) {
-        for (std::size_t i = 0; i < count; ++i) ++m_ends[groupOf(i) + 1];
-        std::partial_sum(m_ends.begin(), m_ends.end(), m_ends.begin());
-        std::vector<std::size_t> next(m_ends.begin(), m_ends.end() - 1);
-        for (std::size_t i = 0; i < count; ++i) m_values[next[groupOf(i)]++] = valueOf(i);
-    }
-    std::size_t count() const { return m_ends.size() - 1; }
-    std::span<Value> of(std::size_t group) { return {m_values.data() + m_ends[group], m_values.data() + m_ends[group + 1]}; }
-
-private:
-    std::vector<std::size_t> m_ends; ///< of the group before
-    std::vector<Value> m_values;
-};
-
-/// Numbers vertices from 0 so that those of the same surface that lie at the same place have the same number.
-std::vector<std::uint32_t> weld(std::span<const glm::vec3> positions, const std::vector<std::uint32_t>& surfaces) {
-    const std::size_t count = surfaces.empty() ? 0 : *std::ranges::max_element(surfaces) + std::size_t{1};
-    CGroups<std::uint32_t> groups(count, positions.size(), [&](std::size_t v) { return surfaces[v]; }, [](std::size_t v) { return static_cast<std::uint32_t>(v); });
-    const auto place = [&](std::uint32_t v) { return std::tuple(positions[v].x, positions[v].y, positions[v].z); };
-    std::vector<std::uint32_t> number(positions.size());
-    std::uint32_t next = 0;
-    for (std::size_t surface = 0; surface < count; ++surface) {
-        const std::span<std::uint32_t> own = groups.of(surface);
-        std::ranges::sort(own, {}, place);
-        for (std::size_t i = 0; i < own.size(); ++i) {
-            next += i == 0 || place(own[i]) != place(own[i - 1]);
-            number[own[i]] = next - 1;
-        }
-    }
-    return number;
-}
-
 /// Calls open(v) for each side of a triangle, from the vertex v of such a number, that no other triangle has the other way round, and
 /// tangled(v) for each that another has too.
 template <typename Open, typename Tangled>
@@ -131,32 +97,9 @@ void checkEdges(const CMesh& mesh, const Part& part, MeshFaults& faults) {
     faults.tangled += tangled;
 }
 
-/// Which surface each welded vertex is part of: the least vertex that it hangs together with.
-class CSurfaces {
-public:
-    explicit CSurfaces(std::size_t vertices) : m_least(vertices) { std::iota(m_least.begin(), m_least.end(), 0u); }
-    std::uint32_t of(std::uint32_t v) {
-        while (m_least[v] != v) v = m_least[v] = m_least[m_least[v]];
-        return v;
-    }
-    void join(std::uint32_t a, std::uint32_t b) {
-        a = of(a);
-        b = of(b);
-        m_least[std::max(a, b)] = std::min(a, b);
-    }
-    std::size_t count() const {
-        std::size_t count = 0;
-        for (std::uint32_t v = 0; v < m_least.size(); ++v) count += m_least[v] == v;
-        return count;
-    }
-
-private:
-    std::vector<std::uint32_t> m_least;
-};
-
 /// Counts the surfaces, and those that are open or tangled, of vertices that are one where they have the same number.
 void checkSurfaces(const CMesh& mesh, const std::vector<std::uint32_t>& number, MeshFaults& faults) {
-    CSurfaces surfaces(number.empty() ? 0 : *std::ranges::max_element(number) + 1);
+    CDisjointSets surfaces(number.empty() ? 0 : *std::ranges::max_element(number) + 1);
     for (std::size_t i = 0; i + 2 < mesh.indices.size(); i += 3)
         for (std::size_t c = 1; c < 3; ++c) surfaces.join(number[mesh.indices[i]], number[mesh.indices[i + c]]);
     std::set<std::uint32_t> open, tangled;

@@ -15,10 +15,10 @@ struct ThinCollars {
     int points;
     CollarLimit limit;
 };
-/// By level of detail. Narrower ones, or more of them, would have level 2 cover visibly less than level 3.
+/// By level of detail; branches of the last have no collars. Narrower ones, or more of them, would have level 2 cover visibly less than that.
 constexpr ThinCollars kThinCollars[]{{4, {.narrowest = 0.35, .around = 0.5}}, {6, {.narrowest = 0.35, .around = 0.33}},
-                                     {4, {.narrowest = 0.35, .around = 0.4}}, {4, {.narrowest = 0.35, .around = 0.4}}};
-static_assert(std::size(kThinCollars) == kMaxLod + 1);
+                                     {4, {.narrowest = 0.35, .around = 0.4}}};
+static_assert(std::size(kThinCollars) == kMaxLod);
 
 void append(MeshPlan& whole, const MeshPlan& part) {
     const auto rings = static_cast<std::uint32_t>(whole.rings.size());
@@ -51,7 +51,7 @@ void append(MeshPlan& whole, const MeshPlan& part) {
     }
 }
 
-/// At a level of detail.
+/// At a level of detail with collars.
 CollarLimit limitOf(int points, int lod) {
     const ThinCollars& thin = kThinCollars[lod];
     return points <= thin.points ? thin.limit : CollarLimit();
