@@ -26,6 +26,15 @@ struct Grown {
             for (const Tube& tube : own.plan.tubes) count += tube.collarRings > 0 || tube.forked;
         return count;
     }
+    /// Branches without a collar, and clones of a fork that could not be made.
+    std::size_t startInside() const {
+        std::size_t count = 0;
+        for (std::size_t g = 0; g < stems.size(); ++g)
+            for (const Tube& tube : stems[g].plan.tubes)
+                count += tube.collarRings == 0 && !tube.startsAtFork() && (g > 0 || tree->generation(g).paths[tube.path].source >= 0);
+        return count;
+    }
+    std::size_t left() const { return joined.apart + joined.withoutCollar; }
 };
 
 /// A square of `count` by `count` cells, 0..1, counter-clockwise triangles.
@@ -124,10 +133,58 @@ TEST(JoinedStems, OfAlmostAllSpeciesAlmostAllBranchesAre) {
     for (const std::string name : {"english_oak", "european_beech", "silver_birch", "norway_spruce", "strand_oak", "strand_poplar", "weeping_willow",
                                    "winter_oak", "ca_black_oak", "strand_willow"}) {
         const Grown tree(preset(name));
-        EXPECT_GE(double(tree.joined.joined), 0.98 * double(tree.joined.joined + tree.joined.apart + tree.joined.withoutCollar)) << name;
-        EXPECT_EQ(tree.joined.joined + tree.joined.apart, tree.attached()) << name;
-        EXPECT_EQ(inWords(checkJoined(tree.joined, tree.stems)), "") << name;
+        EXPECT_GE(double(tree.joined.joined), 0.985 * double(tree.joined.joined + tree.left())) << name;
+        EXPECT_EQ(tree.joined.joined + tree.left(), tree.attached() + tree.startInside()) << name;
+        const MeshFaults faults = checkJoined(tree.joined, tree.stems);
+        EXPECT_EQ(inWords(faults), "") << name;
+        EXPECT_EQ(faults.surfaces, 1 + tree.left()) << name;
     }
+}
+
+/// Of the Norway maple sixteen collars cross others or the border between limbs, of the silver fir's coarse model 96.
+TEST(JoinedStems, WhereCollarsCrossTheWoodIsCutAndSewn) {
+    const Grown maple(preset("norway_maple")), fir(preset("silver_fir"), 1);
+    EXPECT_LE(maple.left(), 2u);
+    EXPECT_LE(fir.left(), 20u);
+    for (const Grown* tree : {&maple, &fir}) {
+        EXPECT_EQ(inWords(checkJoined(tree->joined, tree->stems)), "");
+        const double apart = volumeApart(tree->stems), joined = signedVolume(tree->joined.meshes);
+        EXPECT_NEAR(joined, apart, 0.02 * apart) << "nothing but what lies inside is gone";
+    }
+}
+
+TEST(JoinedStems, TheClonesOfAHelixPartAtAFork) {
+    const Grown oak(preset("ca_black_oak"));
+    std::size_t clones = 0, joined = 0;
+    for (const Tube& tube : oak.stems[2].plan.tubes) {
+        if (oak.tree->generation(2).paths[tube.path].source < 0) continue;
+        ++clones;
+        joined += tube.joined;
+    }
+    EXPECT_GE(clones, 700u);
+    EXPECT_GE(joined, 600u);
+    EXPECT_LE(oak.left(), 35u) << "of four thousand";
+}
+
+/// A clone that hangs down in the path it split from would be drawn twice.
+TEST(JoinedStems, AClonesWoodIsDrawnOnceWhereItLiesInItsSource) {
+    const Grown willow(preset("weeping_willow"));
+    const CGeneration& whips = willow.tree->generation(2);
+    const MeshPlan& plan = willow.stems[2].plan;
+    std::size_t hidden = 0;
+    for (const CStem& stem : whips.stems)
+        for (std::uint32_t p = stem.firstPath + 1; p < stem.firstPath + stem.pathCount; ++p) {
+            const CPath& path = whips.paths[p];
+            const std::uint32_t source = stem.firstPath + static_cast<std::uint32_t>(path.source);
+            if (plan.tubeOfPath[p] >= 0 || plan.tubeOfPath[source] < 0) continue;
+            ++hidden;
+            for (std::uint32_t i = 0; i < path.segmentCount; ++i) {
+                const CSegment &own = whips.segments[path.firstSegment + i],
+                               &beside = whips.segmentAt(stem, static_cast<std::uint32_t>(path.source), path.firstPosition + i);
+                EXPECT_LE(glm::distance(own.centre(1), beside.centre(1)), 0.5 * std::max(beside.radiusBase, 0.001)) << "it would be seen";
+            }
+        }
+    EXPECT_GE(hidden, 150u);
 }
 
 TEST(JoinedStems, ABranchAtAForkMayStandOnTheLimbBesideItsOwn) {
@@ -152,8 +209,8 @@ TEST(JoinedStems, ABranchAtAForkMayStandOnTheLimbBesideItsOwn) {
     EXPECT_GE(beside, 30u);
     EXPECT_GE(onGrandparent, 5u) << "they start below where their parent leaves its own parent's wood";
     EXPECT_LE(withoutCollar, 10u);
-    EXPECT_EQ(olive.joined.withoutCollar, withoutCollar);
-    EXPECT_EQ(checkJoined(olive.joined, olive.stems).surfaces, 1 + olive.joined.apart + withoutCollar + clones);
+    EXPECT_EQ(olive.startInside(), withoutCollar + clones);
+    EXPECT_EQ(checkJoined(olive.joined, olive.stems).surfaces, 1 + olive.left());
 }
 
 /// Also of branches that start where their parent is still inside the wood.
@@ -239,16 +296,21 @@ TEST(JoinedStems, VerticesAreWhereTheyComeFrom) {
         const CMesh& mesh = *oak.joined.meshes[g];
         ASSERT_EQ(oak.joined.sources[g].size(), mesh.vertexCount());
         ASSERT_EQ(mesh.looks.size(), mesh.vertexCount());
-        std::size_t edges = 0;
+        std::size_t edges = 0, added = 0;
         for (std::size_t v = 0; v < mesh.vertexCount(); ++v) {
             const VertexSource& source = oak.joined.sources[g][v];
+            if (const glm::vec3& from = oak.stems[source.generation].mesh->positions[source.vertex]; mesh.positions[v] != from) {
+                ++added; // on the loop around a branch that comes out somewhere else
+                ASSERT_LT(glm::distance(mesh.positions[v], from), 1);
+                continue;
+            }
             if (source.generation != g) {
                 const auto foot = feet[source.generation].find(source.vertex);
                 ASSERT_TRUE(foot != feet[source.generation].end() && foot->second == g) << "of a branch that stands here";
             }
-            ASSERT_EQ(mesh.positions[v], oak.stems[source.generation].mesh->positions[source.vertex]);
             edges += source.generation == g + 1;
         }
+        EXPECT_LT(double(added), 0.03 * double(mesh.vertexCount()));
         EXPECT_EQ(edges > 0, g + 1 < oak.stems.size());
     }
 }

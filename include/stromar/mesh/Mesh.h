@@ -77,6 +77,8 @@ using Meshes = std::vector<std::shared_ptr<const CMesh>>;
 /// How far along a ray it meets a triangle, in lengths of `direction` (Möller & Trumbore 1997), else nothing. May be behind.
 std::optional<double> meetTriangle(const glm::dvec3& from, const glm::dvec3& direction, const glm::dvec3& a, const glm::dvec3& b,
                                    const glm::dvec3& c);
+/// The nearest point of a triangle (Ericson, Real-Time Collision Detection, 5.1.5).
+glm::dvec3 nearestOnTriangle(const glm::dvec3& p, const glm::dvec3& a, const glm::dvec3& b, const glm::dvec3& c);
 /// A triangle on a ray.
 struct TriangleHit {
     std::size_t first; ///< of its three indices

@@ -124,32 +124,12 @@ std::vector<std::vector<std::uint32_t>> closedSurfaces(std::span<const StemMesh>
     return all;
 }
 
-/// The nearest point of a triangle (Ericson, Real-Time Collision Detection, 5.1.5).
-glm::dvec3 nearestOf(const glm::dvec3& p, const glm::dvec3& a, const glm::dvec3& b, const glm::dvec3& c) {
-    const glm::dvec3 ab = b - a, ac = c - a, ap = p - a;
-    const double d1 = glm::dot(ab, ap), d2 = glm::dot(ac, ap);
-    if (d1 <= 0 && d2 <= 0) return a;
-    const glm::dvec3 bp = p - b;
-    const double d3 = glm::dot(ab, bp), d4 = glm::dot(ac, bp);
-    if (d3 >= 0 && d4 <= d3) return b;
-    const double vc = d1 * d4 - d3 * d2;
-    if (vc <= 0 && d1 >= 0 && d3 <= 0) return a + d1 / (d1 - d3) * ab;
-    const glm::dvec3 cp = p - c;
-    const double d5 = glm::dot(ab, cp), d6 = glm::dot(ac, cp);
-    if (d6 >= 0 && d5 <= d6) return c;
-    const double vb = d5 * d2 - d1 * d6;
-    if (vb <= 0 && d2 >= 0 && d6 <= 0) return a + d2 / (d2 - d6) * ac;
-    const double va = d3 * d6 - d5 * d4;
-    if (va <= 0 && d4 - d3 >= 0 && d5 - d6 >= 0) return b + (d4 - d3) / (d4 - d3 + d5 - d6) * (c - b);
-    return a + ab * (vb / (va + vb + vc)) + ac * (vc / (va + vb + vc));
-}
-
 /// How far a point lies outside a surface, metres; negative inside.
 double heightAbove(const CMesh& mesh, std::initializer_list<std::pair<std::size_t, std::size_t>> ranges, const glm::dvec3& p) {
     double best = std::numeric_limits<double>::infinity(), height = 0;
     const auto look = [&](std::size_t first) {
         const auto corner = [&](std::size_t c) { return glm::dvec3(mesh.positions[mesh.indices[first + c]]); };
-        const glm::dvec3 a = corner(0), b = corner(1), c = corner(2), away = p - nearestOf(p, a, b, c);
+        const glm::dvec3 a = corner(0), b = corner(1), c = corner(2), away = p - nearestOnTriangle(p, a, b, c);
         const double squared = glm::dot(away, away);
         if (squared >= best) return;
         best = squared;

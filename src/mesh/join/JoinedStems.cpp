@@ -1,5 +1,6 @@
 #include "stromar/mesh/JoinedStems.h"
 #include "join/TubeJoiner.h"
+#include "join/Union.h"
 #include "stem/FrontNormals.h"
 #include "stem/TubeLids.h"
 #include "stromar/util/Parallel.h"
@@ -289,6 +290,38 @@ std::vector<std::vector<bool>> standingInHoles(std::span<const StemMesh> stems, 
             for (const BranchTube& branch : own.joined) stands[branch.generation][branch.tube] = true;
     return stands;
 }
+
+/// Whether a tube starts inside the wood as it is, not on its surface or at a fork.
+bool startsInside(const CTree& tree, std::size_t g, const Tube& tube) {
+    return tube.collarRings == 0 && !tube.startsAtFork() && (g > 0 || tree.generation(g).paths[tube.path].source >= 0);
+}
+
+void count(const CTree& tree, std::span<const StemMesh> stems, std::span<const OpenWalls> open, JoinedStems& joined) {
+    for (std::size_t g = 0; g < stems.size(); ++g) {
+        for (const Tube& tube : stems[g].plan.tubes) {
+            joined.joined += tube.forked;
+            joined.apart += tube.collarRings > 0;
+            joined.withoutCollar += startsInside(tree, g, tube);
+        }
+        for (const JoinedWalls& own : open[g].walls) {
+            joined.joined += own.joined.size();
+            joined.apart -= own.joined.size();
+        }
+    }
+}
+
+/// The tubes that are no part of the wood they start in, where levels of detail join any.
+std::vector<BranchTube> apartOf(const CTree& tree, std::span<const StemMesh> stems, const std::vector<std::vector<bool>>& standsInHole) {
+    std::vector<BranchTube> apart;
+    for (std::uint32_t g = 0; g < stems.size(); ++g) {
+        const MeshPlan& plan = stems[g].plan;
+        for (std::uint32_t t = 0; t < plan.tubes.size() && plan.detail->collarRings > 0; ++t) {
+            const Tube& tube = plan.tubes[t];
+            if ((tube.collarRings > 0 && !standsInHole[g][t]) || startsInside(tree, g, tube)) apart.push_back({g, t});
+        }
+    }
+    return apart;
+}
 } // namespace
 
 JoinedStems joinStems(const CTree& tree, std::span<const StemMesh> stems, const CProgress& progress) {
@@ -302,17 +335,11 @@ JoinedStems joinStems(const CTree& tree, std::span<const StemMesh> stems, const 
             for (std::size_t g = begin; g < end; ++g) CWoodWriter(static_cast<std::uint32_t>(g), stems, open[g], standsInHole[g]).write(joined, progress);
         },
         progress);
-    for (std::size_t g = 0; g < stems.size(); ++g) {
-        for (const Tube& tube : stems[g].plan.tubes) {
-            joined.joined += tube.forked;
-            joined.apart += tube.collarRings > 0;
-            joined.withoutCollar += g > 0 && tree.generation(g).paths[tube.path].source < 0 && tube.collarRings == 0 && !tube.forked;
-        }
-        for (const JoinedWalls& own : open[g].walls) {
-            joined.joined += own.joined.size();
-            joined.apart -= own.joined.size();
-        }
-    }
+    count(tree, stems, open, joined);
+    const United united = uniteWithWood(tree, stems, apartOf(tree, stems, standsInHole), joined, progress);
+    joined.joined += united.collars + united.others;
+    joined.apart -= united.collars;
+    joined.withoutCollar -= united.others;
     return joined;
 }
 

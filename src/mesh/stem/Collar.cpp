@@ -160,10 +160,10 @@ bool CCollarMaker::partAt(const CStem& branch, const CStem& parent, std::uint32_
     return branch.position + 1 >= node && (branch.position <= node || branch.offset <= endOfLimb(parent.firstPath + clone));
 }
 
-/// How far along its stem the rings of the fork reach that a path starts at, metres; 0 when it is not drawn so.
+/// How far along its stem the rings of the fork reach that a path starts at, metres; 0 when it is drawn otherwise, without an end when another is drawn for it.
 double CCollarMaker::endOfLimb(std::uint32_t path) const {
     const std::int32_t index = m_wood->plan.tubeOfPath[path];
-    if (index < 0) return 0;
+    if (index < 0) return std::numeric_limits<double>::infinity();
     const Tube& tube = m_wood->plan.tubes[static_cast<std::size_t>(index)];
     if (!tube.startsAtFork()) return 0;
     const Fork& fork = m_wood->plan.forksOf(tube)[0];

@@ -22,11 +22,15 @@ constexpr double kLeastFacing = 0.05; // cosine between a lid's triangles and it
 // Of branches: the sine of half the turn of one, or of the path beside it, beyond which it rather grows out of the side: 74 degrees; beyond
 // 35 degrees a single one does where the segments are not so many times longer than its bend.
 constexpr double kSharpestTurn = 0.6, kNarrow = 0.3, kLeastRoom = 1.6;
+constexpr double kSteepestHelix = 0.7; // tangent of the angle between a helix and its axis
 constexpr double kUnlimited = std::numeric_limits<double>::infinity();
 constexpr double kLeastDrawn = 2; // times what single precision shows: between points
 constexpr int kForkHalvings = 12;
 
 glm::dvec2 directionOf(double angle) { return {std::cos(angle), std::sin(angle)}; }
+
+/// Whether the paths of a helix, each of which turns its own way, leave a fork along its axis.
+bool isGentle(const CSegment& helix) { return kTurn * helix.turns * helix.helixRadius < kSteepestHelix * helix.length; }
 
 /// The angle plus whole turns that is nearest to another.
 double nearest(double angle, double to) { return angle + kTurn * std::round((to - angle) / kTurn); }
@@ -70,8 +74,9 @@ std::optional<ForkNode> CForkMaker::nodeAt(std::uint32_t segment, double reach) 
         node.branches = m_nodes->at(static_cast<std::uint32_t>(&stem - m_generation.stems.data()), position - 1);
         if (!node.branches.empty() && !addReach(segment, node)) node.branches.clear();
     }
-    const bool winds = m_generation.segments[node.segmentBelow].helixRadius > 0;
-    if (node.limbs() < 2 || node.reach <= 0 || winds) return {};
+    const CSegment& below = m_generation.segments[node.segmentBelow];
+    if (below.helixRadius > 0) node.reach = isGentle(below) ? CCentreLine::reachBelowFork(below.length, m_surface.woodRadius(stem, below, 1), 0) : 0;
+    if (node.limbs() < 2 || node.reach <= 0) return {};
     return node;
 }
 

@@ -17,6 +17,7 @@ constexpr double kApart = 0.2;       // radii between the first own ring above a
 constexpr double kApartOfFork = 0.05; // likewise above a fork
 constexpr CollarShape kCollarShapes[]{{1, 0.3}, {1, 0.1}, {0.6, 0.3}, {0.6, 0.1}, {0.6, 0.02}, {0.4, 0.1}}; // first the usual one
 constexpr ExitSearch kExitSearches[]{{}, {.ahead = 3}, {.ahead = 3, .aside = true}, {.ahead = 6}};
+constexpr double kCoinciding = 0.5; // radii that the lines of two paths may lie apart for one of them to be drawn for both
 constexpr double kLeastGap = 0.4; // between neighbours on a collar, of what can be drawn well
 constexpr std::uint32_t kOneByOne = 16; // folded rings that are taken out before many are at a time; likewise tries with the forks that do not fold
 
@@ -84,9 +85,10 @@ std::uint32_t CSimplifier::planPath(std::uint32_t s, std::uint32_t p, MeshPlan& 
     const CPath& path = m_generation.paths[index];
     const bool mayHaveCollar = m_collars && path.source < 0 && m_starts[p].common.points == 0;
     if (mayHaveCollar && (planWithCollar(s, index, plan) || isHidden(m_generation.stems[s], path))) return p + 1;
-    if (planTube(s, index, {}, plan)) return p + 1;
     ForkStart& start = m_starts[p];
     const bool starts = start.common.points > 0;
+    if (!starts && coincides(m_generation.stems[s], path)) return p + 1;
+    if (planTube(s, index, {}, plan)) return p + 1;
     if (!starts || !m_startFolds) {
         const bool one = !m_folded.empty() && ++m_tries < kOneByOne;
         const std::vector<std::uint32_t>& folded = one ? m_folded : m_planned;
@@ -105,6 +107,20 @@ std::uint32_t CSimplifier::planPath(std::uint32_t s, std::uint32_t p, MeshPlan& 
 /// Whether the wood of its parent hides a stem: then it is not drawn.
 bool CSimplifier::isHidden(const CStem& stem, const CPath& path) {
     return stem.pathCount == 1 && m_collars->hides(stem, m_generation.segmentsOf(path));
+}
+
+/// Whether a clone without clones of its own runs along in the wood of the path that it parts from: then it is not drawn either.
+bool CSimplifier::coincides(const CStem& stem, const CPath& path) const {
+    const auto paths = std::span(m_generation.paths).subspan(stem.firstPath, stem.pathCount);
+    const auto own = static_cast<std::int32_t>(&path - paths.data());
+    if (path.source < 0 || std::ranges::count(paths, own, &CPath::source) > 0) return false;
+    const CPath& source = paths[static_cast<std::size_t>(path.source)];
+    const auto beside = m_generation.segmentsOf(source).subspan(path.firstPosition - source.firstPosition);
+    const auto segments = m_generation.segmentsOf(path);
+    return segments.size() <= beside.size() && std::ranges::equal(segments, beside.first(segments.size()), [&](const CSegment& one, const CSegment& other) {
+        const double near = kCoinciding * m_surface.drawnAtBase(stem, other);
+        return glm::distance(one.centre(0.5), other.centre(0.5)) <= near && glm::distance(one.centre(1), other.centre(1)) <= near;
+    });
 }
 
 /// With the usual collar, or in turn with what may fit where that folds or the branch does not seem to leave the wood; one that has too

@@ -47,6 +47,7 @@ private:
     void planPaths(std::uint32_t s, MeshPlan& plan);
     std::uint32_t planPath(std::uint32_t s, std::uint32_t p, MeshPlan& plan);
     bool isHidden(const CStem& stem, const CPath& path);
+    bool coincides(const CStem& stem, const CPath& path) const;
     bool planWithCollar(std::uint32_t s, std::uint32_t p, MeshPlan& plan);
     bool planWithCollar(std::uint32_t s, std::uint32_t p, double room, MeshPlan& plan);
     bool planTube(std::uint32_t s, std::uint32_t p, const std::optional<CollarTry>& collar, MeshPlan& plan);

@@ -1,0 +1,290 @@
+#include "join/TubeUnion.h"
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <glm/geometric.hpp>
+
+namespace stromar {
+
+namespace {
+constexpr double kApartOfRadius = 0.02; // radii of the tube: points so near are one
+constexpr double kBeyondRing = 1e-3;    // of the way between two rings: a collar's lowest lies on the wood, but for rounding
+constexpr double kStrip = 0.25;         // radii of the tube between the loops
+constexpr double kFlatWall = 1e-7;      // twice the area of a triangle that is too flat, over its sides squared
+constexpr double kTurned = 100;         // times: the cost of a triangle that looks inwards
+
+using Index = CWoodPatch::Index;
+
+/// How the loop is looked for: a narrower tube keeps off others.
+struct Try {
+    double width;                ///< over the tube's own
+    bool startsInMiddle = false; ///< see CTubeLines
+};
+constexpr Try kTries[]{{1}, {0.7}, {0.4}, {1, true}};
+
+/// One tube and the wood it comes out of. Both are cut along a loop, the tube a little further up, and what lies between is filled.
+class CTubeUnion {
+public:
+    CTubeUnion(const CTree& tree, std::span<const StemMesh> stems, const BranchTube& of, CTubeLines& lines, CWoodPatch& patch)
+        : m_tree(tree), m_stems(stems), m_of(of), m_lines(lines), m_tube(lines.tube), m_patch(patch) {
+        for (const Index t : patch.looked()) {
+            const VertexSource& source = patch.vertices()[patch.triangles()[t].vertices[0]].value.source;
+            if (isOwn(source)) m_own.push_back(t);
+            if (isBelow(source)) m_below.push_back(t);
+        }
+    }
+
+    bool make() {
+        for (const Try& own : kTries)
+            for (const Across across : {Across::Surface, Across::Wall}) {
+                if (own.startsInMiddle) m_lines.startInMiddle();
+                m_width = own.width;
+                m_across = across;
+                m_patch.mark();
+                const bool leaves = findWood() && findExits();
+                if (leaves && cutWood() && cutTube() && sew() && m_patch.settle()) return true;
+                m_patch.undo();
+                if (!leaves) break;
+            }
+        return false;
+    }
+
+private:
+    /// What the plane through two points of the loop is square to: the normals there, or the tube's wall between them.
+    enum class Across { Surface, Wall };
+    /// Where a line of the tube leaves the wood.
+    struct Left {
+        CWoodPatch::Crossing crossing;
+        double along; ///< metres, of the line
+        glm::dvec3 way;
+    };
+    struct Exit {
+        Index point; ///< of the patch
+        double along; ///< metres, of the line, as wide as the tube is
+        glm::dvec3 way;
+    };
+    /// Points of the patch: one for each line, and those on the way to the next.
+    struct Loop {
+        std::vector<Index> points; ///< the first again at the end
+        std::vector<std::vector<Index>> ways;
+
+        /// From a line to the next; one point where both have the same.
+        std::vector<Index> side(std::size_t i) const {
+            std::vector<Index> side{points[i]};
+            side.insert(side.end(), ways[i].begin(), ways[i].end());
+            if (points[i + 1] != points[i]) side.push_back(points[i + 1]);
+            return side;
+        }
+        /// Each point once.
+        std::vector<Index> whole() const {
+            std::vector<Index> all;
+            for (std::size_t i = 0; i < ways.size(); ++i) {
+                const std::vector<Index> own = side(i);
+                all.insert(all.end(), own.begin(), own.end() - 1);
+            }
+            return all;
+        }
+    };
+
+    /// Marks what the tube grows on and all that is joined to it; false where it is part of that.
+    bool findWood() {
+        m_patch.spread(m_below);
+        return !m_own.empty() && std::ranges::none_of(m_own, [&](Index t) { return m_patch.isMarked(t); });
+    }
+
+    bool isOwn(const VertexSource& source) const {
+        return source.generation == m_of.generation && source.vertex >= m_tube.firstVertex && source.vertex < m_tube.firstVertex + m_tube.vertices;
+    }
+
+    /// Whether a vertex is of one of the stems that the tube's grows on, or of what the tube parts from.
+    bool isBelow(const VertexSource& source) const {
+        if (source.generation > m_of.generation || isOwn(source)) return false;
+        const std::uint32_t surface = surfaceOf(m_stems, source), stem = m_stems[source.generation].plan.tubes[surface].stem;
+        if (source.generation == m_of.generation) return stem == m_tube.stem && surface != m_of.tube;
+        const CStem& own = m_tree.generation(m_of.generation).stems[m_tube.stem];
+        return &m_tree.ancestor(m_of.generation, own, m_of.generation - source.generation) == &m_tree.generation(source.generation).stems[stem];
+    }
+
+    double apart() const { return kApartOfRadius * m_lines.radius; }
+
+    bool findExits() {
+        m_near.clear();
+        std::vector<Left> all;
+        for (std::uint32_t line = 0; line < m_tube.points; ++line) {
+            auto left = leftBy(line, m_width);
+            if (const auto whole = m_width < 1 && left ? leftBy(line, 1) : left; whole)
+                left->along = whole->along;
+            else
+                return false;
+            all.push_back(*left);
+        }
+        m_exits.clear();
+        for (const Left& left : all) m_exits.push_back({m_patch.pointAt(left.crossing, apart()), left.along, left.way});
+        m_exits.push_back(m_exits.front());
+        return std::ranges::count(m_exits, CWoodPatch::kNone, &Exit::point) == 0;
+    }
+
+    /// Where a line leaves the wood for longer than for a radius of the tube.
+    std::optional<Left> leftBy(std::uint32_t line, double width) {
+        std::optional<Left> left;
+        double along = 0;
+        bool out = false;
+        for (std::uint32_t r = 0; r < m_lines.rings(); ++r) {
+            const glm::dvec3 low = r == 0 ? m_lines.base : m_lines.at(r - 1, line, width), way = m_lines.at(r, line, width) - low;
+            const double length = glm::length(way);
+            for (const CWoodPatch::Crossing& crossing : m_patch.crossings(low - kBeyondRing * way, low + (1 + kBeyondRing) * way, nearBelow(r))) {
+                const double place = along + std::clamp(crossing.share * (1 + 2 * kBeyondRing) - kBeyondRing, 0.0, 1.0) * length;
+                if (out && place - left->along > m_lines.radius) break;
+                if (crossing.leaves && !out) left = Left{crossing, place, way};
+                out = crossing.leaves;
+            }
+            along += length;
+            if (out && along - left->along > m_lines.radius) break;
+        }
+        return out ? left : std::nullopt;
+    }
+
+    /// The wood around the lines up to a ring, from the one before or the base.
+    std::span<const Index> nearBelow(std::uint32_t ring) {
+        for (auto r = static_cast<std::uint32_t>(m_near.size()); r <= ring; ++r) m_near.push_back(m_patch.near(m_lines.around(r)));
+        return m_near[ring];
+    }
+
+    bool cutWood() {
+        m_wood = {};
+        for (const Exit& exit : m_exits) m_wood.points.push_back(exit.point);
+        const auto upAt = [&](std::size_t i, bool wall) {
+            if (wall) return glm::normalize(m_exits[i].way) + glm::normalize(m_exits[i + 1].way);
+            return glm::normalize(m_patch.normalAt(m_wood.points[i])) + glm::normalize(m_patch.normalAt(m_wood.points[i + 1]));
+        };
+        const bool wall = m_across == Across::Wall;
+        if (!close(m_wood, [&](std::size_t i) { return std::array{upAt(i, wall), upAt(i, !wall)}; })) return false;
+        return m_patch.removeLeftOf(m_wood.whole(), m_of.generation, true);
+    }
+
+    bool cutTube() {
+        m_patch.spread(m_own);
+        m_edge = {};
+        for (std::uint32_t line = 0; line < m_tube.points; ++line) {
+            const auto place = m_lines.placeAt(line, std::max(m_exits[line].along, glm::distance(m_lines.base, m_lines.at(0, line))) + kStrip * m_lines.radius);
+            m_edge.points.push_back(place ? m_patch.pointNear(*place, apart()) : CWoodPatch::kNone);
+            if (m_edge.points.back() == CWoodPatch::kNone) return false;
+        }
+        m_edge.points.push_back(m_edge.points.front());
+        const auto upAt = [&](std::size_t i) { return glm::normalize(m_patch.normalAt(m_edge.points[i])) + glm::normalize(m_patch.normalAt(m_edge.points[i + 1])); };
+        if (!close(m_edge, [&](std::size_t i) { return std::array{upAt(i)}; })) return false;
+        std::vector<Index> back = m_edge.whole();
+        std::ranges::reverse(back);
+        return m_patch.removeLeftOf(back, m_of.generation, false);
+    }
+
+    /// Cuts from each point of a loop to the next; the normals of the planes to do so are tried in turn.
+    template <typename UpAt> bool close(Loop& loop, UpAt&& upAt) {
+        std::vector<Index> closed;
+        for (std::size_t i = 0; i + 1 < loop.points.size(); ++i) {
+            const Index from = loop.points[i], to = loop.points[i + 1];
+            std::vector<Index>& way = loop.ways.emplace_back();
+            if (from == to) continue;
+            std::vector<Index> kept = closed; // that must not be touched: the loop so far and what comes later
+            kept.insert(kept.end(), loop.points.begin(), loop.points.end());
+            std::erase_if(kept, [&](Index point) { return point == from || point == to; });
+            if (std::ranges::count(closed, to) > 0 && i + 2 < loop.points.size()) return false;
+            const auto ups = upAt(i);
+            const bool made = std::ranges::any_of(ups, [&](const glm::dvec3& up) {
+                way.clear();
+                const glm::dvec3 across = glm::cross(m_patch.place(to) - m_patch.place(from), up);
+                return glm::length(across) > 0 && m_patch.cut(from, to, glm::normalize(across), apart() / 2, kept, way);
+            });
+            if (!made) return false;
+            way.pop_back(); // the next point
+            closed.push_back(from);
+            closed.insert(closed.end(), way.begin(), way.end());
+        }
+        return loop.whole().size() >= 3;
+    }
+
+    bool sew() {
+        for (std::size_t i = 0; i < m_tube.points; ++i)
+            if (!fill(stripOf(i))) return false;
+        return true;
+    }
+
+    /// Vertices around what lies between the two loops and two lines, counter-clockwise seen from outside; none where there are no two loops.
+    std::vector<Index> stripOf(std::size_t i) {
+        const std::vector<Index> lower = m_wood.side(i), top = topOf(m_edge.side(i));
+        if (std::ranges::count(top, CWoodPatch::kNone) > 0) return {}; // a loop touches itself
+        std::vector<double> along{0};
+        for (std::size_t k = 1; k < lower.size(); ++k) along.push_back(along.back() + glm::distance(m_patch.place(lower[k - 1]), m_patch.place(lower[k])));
+        std::vector<Index> strip;
+        for (std::size_t k = 0; k < lower.size(); ++k) strip.push_back(m_patch.addBetween(top.front(), top.back(), along[k] > 0 ? along[k] / along.back() : 0, lower[k]));
+        strip.insert(strip.end(), top.rbegin(), top.rend());
+        return strip;
+    }
+
+    /// The tube's vertices along its edge.
+    std::vector<Index> topOf(const std::vector<Index>& side) const {
+        if (side.size() == 1) return {m_patch.vertexAt(side[0])};
+        std::vector<Index> top;
+        for (std::size_t k = 0; k + 1 < side.size(); ++k) top.push_back(m_patch.vertexAt(side[k], side[k + 1], false));
+        top.push_back(m_patch.vertexAt(side[side.size() - 2], side.back(), true));
+        return top;
+    }
+
+    /// Triangles within a closed edge: those with the shortest sides that look outwards (Klincsek 1980).
+    bool fill(const std::vector<Index>& edge) {
+        const std::size_t n = edge.size();
+        if (n < 3) return n == 2;
+        std::vector<std::vector<double>> cost(n, std::vector<double>(n, 0));
+        std::vector<std::vector<std::size_t>> third(n, std::vector<std::size_t>(n, 0));
+        for (std::size_t span = 2; span < n; ++span)
+            for (std::size_t a = 0; a + span < n; ++a) {
+                const std::size_t b = a + span;
+                cost[a][b] = std::numeric_limits<double>::infinity();
+                for (std::size_t m = a + 1; m < b; ++m) {
+                    const double own = cost[a][m] + cost[m][b] + costOf(edge[a], edge[m], edge[b]);
+                    if (own < cost[a][b]) cost[a][b] = own, third[a][b] = m;
+                }
+            }
+        if (!std::isfinite(cost[0][n - 1])) return false;
+        std::vector<std::pair<std::size_t, std::size_t>> open{{0, n - 1}};
+        while (!open.empty()) {
+            const auto [a, b] = open.back();
+            open.pop_back();
+            if (b < a + 2) continue;
+            const std::size_t m = third[a][b];
+            m_patch.addTriangle({edge[a], edge[m], edge[b]}, m_of.generation);
+            open.push_back({a, m});
+            open.push_back({m, b});
+        }
+        return true;
+    }
+
+    double costOf(Index a, Index b, Index c) const {
+        const auto& vertices = m_patch.vertices();
+        const auto place = [&](Index v) { return glm::dvec3(vertices[v].value.position); };
+        const glm::dvec3 face = glm::cross(place(b) - place(a), place(c) - place(a));
+        const double twice = glm::length(face), sides = glm::distance(place(a), place(b)) + glm::distance(place(b), place(c)) + glm::distance(place(c), place(a));
+        if (!(twice > kFlatWall * sides * sides)) return std::numeric_limits<double>::infinity();
+        const glm::dvec3 normal = glm::dvec3(vertices[a].value.normal + vertices[b].value.normal + vertices[c].value.normal);
+        return sides * (glm::dot(face, normal) > 0 ? 1 : kTurned);
+    }
+    const CTree& m_tree;
+    std::span<const StemMesh> m_stems;
+    BranchTube m_of;
+    CTubeLines& m_lines;
+    const Tube& m_tube;
+    CWoodPatch& m_patch;
+    std::vector<Index> m_own, m_below; ///< triangles of the tube, and of what it grows on
+    Across m_across = Across::Surface;
+    double m_width = 1; ///< see Try
+    std::vector<std::vector<Index>> m_near; ///< by ring: the wood around the lines below
+    std::vector<Exit> m_exits; ///< by line, the first again at the end
+    Loop m_wood, m_edge;       ///< of the wood and of the tube
+};
+} // namespace
+
+bool unite(const CTree& tree, std::span<const StemMesh> stems, const BranchTube& tube, CTubeLines& lines, CWoodPatch& patch) {
+    return CTubeUnion(tree, stems, tube, lines, patch).make();
+}
+
+} // namespace stromar
