@@ -351,6 +351,7 @@ void exportTree(const CommonOptions& common, const ExportOptions& options, const
     CTreeCreator creator = creatorFor(common);
     const auto lods = stromar::exportTree(creator, params, options, std::filesystem::path(common.file).parent_path(), path,
                                           progress, nullptr, motion);
+    if (isSolid(options)) return say(common, path + ": the wood as one solid");
     for (const auto& lod : lods)
         say(common, path + ": " + std::string(lod->detail->name) + ", " + std::to_string(lod->vertexCount()) +
                         " vertices, " + std::to_string(lod->triangleCount()) + " triangles");

@@ -10,15 +10,21 @@ namespace stromar {
 /// The lines along a tube's walls, one at each point of its lowest ring; rings further up have fewer points.
 class CTubeLines {
 public:
+    static constexpr double kBeyond = 1e-3; ///< of the way between two rings that a line is looked along further: a collar's lowest ring lies on the wood, but for rounding
+
+    const Tube& tube;
+    glm::dvec3 base; ///< inside the wood
+    double radius = 0; ///< metres, of the lowest ring of its own
+
     /// `reach`: how far up a tube may come out, radii of the wood or of the path it parts from.
     CTubeLines(const CTree& tree, std::span<const StemMesh> stems, const BranchTube& of, double reach)
-        : m_mesh(*stems[of.generation].mesh), tube(stems[of.generation].plan.tubes[of.tube]) {
+        : tube(stems[of.generation].plan.tubes[of.tube]), m_mesh(*stems[of.generation].mesh) {
         const CGeneration& generation = tree.generation(of.generation);
         const CStem& stem = generation.stems[tube.stem];
         const CPath& path = generation.paths[tube.path];
         m_isClone = path.source >= 0;
         base = generation.segments[m_isClone ? path.firstSegment : stem.firstSegment].position;
-        middleOfWood = m_isClone ? base : middleBelow(tree, stems, of.generation, stem);
+        m_middleOfWood = m_isClone ? base : middleBelow(tree, stems, of.generation, stem);
         for (std::uint32_t r = 0; r <= tube.collarRings; ++r) addRing(tube.firstVertex + r * (tube.points + 1), tube.points);
         for (std::uint32_t i = 0; i < tube.points; ++i) radius = std::max(radius, glm::distance(m_rings.back().middle, at(tube.collarRings, i)));
         addRings(stems[of.generation].plan, reach * (m_isClone ? radius : std::max(stem.parentRadius, radius)));
@@ -36,7 +42,7 @@ public:
         return m_isClone && ring == 0 ? glm::mix(base, within, kWithinSource) : within;
     }
     /// Lets lines start in the middle of what is drawn of the wood: a thin one is a prism beside its axis.
-    void startInMiddle() { base = middleOfWood; }
+    void startInMiddle() { base = m_middleOfWood; }
     /// So many metres along a line, from the base; nothing beyond the last ring.
     std::optional<glm::dvec3> placeAt(std::uint32_t line, double along) const {
         glm::dvec3 low = base;
@@ -79,7 +85,6 @@ private:
         glm::dvec3 middle;
     };
     static constexpr double kRoom = 0.1; // radii of the tube
-    static constexpr double kBeyond = 1e-3; // of the way between two rings
     static constexpr double kWithinSource = 0.8; // a clone starts with a ring of the path that it parts from; its lines are to start within
 
     static glm::dvec3 middleBelow(const CTree& tree, std::span<const StemMesh> stems, std::size_t g, const CStem& stem) {
@@ -108,13 +113,8 @@ private:
     }
     const CMesh& m_mesh;
     std::vector<Ring> m_rings;
+    glm::dvec3 m_middleOfWood;
     bool m_isClone = false;
-
-public:
-    const Tube& tube;
-    glm::dvec3 base; ///< inside the wood
-    glm::dvec3 middleOfWood;
-    double radius = 0; ///< metres, of the lowest ring of its own
 };
 
 } // namespace stromar

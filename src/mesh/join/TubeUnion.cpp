@@ -8,7 +8,6 @@ namespace stromar {
 
 namespace {
 constexpr double kApartOfRadius = 0.02; // radii of the tube: points so near are one
-constexpr double kBeyondRing = 1e-3;    // of the way between two rings: a collar's lowest lies on the wood, but for rounding
 constexpr double kStrip = 0.25;         // radii of the tube between the loops
 constexpr double kFlatWall = 1e-7;      // twice the area of a triangle that is too flat, over its sides squared
 constexpr double kTurned = 100;         // times: the cost of a triangle that looks inwards
@@ -132,8 +131,9 @@ private:
         for (std::uint32_t r = 0; r < m_lines.rings(); ++r) {
             const glm::dvec3 low = r == 0 ? m_lines.base : m_lines.at(r - 1, line, width), way = m_lines.at(r, line, width) - low;
             const double length = glm::length(way);
-            for (const CWoodPatch::Crossing& crossing : m_patch.crossings(low - kBeyondRing * way, low + (1 + kBeyondRing) * way, nearBelow(r))) {
-                const double place = along + std::clamp(crossing.share * (1 + 2 * kBeyondRing) - kBeyondRing, 0.0, 1.0) * length;
+            const glm::dvec3 beyond = CTubeLines::kBeyond * way;
+            for (const CWoodPatch::Crossing& crossing : m_patch.crossings(low - beyond, low + way + beyond, nearBelow(r))) {
+                const double place = along + std::clamp(crossing.share * (1 + 2 * CTubeLines::kBeyond) - CTubeLines::kBeyond, 0.0, 1.0) * length;
                 if (out && place - left->along > m_lines.radius) break;
                 if (crossing.leaves && !out) left = Left{crossing, place, way};
                 out = crossing.leaves;
@@ -268,6 +268,7 @@ private:
         const glm::dvec3 normal = glm::dvec3(vertices[a].value.normal + vertices[b].value.normal + vertices[c].value.normal);
         return sides * (glm::dot(face, normal) > 0 ? 1 : kTurned);
     }
+
     const CTree& m_tree;
     std::span<const StemMesh> m_stems;
     BranchTube m_of;
