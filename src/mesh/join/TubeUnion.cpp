@@ -3,6 +3,7 @@
 #include <array>
 #include <cmath>
 #include <glm/geometric.hpp>
+#include <iterator>
 
 namespace stromar {
 
@@ -26,25 +27,35 @@ class CTubeUnion {
 public:
     CTubeUnion(const CTree& tree, std::span<const StemMesh> stems, const BranchTube& of, CTubeLines& lines, CWoodPatch& patch)
         : m_tree(tree), m_stems(stems), m_of(of), m_lines(lines), m_tube(lines.tube), m_patch(patch) {
+        std::vector<Index> below;
         for (const Index t : patch.looked()) {
             const VertexSource& source = patch.vertices()[patch.triangles()[t].vertices[0]].value.source;
             if (isOwn(source)) m_own.push_back(t);
-            if (isBelow(source)) m_below.push_back(t);
+            if (isBelow(source)) below.push_back(t);
         }
+        patch.spread(below);
+        std::ranges::copy_if(patch.looked(), std::back_inserter(m_below), [&](Index t) { return patch.isMarked(t); });
     }
 
+    /// False where the tube is part of the wood, or cannot be joined.
     bool make() {
-        for (const Try& own : kTries)
+        if (m_own.empty() || std::ranges::any_of(m_own, [&](Index t) { return m_patch.isMarked(t); })) return false;
+        for (const Try& own : kTries) {
+            if (own.startsInMiddle) {
+                m_lines.startInMiddle();
+                m_near.clear();
+            }
             for (const Across across : {Across::Surface, Across::Wall}) {
-                if (own.startsInMiddle) m_lines.startInMiddle();
                 m_width = own.width;
                 m_across = across;
                 m_patch.mark();
-                const bool leaves = findWood() && findExits();
+                m_patch.markOnly(m_below);
+                const bool leaves = findExits();
                 if (leaves && cutWood() && cutTube() && sew() && m_patch.settle()) return true;
                 m_patch.undo();
                 if (!leaves) break;
             }
+        }
         return false;
     }
 
@@ -85,12 +96,6 @@ private:
         }
     };
 
-    /// Marks what the tube grows on and all that is joined to it; false where it is part of that.
-    bool findWood() {
-        m_patch.spread(m_below);
-        return !m_own.empty() && std::ranges::none_of(m_own, [&](Index t) { return m_patch.isMarked(t); });
-    }
-
     bool isOwn(const VertexSource& source) const {
         return source.generation == m_of.generation && source.vertex >= m_tube.firstVertex && source.vertex < m_tube.firstVertex + m_tube.vertices;
     }
@@ -107,7 +112,6 @@ private:
     double apart() const { return kApartOfRadius * m_lines.radius; }
 
     bool findExits() {
-        m_near.clear();
         std::vector<Left> all;
         for (std::uint32_t line = 0; line < m_tube.points; ++line) {
             auto left = leftBy(line, m_width);
@@ -275,7 +279,7 @@ private:
     CTubeLines& m_lines;
     const Tube& m_tube;
     CWoodPatch& m_patch;
-    std::vector<Index> m_own, m_below; ///< triangles of the tube, and of what it grows on
+    std::vector<Index> m_own, m_below; ///< triangles of the tube, and of what it grows on with all that is joined to it
     Across m_across = Across::Surface;
     double m_width = 1; ///< see Try
     std::vector<std::vector<Index>> m_near; ///< by ring: the wood around the lines below

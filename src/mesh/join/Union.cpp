@@ -9,7 +9,7 @@ namespace stromar {
 
 namespace {
 constexpr double kReaches[]{6, 30}; // radii: most tubes come out soon
-constexpr std::size_t kMostNear = 150'000; // triangles around all tubes that are looked at: some tenths of a second
+constexpr std::size_t kMostNear = 25'000; // triangles around all tubes that are looked at: some hundredths of a second
 
 void leaveOutUnused(CMesh& mesh, std::vector<VertexSource>& sources) {
     std::vector<std::uint32_t> placeOf(mesh.vertexCount());

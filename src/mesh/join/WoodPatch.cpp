@@ -104,6 +104,11 @@ void CWoodPatch::spread(std::span<const Index> seeds) {
     }
 }
 
+void CWoodPatch::markOnly(std::span<const Index> triangles) {
+    ++m_spread;
+    for (const Index t : triangles) m_triangles[t].spread = m_spread;
+}
+
 std::vector<CWoodPatch::Index> CWoodPatch::near(const Capsule& capsule) const {
     std::vector<Index> found;
     const glm::dvec3 way = capsule.to - capsule.from;

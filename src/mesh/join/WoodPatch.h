@@ -59,6 +59,8 @@ public:
     std::span<const Index> looked() const { return m_looked; }
     /// Marks all of these that hang together with `seeds`, and no other.
     void spread(std::span<const Index> seeds);
+    /// Marks these, which are all that are marked.
+    void markOnly(std::span<const Index> triangles);
     bool isMarked(Index triangle) const { return m_triangles[triangle].spread == m_spread; }
     /// Of a line with some triangles, from its start.
     std::vector<Crossing> crossings(const glm::dvec3& from, const glm::dvec3& to, std::span<const Index> among) const;
