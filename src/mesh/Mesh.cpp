@@ -51,6 +51,16 @@ glm::dvec3 nearestOnTriangle(const glm::dvec3& p, const glm::dvec3& a, const glm
     return a + ab * (vb / (va + vb + vc)) + ac * (vc / (va + vb + vc));
 }
 
+glm::dvec3 barycentricOf(const glm::dvec3& p, const glm::dvec3& a, const glm::dvec3& b, const glm::dvec3& c) {
+    const glm::dvec3 u = b - a, v = c - a, w = p - a;
+    const double uu = glm::dot(u, u), uv = glm::dot(u, v), vv = glm::dot(v, v), wu = glm::dot(w, u), wv = glm::dot(w, v);
+    const double whole = uu * vv - uv * uv;
+    if (!(whole > 0)) return glm::dvec3(1.0 / 3);
+    const glm::dvec3 shares(0, std::clamp((vv * wu - uv * wv) / whole, 0.0, 1.0), std::clamp((uu * wv - uv * wu) / whole, 0.0, 1.0));
+    const double others = shares.y + shares.z;
+    return others > 1 ? glm::dvec3(0, shares.y / others, shares.z / others) : glm::dvec3(1 - others, shares.y, shares.z);
+}
+
 std::optional<TriangleHit> meetMesh(const CMesh& mesh, const glm::dvec3& from, const glm::dvec3& direction) {
     std::optional<TriangleHit> nearest;
     for (std::size_t t = 0; t < mesh.indices.size(); t += 3) {

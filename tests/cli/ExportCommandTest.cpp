@@ -50,6 +50,14 @@ TEST(ExportCommand, SettingsOfAFile) {
     EXPECT_FALSE(folder.names().contains("three.glb"));
 }
 
+TEST(ExportCommand, ASolidIsReportedAsThat) {
+    const CTemporaryFolder folder;
+    const ProcessResult run = cli(exportTo(folder / "tree.stl", {"--watertight", "voxel", "0.1"}));
+    EXPECT_EQ(run.status, 0) << run.err;
+    EXPECT_NE(run.err.find("tree.stl: the wood as one solid"), std::string::npos) << run.err;
+    EXPECT_EQ(run.err.find("triangles"), std::string::npos) << "those of the model are not in the file";
+}
+
 TEST(ExportCommand, WritesEveryFormat) {
     for (const Format& format : formatTable()) {
         const CTemporaryFolder folder;

@@ -28,8 +28,8 @@ CWoodPatch cube() {
     CWoodPatch patch(vertices, points, triangles);
     std::vector<Index> all(triangles.size());
     for (Index t = 0; t < all.size(); ++t) all[t] = t;
-    patch.look(all);
-    patch.spread(std::array<Index, 1>{0});
+    patch.select(all);
+    patch.flood(std::array<Index, 1>{0});
     return patch;
 }
 
@@ -65,18 +65,18 @@ TEST(WoodPatch, ALoopCanBeCutOutAndFilled) {
     CWoodPatch patch = cube();
     patch.mark();
     const std::vector<Index> loop = loopOnTop(patch);
-    EXPECT_TRUE(patch.settle()) << "cutting leaves it closed";
+    EXPECT_TRUE(patch.finish()) << "cutting leaves it closed";
     const std::size_t before = left(patch);
     ASSERT_TRUE(patch.removeLeftOf(loop, 0, true));
     EXPECT_LT(left(patch), before);
-    EXPECT_FALSE(patch.settle()) << "open";
+    EXPECT_FALSE(patch.finish()) << "open";
     std::vector<Index> vertices;
     for (std::size_t i = 0; i < loop.size(); ++i) {
         const Index next = loop[(i + 1) % loop.size()];
         vertices.push_back(patch.vertexAt(next, loop[i], true)); // outside of the loop
     }
     for (std::size_t i = 1; i + 1 < vertices.size(); ++i) patch.addTriangle({vertices[0], vertices[i], vertices[i + 1]}, 0);
-    EXPECT_TRUE(patch.settle());
+    EXPECT_TRUE(patch.finish());
 }
 
 TEST(WoodPatch, WhatLiesFarFromTheLoopStays) {

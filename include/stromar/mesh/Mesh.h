@@ -79,6 +79,8 @@ std::optional<double> meetTriangle(const glm::dvec3& from, const glm::dvec3& dir
                                    const glm::dvec3& c);
 /// The nearest point of a triangle (Ericson, Real-Time Collision Detection, 5.1.5).
 glm::dvec3 nearestOnTriangle(const glm::dvec3& p, const glm::dvec3& a, const glm::dvec3& b, const glm::dvec3& c);
+/// Barycentric coordinates of a point in a triangle, none below 0; of one outside those of a point of its edge.
+glm::dvec3 barycentricOf(const glm::dvec3& p, const glm::dvec3& a, const glm::dvec3& b, const glm::dvec3& c);
 /// A triangle on a ray.
 struct TriangleHit {
     std::size_t first; ///< of its three indices

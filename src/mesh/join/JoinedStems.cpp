@@ -59,7 +59,7 @@ public:
         if (generation > 0) findCommon(stems[generation - 1].plan);
     }
 
-    void write(JoinedStems& joined, const CProgress& progress) {
+    void write(Wood& wood, const CProgress& progress) {
         countUsed();
         std::size_t vertices = m_kept, indices = 3 * static_cast<std::size_t>(std::ranges::count(m_dropped, false));
         for (const JoinedWalls& own : m_open.walls) {
@@ -71,8 +71,8 @@ public:
         copyKept();
         for (const JoinedWalls& own : m_open.walls) append(own);
         turnNormals(progress);
-        joined.meshes[m_generation] = m_out;
-        joined.sources[m_generation] = std::move(m_sources);
+        wood.meshes[m_generation] = m_out;
+        wood.sources[m_generation] = std::move(m_sources);
     }
 
 private:
@@ -315,7 +315,8 @@ std::vector<BranchTube> apartOf(const CTree& tree, std::span<const StemMesh> ste
     std::vector<BranchTube> apart;
     for (std::uint32_t g = 0; g < stems.size(); ++g) {
         const MeshPlan& plan = stems[g].plan;
-        for (std::uint32_t t = 0; t < plan.tubes.size() && plan.detail->collarRings > 0; ++t) {
+        if (plan.detail->collarRings == 0) continue;
+        for (std::uint32_t t = 0; t < plan.tubes.size(); ++t) {
             const Tube& tube = plan.tubes[t];
             if ((tube.collarRings > 0 && !standsInHole[g][t]) || startsInside(tree, g, tube)) apart.push_back({g, t});
         }
@@ -325,18 +326,21 @@ std::vector<BranchTube> apartOf(const CTree& tree, std::span<const StemMesh> ste
 } // namespace
 
 JoinedStems joinStems(const CTree& tree, std::span<const StemMesh> stems, const CProgress& progress) {
-    JoinedStems joined{Meshes(stems.size()), std::vector<std::vector<VertexSource>>(stems.size())};
+    Wood wood{std::vector<std::shared_ptr<CMesh>>(stems.size()), std::vector<std::vector<VertexSource>>(stems.size())};
     std::vector<OpenWalls> open(stems.size());
     for (std::size_t g = 0; g < stems.size(); ++g) open[g] = joinGeneration(tree, g, stems, progress);
     const auto standsInHole = standingInHoles(stems, open);
     parallelFor(
         stems.size(), 1,
         [&](std::size_t begin, std::size_t end) {
-            for (std::size_t g = begin; g < end; ++g) CWoodWriter(static_cast<std::uint32_t>(g), stems, open[g], standsInHole[g]).write(joined, progress);
+            for (std::size_t g = begin; g < end; ++g) CWoodWriter(static_cast<std::uint32_t>(g), stems, open[g], standsInHole[g]).write(wood, progress);
         },
         progress);
+    JoinedStems joined;
     count(tree, stems, open, joined);
-    const United united = uniteWithWood(tree, stems, apartOf(tree, stems, standsInHole), joined, progress);
+    const United united = uniteWithWood(tree, stems, apartOf(tree, stems, standsInHole), wood, progress);
+    joined.meshes.assign(wood.meshes.begin(), wood.meshes.end());
+    joined.sources = std::move(wood.sources);
     joined.joined += united.collars + united.others;
     joined.apart -= united.collars;
     joined.withoutCollar -= united.others;

@@ -1,41 +1,76 @@
 #include "join/NearWood.h"
 #include "stromar/mesh/Weld.h"
 #include "stromar/util/DisjointSets.h"
+#include <algorithm>
 #include <map>
+#include <numeric>
 #include <unordered_map>
 
 namespace stromar {
 
-std::vector<WoodPlace> placesOf(const std::vector<CTubeLines>& lines, const JoinedStems& joined, const CProgress& progress) {
-    std::vector<Box> boxes;
-    for (const CTubeLines& own : lines) boxes.push_back(own.box());
-    const CBoxTree all(std::move(boxes));
-    CDisjointSets together(lines.size());
+namespace {
+/// Calls work(triangle, its bounds) for all.
+template <typename Do> void forEachTriangle(const Wood& wood, const CProgress& progress, Do&& work) {
+    for (std::uint32_t g = 0; g < wood.meshes.size(); ++g) {
+        progress.poll();
+        const CMesh& mesh = *wood.meshes[g];
+        for (std::size_t i = 0; i < mesh.indices.size(); i += 3) {
+            Bounds bounds = kNowhere;
+            for (std::size_t c = 0; c < 3; ++c) include(bounds, mesh.positions[mesh.indices[i + c]]);
+            work(WoodPlace::Source{g, i}, bounds);
+        }
+    }
+}
+
+CBoundsTree treeOf(const std::vector<CTubeLines>& lines, const std::vector<std::uint32_t>& tubes) {
+    std::vector<Bounds> bounds;
+    for (const std::uint32_t t : tubes) bounds.push_back(lines[t].bounds());
+    return CBoundsTree(std::move(bounds));
+}
+
+std::vector<std::uint32_t> chosenOf(const std::vector<CTubeLines>& lines, const Wood& wood, std::size_t most, const CProgress& progress) {
+    std::vector<std::uint32_t> all(lines.size()), chosen;
+    std::iota(all.begin(), all.end(), 0u);
+    CBoundsTree tree = treeOf(lines, all);
+    std::vector<std::size_t> near(lines.size());
+    forEachTriangle(wood, progress, [&](const WoodPlace::Source&, const Bounds& bounds) {
+        tree.forEachTouching(bounds, [&](std::uint32_t t) { return ++near[t] <= most; });
+    });
+    std::ranges::stable_sort(all, {}, [&](std::uint32_t t) { return near[t]; });
+    std::size_t sum = 0;
+    for (const std::uint32_t t : all)
+        if ((sum += near[t]) <= most) chosen.push_back(t);
+    std::ranges::sort(chosen);
+    return chosen;
+}
+} // namespace
+
+std::vector<WoodPlace> placesOf(const std::vector<CTubeLines>& lines, const Wood& wood, std::size_t most, const CProgress& progress) {
+    const std::vector<std::uint32_t> chosen = chosenOf(lines, wood, most, progress);
+    CBoundsTree tree = treeOf(lines, chosen);
+    CDisjointSets together(chosen.size());
     struct Near {
         WoodPlace::Source triangle;
         std::size_t first, end; // in `tubes`
     };
     std::vector<Near> near;
     std::vector<std::uint32_t> tubes;
-    for (std::uint32_t g = 0; g < joined.meshes.size(); ++g) {
-        progress.poll();
-        const CMesh& mesh = *joined.meshes[g];
-        for (std::size_t i = 0; i < mesh.indices.size(); i += 3) {
-            Box box;
-            for (std::size_t c = 0; c < 3; ++c) box.add(glm::dvec3(mesh.positions[mesh.indices[i + c]]));
-            const std::size_t first = tubes.size();
-            all.forEachTouching(box, [&](std::uint32_t tube) { tubes.push_back(tube); });
-            if (tubes.size() == first) continue;
-            near.push_back({{g, i}, first, tubes.size()});
-            for (std::size_t k = first + 1; k < tubes.size(); ++k) together.join(tubes[first], tubes[k]);
-        }
-    }
-    std::vector<WoodPlace> places(lines.size());
-    std::vector<std::uint32_t> within(lines.size()); // its place's tubes: which it is
-    for (std::uint32_t t = 0; t < lines.size(); ++t) {
+    forEachTriangle(wood, progress, [&](const WoodPlace::Source& triangle, const Bounds& bounds) {
+        const std::size_t first = tubes.size();
+        tree.forEachTouching(bounds, [&](std::uint32_t tube) {
+            tubes.push_back(tube);
+            return true;
+        });
+        if (tubes.size() == first) return;
+        near.push_back({triangle, first, tubes.size()});
+        for (std::size_t k = first + 1; k < tubes.size(); ++k) together.join(tubes[first], tubes[k]);
+    });
+    std::vector<WoodPlace> places(chosen.size());
+    std::vector<std::size_t> within(chosen.size()); // its place's tubes: which it is
+    for (std::uint32_t t = 0; t < chosen.size(); ++t) {
         WoodPlace& own = places[together.of(t)];
-        within[t] = static_cast<std::uint32_t>(own.tubes.size());
-        own.tubes.push_back(t);
+        within[t] = own.tubes.size();
+        own.tubes.push_back(chosen[t]);
         own.near.emplace_back();
     }
     for (const Near& own : near) {
@@ -54,12 +89,12 @@ std::uint32_t surfaceOf(std::span<const StemMesh> stems, const VertexSource& sou
     return static_cast<std::uint32_t>(own - tubes.begin());
 }
 
-CWoodPatch patchOf(const WoodPlace& place, std::span<const StemMesh> stems, const JoinedStems& joined) {
+CWoodPatch patchOf(const WoodPlace& place, std::span<const StemMesh> stems, const Wood& wood) {
     std::vector<CWoodPatch::Vertex> vertices;
     std::vector<CWoodPatch::Triangle> triangles;
-    std::vector<std::unordered_map<std::uint32_t, CWoodPatch::Index>> known(joined.meshes.size());
+    std::vector<std::unordered_map<std::uint32_t, CWoodPatch::Index>> known(wood.meshes.size());
     for (const auto& [g, first] : place.triangles) {
-        const CMesh& mesh = *joined.meshes[g];
+        const CMesh& mesh = *wood.meshes[g];
         CWoodPatch::Triangle& own = triangles.emplace_back();
         own.generation = g;
         own.first = first;
@@ -67,7 +102,7 @@ CWoodPatch patchOf(const WoodPlace& place, std::span<const StemMesh> stems, cons
             const std::uint32_t v = mesh.indices[first + c];
             const auto [at, isNew] = known[g].try_emplace(v, static_cast<CWoodPatch::Index>(vertices.size()));
             if (isNew)
-                vertices.push_back({{joined.sources[g][v], mesh.positions[v], mesh.normals[v], mesh.texCoords[v], mesh.looks[v]}, g, v});
+                vertices.push_back({{wood.sources[g][v], mesh.positions[v], mesh.normals[v], mesh.texCoords[v], mesh.looks[v]}, g, v});
             own.vertices[c] = at->second;
         }
     }

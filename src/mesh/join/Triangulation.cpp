@@ -1,4 +1,5 @@
 #include "join/Triangulation.h"
+#include "join/Corners.h"
 #include <algorithm>
 #include <cmath>
 #include <glm/geometric.hpp>
@@ -26,9 +27,6 @@ int sideOf(const glm::dvec2& a, const glm::dvec2& b, const glm::dvec2& c) {
     const double twice = area(a, b, c), flat = kTooFlat * std::max({squared(b - a), squared(c - b), squared(a - c)});
     return twice > flat ? 1 : twice < -flat ? -1 : 0;
 }
-
-std::uint32_t after(std::uint32_t corner) { return (corner + 1) % 3; }
-std::uint32_t before(std::uint32_t corner) { return (corner + 2) % 3; }
 } // namespace
 
 CTriangulation::CTriangulation(std::vector<Triangle> triangles, Index vertexCount)

@@ -19,17 +19,6 @@ constexpr double kBetter = 1.05;      // times: quality after a flip
 
 using Triangle = CTriangulation::Triangle;
 
-/// Where a point lies in a triangle: the shares of its corners.
-glm::dvec3 sharesOf(const glm::dvec3& p, const glm::dvec3& a, const glm::dvec3& b, const glm::dvec3& c) {
-    const glm::dvec3 u = b - a, v = c - a, w = p - a;
-    const double uu = glm::dot(u, u), uv = glm::dot(u, v), vv = glm::dot(v, v), wu = glm::dot(w, u), wv = glm::dot(w, v);
-    const double whole = uu * vv - uv * uv;
-    if (!(whole > 0)) return glm::dvec3(1.0 / 3);
-    const glm::dvec3 shares(0, std::clamp((vv * wu - uv * wv) / whole, 0.0, 1.0), std::clamp((uu * wv - uv * wu) / whole, 0.0, 1.0));
-    const double others = shares.y + shares.z;
-    return others > 1 ? glm::dvec3(0, shares.y / others, shares.z / others) : glm::dvec3(1 - others, shares.y, shares.z);
-}
-
 /// Few values for each of many keys.
 template <typename Value>
 class CChains {
@@ -255,7 +244,7 @@ private:
 
     glm::dvec3 sharesAt(const SurfacePoint& point) const {
         const std::uint32_t* v = &m_mesh.indices[point.triangle];
-        return sharesOf(point.position, glm::dvec3(m_mesh.positions[v[0]]), glm::dvec3(m_mesh.positions[v[1]]),
+        return barycentricOf(point.position, glm::dvec3(m_mesh.positions[v[0]]), glm::dvec3(m_mesh.positions[v[1]]),
                         glm::dvec3(m_mesh.positions[v[2]]));
     }
 

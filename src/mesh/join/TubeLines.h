@@ -1,5 +1,5 @@
 #pragma once
-#include "join/BoxTree.h"
+#include "join/BoundsTree.h"
 #include "join/WoodPatch.h"
 #include "stem/TubeWalls.h"
 #include <glm/geometric.hpp>
@@ -55,6 +55,13 @@ public:
         }
         return {};
     }
+    /// Repeats of the bark along the tube at its base. Of lines with two rings.
+    double barkPerMetre() const {
+        const std::uint32_t own = rings() > tube.collarRings + 1 ? tube.collarRings : 0;
+        const Ring &low = m_rings[own], &high = m_rings[own + 1];
+        const double length = glm::distance(placeOf(low.vertex), placeOf(high.vertex));
+        return length > 0 ? (double(m_mesh.texCoords[high.vertex].y) - double(m_mesh.texCoords[low.vertex].y)) / length : 0;
+    }
     /// What the lines lie in up to a ring, from the one before or the base.
     CWoodPatch::Capsule around(std::uint32_t ring) const {
         CWoodPatch::Capsule own{ring == 0 ? base : m_rings[ring - 1].middle, m_rings[ring].middle, 0};
@@ -65,18 +72,16 @@ public:
         own.radius += kRoom * radius + 2 * kBeyond * glm::distance(own.from, own.to);
         return own;
     }
-    Box box() const {
-        Box box;
+    Bounds bounds() const {
+        Bounds all = kNowhere;
         for (std::uint32_t r = 0; r < rings(); ++r) {
             const CWoodPatch::Capsule own = around(r);
             for (const glm::dvec3& end : {own.from, own.to}) {
-                box.add(end - own.radius);
-                box.add(end + own.radius);
+                include(all, glm::vec3(end - own.radius - radius));
+                include(all, glm::vec3(end + own.radius + radius));
             }
         }
-        box.low -= radius;
-        box.high += radius;
-        return box;
+        return all;
     }
 
 private:

@@ -28,13 +28,13 @@ public:
     CTubeUnion(const CTree& tree, std::span<const StemMesh> stems, const BranchTube& of, CTubeLines& lines, CWoodPatch& patch)
         : m_tree(tree), m_stems(stems), m_of(of), m_lines(lines), m_tube(lines.tube), m_patch(patch) {
         std::vector<Index> below;
-        for (const Index t : patch.looked()) {
+        for (const Index t : patch.selected()) {
             const VertexSource& source = patch.vertices()[patch.triangles()[t].vertices[0]].value.source;
             if (isOwn(source)) m_own.push_back(t);
             if (isBelow(source)) below.push_back(t);
         }
-        patch.spread(below);
-        std::ranges::copy_if(patch.looked(), std::back_inserter(m_below), [&](Index t) { return patch.isMarked(t); });
+        patch.flood(below);
+        std::ranges::copy_if(patch.selected(), std::back_inserter(m_below), [&](Index t) { return patch.isMarked(t); });
     }
 
     /// False where the tube is part of the wood, or cannot be joined.
@@ -51,7 +51,7 @@ public:
                 m_patch.mark();
                 m_patch.markOnly(m_below);
                 const bool leaves = findExits();
-                if (leaves && cutWood() && cutTube() && sew() && m_patch.settle()) return true;
+                if (leaves && cutWood() && cutTube() && stitch() && m_patch.finish()) return true;
                 m_patch.undo();
                 if (!leaves) break;
             }
@@ -167,7 +167,7 @@ private:
     }
 
     bool cutTube() {
-        m_patch.spread(m_own);
+        m_patch.flood(m_own);
         m_edge = {};
         for (std::uint32_t line = 0; line < m_tube.points; ++line) {
             const auto place = m_lines.placeAt(line, std::max(m_exits[line].along, glm::distance(m_lines.base, m_lines.at(0, line))) + kStrip * m_lines.radius);
@@ -207,7 +207,7 @@ private:
         return loop.whole().size() >= 3;
     }
 
-    bool sew() {
+    bool stitch() {
         for (std::size_t i = 0; i < m_tube.points; ++i)
             if (!fill(stripOf(i))) return false;
         return true;
@@ -219,8 +219,13 @@ private:
         if (std::ranges::count(top, CWoodPatch::kNone) > 0) return {}; // a loop touches itself
         std::vector<double> along{0};
         for (std::size_t k = 1; k < lower.size(); ++k) along.push_back(along.back() + glm::distance(m_patch.place(lower[k - 1]), m_patch.place(lower[k])));
+        const glm::dvec3 first = m_patch.place(m_edge.points[i]), last = m_patch.place(m_edge.points[i + 1]);
         std::vector<Index> strip;
-        for (std::size_t k = 0; k < lower.size(); ++k) strip.push_back(m_patch.addBetween(top.front(), top.back(), along[k] > 0 ? along[k] / along.back() : 0, lower[k]));
+        for (std::size_t k = 0; k < lower.size(); ++k) {
+            const double share = along[k] > 0 ? along[k] / along.back() : 0;
+            const double below = m_lines.barkPerMetre() * glm::distance(m_patch.place(lower[k]), glm::mix(first, last, share));
+            strip.push_back(m_patch.addBetween(top.front(), top.back(), share, below, lower[k]));
+        }
         strip.insert(strip.end(), top.rbegin(), top.rend());
         return strip;
     }

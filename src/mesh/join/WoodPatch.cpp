@@ -1,4 +1,5 @@
 #include "join/WoodPatch.h"
+#include "join/Corners.h"
 #include <algorithm>
 #include <cmath>
 #include <glm/common.hpp>
@@ -14,10 +15,7 @@ constexpr int kMaxCuts = 200;      // of edges, on the way between two points
 constexpr double kLeastStep = 1e-12; // metres
 constexpr double kDetour = 15;      // the longest way between two points, over their distance
 constexpr double kBulge = 2.5;     // how far from its middle what a loop bounds may reach, over the loop itself
-constexpr double kOnTriangle = 1e-9; // shares of a triangle: rounding
 
-std::uint32_t following(std::uint32_t corner) { return (corner + 1) % 3; }
-std::uint32_t preceding(std::uint32_t corner) { return (corner + 2) % 3; }
 std::uint32_t cornerAt(const CWoodPatch::Triangle& triangle, CWoodPatch::Index point) {
     return static_cast<std::uint32_t>(std::ranges::find(triangle.points, point) - triangle.points.begin());
 }
@@ -70,50 +68,50 @@ glm::dvec3 CWoodPatch::normalAt(Index point) const {
 /// The triangle on the other side; kNone at the patch's border.
 CWoodPatch::Index CWoodPatch::beyond(const Side& side) const {
     const Triangle& own = m_triangles[side.triangle];
-    const Index from = own.points[side.corner], to = own.points[following(side.corner)];
+    const Index from = own.points[side.corner], to = own.points[after(side.corner)];
     Index other = kNone;
     forEachAround(to, [&](Index t) {
         for (std::uint32_t c = 0; c < 3; ++c)
-            if (m_triangles[t].points[c] == to && m_triangles[t].points[following(c)] == from) other = t;
+            if (m_triangles[t].points[c] == to && m_triangles[t].points[after(c)] == from) other = t;
     });
     return other;
 }
 
-void CWoodPatch::look(std::span<const Index> near) {
-    ++m_look;
-    m_looked.clear();
+void CWoodPatch::select(std::span<const Index> near) {
+    ++m_selection;
+    m_selected.clear();
     const auto add = [&](Index t) {
         if (m_triangles[t].removed) return;
-        m_triangles[t].looked = m_look;
-        m_looked.push_back(t);
+        m_triangles[t].selection = m_selection;
+        m_selected.push_back(t);
     };
     std::ranges::for_each(near, add);
     for (std::size_t t = m_oldCount; t < m_triangles.size(); ++t) add(static_cast<Index>(t));
 }
 
-void CWoodPatch::spread(std::span<const Index> seeds) {
-    ++m_spread;
+void CWoodPatch::flood(std::span<const Index> seeds) {
+    ++m_flood;
     std::vector<Index> open(seeds.begin(), seeds.end());
     while (!open.empty()) {
         const Index t = open.back();
         open.pop_back();
-        if (isMarked(t) || m_triangles[t].removed || m_triangles[t].looked != m_look) continue;
-        m_triangles[t].spread = m_spread;
+        if (isMarked(t) || m_triangles[t].removed || m_triangles[t].selection != m_selection) continue;
+        m_triangles[t].flooded = m_flood;
         for (std::uint32_t c = 0; c < 3; ++c)
             if (const Index next = beyond({t, c}); next != kNone) open.push_back(next);
     }
 }
 
 void CWoodPatch::markOnly(std::span<const Index> triangles) {
-    ++m_spread;
-    for (const Index t : triangles) m_triangles[t].spread = m_spread;
+    ++m_flood;
+    for (const Index t : triangles) m_triangles[t].flooded = m_flood;
 }
 
 std::vector<CWoodPatch::Index> CWoodPatch::near(const Capsule& capsule) const {
     std::vector<Index> found;
     const glm::dvec3 way = capsule.to - capsule.from;
     const double squared = glm::dot(way, way);
-    for (const Index t : m_looked) {
+    for (const Index t : m_selected) {
         if (!isMarked(t) || m_triangles[t].removed) continue;
         const auto& points = m_triangles[t].points;
         const glm::dvec3 a = place(points[0]), b = place(points[1]), c = place(points[2]), middle = (a + b + c) / 3.0;
@@ -129,13 +127,8 @@ std::vector<CWoodPatch::Crossing> CWoodPatch::crossings(const glm::dvec3& from, 
     const glm::dvec3 way = to - from;
     for (const Index t : among) {
         const Triangle& own = m_triangles[t];
-        const glm::dvec3 a = place(own.points[0]), u = place(own.points[1]) - a, v = place(own.points[2]) - a, p = glm::cross(way, v);
-        const double against = glm::dot(u, p); // positive where the line enters
-        if (against == 0) continue;
-        const glm::dvec3 s = from - a, q = glm::cross(s, u);
-        const double one = glm::dot(s, p) / against, other = glm::dot(way, q) / against, share = glm::dot(v, q) / against;
-        if (!(one >= -kOnTriangle && other >= -kOnTriangle && one + other <= 1 + kOnTriangle && share >= 0 && share <= 1)) continue;
-        all.push_back({share, t, a + one * u + other * v, against < 0});
+        const auto share = meetTriangle(from, way, place(own.points[0]), place(own.points[1]), place(own.points[2]));
+        if (share && *share >= 0 && *share <= 1) all.push_back({*share, t, from + *share * way, glm::dot(faceOf(own), way) > 0});
     }
     std::ranges::sort(all, {}, &Crossing::share);
     return all;
@@ -169,13 +162,13 @@ CWoodPatch::Index CWoodPatch::add(Triangle triangle) {
     for (std::size_t c = 0; c < 3; ++c) triangle.points[c] = m_pointOf[triangle.vertices[c]];
     const auto t = static_cast<Index>(m_triangles.size());
     m_triangles.push_back(triangle);
-    m_looked.push_back(t);
+    m_selected.push_back(t);
     for (const Index point : triangle.points) m_around[point].push_back(t);
     return t;
 }
 
 void CWoodPatch::addTriangle(const std::array<Index, 3>& vertices, std::uint32_t generation) {
-    add({.vertices = vertices, .points = {}, .generation = generation, .first = 0, .looked = m_look, .spread = m_spread});
+    add({.vertices = vertices, .points = {}, .generation = generation, .first = 0, .selection = m_selection, .flooded = m_flood});
 }
 
 void CWoodPatch::remove(Index triangle) {
@@ -192,7 +185,7 @@ CWoodPatch::Index CWoodPatch::splitInside(Index triangle, const glm::dvec3& shar
     remove(triangle);
     for (std::uint32_t c = 0; c < 3; ++c) {
         Triangle part = own;
-        part.vertices = {own.vertices[c], own.vertices[following(c)], middle};
+        part.vertices = {own.vertices[c], own.vertices[after(c)], middle};
         add(part);
     }
     return point;
@@ -203,7 +196,7 @@ CWoodPatch::Index CWoodPatch::pointOn(Index one, Index other, double share) {
     std::vector<Side> sides;
     forEachAround(one, [&](Index t) {
         for (std::uint32_t c = 0; c < 3; ++c) {
-            const Index from = m_triangles[t].points[c], to = m_triangles[t].points[following(c)];
+            const Index from = m_triangles[t].points[c], to = m_triangles[t].points[after(c)];
             if ((from == one && to == other) || (from == other && to == one)) sides.push_back({t, c});
         }
     });
@@ -213,7 +206,7 @@ CWoodPatch::Index CWoodPatch::pointOn(Index one, Index other, double share) {
     Index middle = kNone;
     for (const Side& side : sides) {
         const Triangle own = m_triangles[side.triangle];
-        const std::uint32_t a = side.corner, b = following(a), c = preceding(a);
+        const std::uint32_t a = side.corner, b = after(a), c = before(a);
         const bool turned = own.points[a] == other;
         const std::array<Index, 2> ends{own.vertices[turned ? b : a], own.vertices[turned ? a : b]};
         if (ends != known) {
@@ -238,23 +231,19 @@ CWoodPatch::Index CWoodPatch::pointAt(Index triangle, const glm::dvec3& at, doub
     const glm::dvec3 face = faceOf(own);
     const double twice = glm::dot(face, face);
     if (!(twice > 0)) return kNone;
-    glm::dvec3 shares(0);
-    for (std::uint32_t c = 0; c < 3; ++c) {
-        const glm::dvec3 a = place(own.points[c]), b = place(own.points[following(c)]);
-        if (glm::distance(a, at) < apart) return own.points[c];
-        shares[static_cast<int>(preceding(c))] = std::max(0.0, glm::dot(glm::cross(b - a, at - a), face) / twice);
-    }
-    shares /= shares.x + shares.y + shares.z;
+    for (const Index point : own.points)
+        if (glm::distance(place(point), at) < apart) return point;
+    const glm::dvec3 shares = barycentricOf(at, place(own.points[0]), place(own.points[1]), place(own.points[2]));
     std::uint32_t nearest = 0; // edge
     double height = std::numeric_limits<double>::infinity();
     for (std::uint32_t c = 0; c < 3; ++c) {
-        const double length = glm::distance(place(own.points[c]), place(own.points[following(c)]));
-        const double above = shares[static_cast<int>(preceding(c))] * std::sqrt(twice) / length;
+        const double length = glm::distance(place(own.points[c]), place(own.points[after(c)]));
+        const double above = shares[static_cast<int>(before(c))] * std::sqrt(twice) / length;
         if (above < height) height = above, nearest = c;
     }
     if (height < apart) {
-        const double low = shares[static_cast<int>(nearest)], high = shares[static_cast<int>(following(nearest))];
-        return pointOn(own.points[nearest], own.points[following(nearest)], high / (low + high));
+        const double low = shares[static_cast<int>(nearest)], high = shares[static_cast<int>(after(nearest))];
+        return pointOn(own.points[nearest], own.points[after(nearest)], high / (low + high));
     }
     return splitInside(triangle, shares);
 }
@@ -263,7 +252,7 @@ CWoodPatch::Index CWoodPatch::pointNear(const glm::dvec3& at, double apart) {
     Index nearest = kNone;
     double least = std::numeric_limits<double>::infinity();
     glm::dvec3 there(0);
-    for (const Index t : m_looked) {
+    for (const Index t : m_selected) {
         const Triangle& triangle = m_triangles[t];
         if (!isMarked(t) || triangle.removed) continue;
         const glm::dvec3 own = nearestOnTriangle(at, place(triangle.points[0]), place(triangle.points[1]), place(triangle.points[2]));
@@ -285,14 +274,16 @@ CWoodPatch::Index CWoodPatch::vertexAt(Index from, Index to, bool end) const {
     Index found = kNone;
     forEachAround(from, [&](Index t) {
         const std::uint32_t corner = cornerAt(m_triangles[t], from);
-        if (m_triangles[t].points[following(corner)] == to) found = m_triangles[t].vertices[end ? following(corner) : corner];
+        if (m_triangles[t].points[after(corner)] == to) found = m_triangles[t].vertices[end ? after(corner) : corner];
     });
     return found;
 }
 
-CWoodPatch::Index CWoodPatch::addBetween(Index one, Index other, double share, Index point) {
+CWoodPatch::Index CWoodPatch::addBetween(Index one, Index other, double share, double below, Index point) {
     const Vertex &a = m_vertices[one], &b = m_vertices[other];
-    return addVertex({mixed(a.value, b.value, b.value, {1 - share, share, 0}), a.generation, kNone}, point);
+    Vertex own{mixed(a.value, b.value, b.value, {1 - share, share, 0}), a.generation, kNone};
+    own.value.texCoord.y -= static_cast<float>(below);
+    return addVertex(own, point);
 }
 
 bool CWoodPatch::areConnected(Index one, Index other) const {
@@ -315,7 +306,7 @@ CWoodPatch::Step CWoodPatch::stepFrom(Index current, Index previous, const glm::
         const Triangle& own = m_triangles[t];
         if (!isMarked(t) || std::ranges::count(own.points, previous) > 0) return;
         const std::uint32_t corner = cornerAt(own, current);
-        const Index a = own.points[following(corner)], b = own.points[preceding(corner)];
+        const Index a = own.points[after(corner)], b = own.points[before(corner)];
         const double low = height(a), high = height(b);
         if (std::abs(low) < plane.apart) return consider(place(a), {a});
         if (std::abs(high) < plane.apart) return consider(place(b), {b});
@@ -353,7 +344,7 @@ std::vector<CWoodPatch::Index> CWoodPatch::leftOf(std::span<const Index> loop) c
     for (std::size_t i = 0; i < loop.size(); ++i)
         forEachAround(loop[i], [&](Index t) {
             const auto& points = m_triangles[t].points;
-            if (points[following(cornerAt(m_triangles[t], loop[i]))] == loop[(i + 1) % loop.size()]) found.push_back(t);
+            if (points[after(cornerAt(m_triangles[t], loop[i]))] == loop[(i + 1) % loop.size()]) found.push_back(t);
         });
     return found;
 }
@@ -382,7 +373,7 @@ bool CWoodPatch::removeLeftOf(std::span<const Index> loop, std::uint32_t generat
         if (std::ranges::any_of(own.points, [&](Index point) { return glm::distance(middle, place(point)) > reach; })) return false;
         inside.push_back(t);
         for (std::uint32_t c = 0; c < 3; ++c) {
-            if (isOnLoop(own.points[c], own.points[following(c)])) continue;
+            if (isOnLoop(own.points[c], own.points[after(c)])) continue;
             open.push_back(beyond({t, c}));
             if (open.back() == kNone) return false;
         }
@@ -397,7 +388,7 @@ bool CWoodPatch::isSewn(Index from, Index to) const {
     bool hadBack = false;
     for (const Index t : m_around[from])
         for (std::uint32_t c = 0; c < 3; ++c) {
-            const Index a = m_triangles[t].points[c], b = m_triangles[t].points[following(c)];
+            const Index a = m_triangles[t].points[c], b = m_triangles[t].points[after(c)];
             const bool isBack = a == to && b == from;
             hadBack = hadBack || isBack;
             if (m_triangles[t].removed) continue;
@@ -418,14 +409,14 @@ bool CWoodPatch::areApart() const {
            std::none_of(m_places.begin(), start, [&](const glm::vec3& place) { return std::ranges::binary_search(added, place, inOrder); });
 }
 
-bool CWoodPatch::settle() {
+bool CWoodPatch::finish() {
     if (!areApart()) return false;
     for (std::size_t t = m_triangleMark; t < m_triangles.size(); ++t) {
         if (m_triangles[t].removed) continue;
         const glm::dvec3 face = faceOf(m_triangles[t]);
         if (!(glm::length(face) > 0)) return false;
         for (std::uint32_t c = 0; c < 3; ++c) {
-            if (!isSewn(m_triangles[t].points[c], m_triangles[t].points[following(c)])) return false;
+            if (!isSewn(m_triangles[t].points[c], m_triangles[t].points[after(c)])) return false;
             const Vertex vertex = m_vertices[m_triangles[t].vertices[c]];
             if (glm::dot(face, glm::dvec3(vertex.value.normal)) > 0) continue;
             Vertex own = vertex;
@@ -447,7 +438,7 @@ void CWoodPatch::undo() {
     for (const Index t : m_removed) m_triangles[t].removed = false;
     for (std::size_t t = m_triangles.size(); t-- > m_triangleMark;)
         for (const Index point : m_triangles[t].points) m_around[point].pop_back();
-    std::erase_if(m_looked, [&](Index t) { return t >= m_triangleMark; });
+    std::erase_if(m_selected, [&](Index t) { return t >= m_triangleMark; });
     m_triangles.resize(m_triangleMark, m_triangles.empty() ? Triangle{} : m_triangles[0]);
     m_vertices.resize(m_vertexMark, m_vertices.empty() ? Vertex{} : m_vertices[0]);
     m_pointOf.resize(m_vertexMark);

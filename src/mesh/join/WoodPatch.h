@@ -28,7 +28,7 @@ public:
         std::uint32_t generation;
         std::size_t first; ///< of its indices in that mesh; of no meaning when new
         bool isNew = false, removed = false;
-        std::uint32_t looked = 0, spread = 0; ///< by which look() and spread() it was found last; what is cut out of it is too
+        std::uint32_t selection = 0, flooded = 0; ///< by which select() and flood() it was found last; what is cut out of it is too
     };
     /// Of a triangle: from a corner to the one after it.
     struct Side {
@@ -53,15 +53,14 @@ public:
     /// `pointOf` numbers the places of the vertices from 0.
     CWoodPatch(std::vector<Vertex> vertices, std::vector<Index> pointOf, std::vector<Triangle> triangles);
 
-    /// What follows, up to undo(), looks at no other triangles of those there were at the start, and at all that are new.
-    void look(std::span<const Index> near);
-    /// Those that are not removed.
-    std::span<const Index> looked() const { return m_looked; }
-    /// Marks all of these that hang together with `seeds`, and no other.
-    void spread(std::span<const Index> seeds);
+    /// What follows works on these triangles of those there were at the start, and on all that are new.
+    void select(std::span<const Index> near);
+    std::span<const Index> selected() const { return m_selected; } ///< some may be removed since
+    /// Marks all of these that are connected with `seeds`, and no other.
+    void flood(std::span<const Index> seeds);
     /// Marks these, which are all that are marked.
     void markOnly(std::span<const Index> triangles);
-    bool isMarked(Index triangle) const { return m_triangles[triangle].spread == m_spread; }
+    bool isMarked(Index triangle) const { return m_triangles[triangle].flooded == m_flood; }
     /// Of a line with some triangles, from its start.
     std::vector<Crossing> crossings(const glm::dvec3& from, const glm::dvec3& to, std::span<const Index> among) const;
     /// The marked triangles that may touch one.
@@ -81,18 +80,16 @@ public:
     /// Takes out what lies on the left of a closed loop of edges. False where that is not bounded by the loop, is of a later generation or,
     /// where it must be near, reaches far beyond it.
     bool removeLeftOf(std::span<const Index> loop, std::uint32_t generation, bool near);
-    void remove(Index triangle);
 
-    Index addVertex(const Vertex& vertex, Index point);
-    /// Like what lies so far between two others.
-    Index addBetween(Index one, Index other, double share, Index point);
+    /// A vertex like what lies so far between two others, whose picture is `below` it, repeats.
+    Index addBetween(Index one, Index other, double share, double below, Index point);
     /// Of a triangle at a point: the vertex there.
     Index vertexAt(Index point) const;
     /// Of the triangle to the left of an edge: the vertex at its start or its end.
     Index vertexAt(Index from, Index to, bool end) const;
     void addTriangle(const std::array<Index, 3>& vertices, std::uint32_t generation);
     /// Whether all that was added since mark() is closed, not flat, and no side or place is there twice. Gives corners that look away from their normal another one.
-    bool settle();
+    bool finish();
 
     void mark();
     void undo();
@@ -108,6 +105,8 @@ private:
         glm::dvec3 place, normal;
         double apart; ///< points so near are on it, metres
     };
+    void remove(Index triangle);
+    Index addVertex(const Vertex& vertex, Index point);
     Index addPoint(const glm::dvec3& place, const VertexSource& source);
     Index addMixed(const Triangle& of, const glm::dvec3& shares, Index point);
     Index add(Triangle triangle);
@@ -133,9 +132,9 @@ private:
     std::vector<VertexSource> m_sources; ///< likewise
     std::vector<std::vector<Index>> m_around; ///< likewise: triangles, removed ones too
     std::vector<Index> m_removed; ///< since the mark
-    std::vector<Index> m_looked;  ///< some are removed since
+    std::vector<Index> m_selected;
     std::size_t m_oldCount = 0;   ///< of triangles, at the start
-    std::uint32_t m_look = 0, m_spread = 0; ///< how many there were
+    std::uint32_t m_selection = 0, m_flood = 0; ///< how many there were
     std::size_t m_vertexMark = 0, m_triangleMark = 0, m_pointMark = 0;
 };
 
