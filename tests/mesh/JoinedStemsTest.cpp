@@ -134,7 +134,7 @@ TEST(JoinedStems, OfAlmostAllSpeciesAlmostAllBranchesAre) {
     for (const std::string name : {"english_oak", "european_beech", "silver_birch", "norway_spruce", "strand_oak", "strand_poplar", "weeping_willow",
                                    "winter_oak", "ca_black_oak", "strand_willow"}) {
         const Grown tree(preset(name));
-        EXPECT_GE(double(tree.joined.joined), 0.985 * double(tree.joined.joined + tree.left())) << name;
+        EXPECT_GE(double(tree.joined.joined), 0.999 * double(tree.joined.joined + tree.left())) << name;
         EXPECT_EQ(tree.joined.joined + tree.left(), tree.attached() + tree.startInside()) << name;
         const MeshFaults faults = checkJoined(tree.joined, tree.stems);
         EXPECT_EQ(inWords(faults), "") << name;
@@ -145,8 +145,8 @@ TEST(JoinedStems, OfAlmostAllSpeciesAlmostAllBranchesAre) {
 /// Of the Norway maple sixteen collars cross others or the border between limbs, of the silver fir's coarse model 96.
 TEST(JoinedStems, WhereCollarsCrossTheWoodIsCutAndSewn) {
     const Grown maple(preset("norway_maple")), fir(preset("silver_fir"), 1);
-    EXPECT_LE(maple.left(), 2u);
-    EXPECT_LE(fir.left(), 20u);
+    EXPECT_EQ(maple.left(), 0u);
+    EXPECT_LE(fir.left(), 3u);
     for (const Grown* tree : {&maple, &fir}) {
         EXPECT_EQ(inWords(checkJoined(tree->joined, tree->stems)), "");
         const double apart = volumeApart(tree->stems), joined = signedVolume(tree->joined.meshes);
@@ -164,7 +164,7 @@ TEST(JoinedStems, TheClonesOfAHelixPartAtAFork) {
     }
     EXPECT_GE(clones, 700u);
     EXPECT_GE(joined, 600u);
-    EXPECT_LE(oak.left(), 35u) << "of four thousand";
+    EXPECT_LE(oak.left(), 2u) << "of four thousand";
 }
 
 /// A clone that hangs down in the path it split from would be drawn twice.
@@ -316,7 +316,7 @@ TEST(JoinedStems, VerticesAreWhereTheyComeFrom) {
             const VertexSource& source = oak.joined.sources[g][v];
             if (const glm::vec3& from = oak.stems[source.generation].mesh->positions[source.vertex]; mesh.positions[v] != from) {
                 ASSERT_LT(glm::distance(mesh.positions[v], from), 1); // on the loop around a branch that comes out somewhere else
-                if (added++ % 20 == 0) {
+                if (added++ % 10 == 0) {
                     ASSERT_LT(distanceFromWalls(oak, mesh.positions[v]), 0.02);
                 }
                 continue;
@@ -327,7 +327,7 @@ TEST(JoinedStems, VerticesAreWhereTheyComeFrom) {
             }
             edges += source.generation == g + 1;
         }
-        EXPECT_LT(double(added), 0.03 * double(mesh.vertexCount()));
+        EXPECT_LT(double(added), 0.05 * double(mesh.vertexCount()));
         EXPECT_EQ(edges > 0, g + 1 < oak.stems.size());
     }
 }

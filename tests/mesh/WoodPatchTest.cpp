@@ -1,4 +1,4 @@
-#include "join/WoodPatch.h"
+#include "mesh/BoxPatch.h"
 #include <algorithm>
 #include <array>
 #include <cmath>
@@ -12,28 +12,10 @@ using Index = CWoodPatch::Index;
 
 /// A cube, two metres wide, about the origin.
 CWoodPatch cube() {
-    std::vector<CWoodPatch::Vertex> vertices;
-    std::vector<Index> points;
-    for (std::uint32_t v = 0; v < 8; ++v) {
-        const glm::vec3 at(v & 1 ? 1 : -1, v & 2 ? 1 : -1, v & 4 ? 1 : -1);
-        vertices.push_back({{{0, v}, at, at / std::sqrt(3.0f), {}, {}}, 0, v});
-        points.push_back(v);
-    }
-    constexpr std::array<std::array<Index, 4>, 6> faces{{{4, 5, 7, 6}, {0, 2, 3, 1}, {0, 1, 5, 4}, {2, 6, 7, 3}, {0, 4, 6, 2}, {1, 3, 7, 5}}};
-    std::vector<CWoodPatch::Triangle> triangles;
-    for (const auto& [a, b, c, d] : faces) {
-        triangles.push_back({.vertices = {a, b, c}, .points = {}, .generation = 0, .first = 6 * triangles.size()});
-        triangles.push_back({.vertices = {a, c, d}, .points = {}, .generation = 0, .first = 6 * triangles.size()});
-    }
-    CWoodPatch patch(vertices, points, triangles);
-    std::vector<Index> all(triangles.size());
-    for (Index t = 0; t < all.size(); ++t) all[t] = t;
-    patch.select(all);
+    CWoodPatch patch = patchOf({{{-1, -1, -1}, {1, 1, 1}}});
     patch.flood(std::array<Index, 1>{0});
     return patch;
 }
-
-std::size_t left(const CWoodPatch& patch) { return static_cast<std::size_t>(std::ranges::count(patch.triangles(), false, &CWoodPatch::Triangle::removed)); }
 
 /// A triangle in the middle of the top, counter-clockwise.
 std::vector<Index> loopOnTop(CWoodPatch& patch) {

@@ -16,20 +16,24 @@ public:
     glm::dvec3 base; ///< inside the wood
     double radius = 0; ///< metres, of the lowest ring of its own
 
-    /// `reach`: how far up a tube may come out, radii of the wood or of the path it parts from.
-    CTubeLines(const CTree& tree, std::span<const StemMesh> stems, const BranchTube& of, double reach)
-        : tube(stems[of.generation].plan.tubes[of.tube]), m_mesh(*stems[of.generation].mesh) {
-        const CGeneration& generation = tree.generation(of.generation);
-        const CStem& stem = generation.stems[tube.stem];
-        const CPath& path = generation.paths[tube.path];
+    /// How far up a tube may come out, and how far around its base what belongs to it may: radii of the wood or of the path it parts from.
+    struct Reach {
+        double up, around = 0;
+    };
+    CTubeLines(const CTree& tree, std::span<const StemMesh> stems, const BranchTube& of, const Reach& reach)
+        : tube(stems[of.generation].plan.tubes[of.tube]), m_tree(tree), m_stems(stems), m_generation(of.generation), m_mesh(*stems[of.generation].mesh) {
+        const CStem& stem = own().stems[tube.stem];
+        const CPath& path = own().paths[tube.path];
         m_isClone = path.source >= 0;
-        base = generation.segments[m_isClone ? path.firstSegment : stem.firstSegment].position;
-        m_middleOfWood = m_isClone ? base : middleBelow(tree, stems, of.generation, stem);
+        base = own().segments[m_isClone ? path.firstSegment : stem.firstSegment].position;
         for (std::uint32_t r = 0; r <= tube.collarRings; ++r) addRing(tube.firstVertex + r * (tube.points + 1), tube.points);
         for (std::uint32_t i = 0; i < tube.points; ++i) radius = std::max(radius, glm::distance(m_rings.back().middle, at(tube.collarRings, i)));
-        addRings(stems[of.generation].plan, reach * (m_isClone ? radius : std::max(stem.parentRadius, radius)));
+        m_unit = m_isClone ? radius : std::max(stem.parentRadius, radius);
+        m_around = reach.around * m_unit;
+        addRings(stems[of.generation].plan, reach.up * m_unit);
     }
 
+    bool isClone() const { return m_isClone; }
     std::uint32_t rings() const { return static_cast<std::uint32_t>(m_rings.size()); }
     /// Where a line is at a ring, or inside of that at a share of the tube's width.
     glm::dvec3 at(std::uint32_t ring, std::uint32_t line, double width = 1) const {
@@ -42,7 +46,17 @@ public:
         return m_isClone && ring == 0 ? glm::mix(base, within, kWithinSource) : within;
     }
     /// Lets lines start in the middle of what is drawn of the wood: a thin one is a prism beside its axis.
-    void startInMiddle() { base = m_middleOfWood; }
+    void startInMiddle() { base = middleOfWood(0); }
+    /// In what is drawn of the wood, so many radii of it below the tube's base.
+    glm::dvec3 middleOfWood(double below) const {
+        if (m_isClone) return base;
+        const CStem& stem = own().stems[tube.stem];
+        const CGeneration& generation = m_tree.generation(m_generation - 1);
+        const StemMesh& wood = m_stems[m_generation - 1];
+        const std::int32_t index = wood.plan.tubeOfPath[generation.stems[static_cast<std::size_t>(stem.parent)].firstPath + stem.path];
+        if (index < 0) return base;
+        return CTubeWalls(generation, wood.plan, wood.plan.tubes[static_cast<std::size_t>(index)]).middleAt(*wood.mesh, stem.offset - below * m_unit);
+    }
     /// So many metres along a line, from the base; nothing beyond the last ring.
     std::optional<glm::dvec3> placeAt(std::uint32_t line, double along) const {
         glm::dvec3 low = base;
@@ -73,7 +87,7 @@ public:
         return own;
     }
     Bounds bounds() const {
-        Bounds all = kNowhere;
+        Bounds all{glm::vec3(base - m_around), glm::vec3(base + m_around)};
         for (std::uint32_t r = 0; r < rings(); ++r) {
             const CWoodPatch::Capsule own = around(r);
             for (const glm::dvec3& end : {own.from, own.to}) {
@@ -92,14 +106,7 @@ private:
     static constexpr double kRoom = 0.1; // radii of the tube
     static constexpr double kWithinSource = 0.8; // a clone starts with a ring of the path that it parts from; its lines are to start within
 
-    static glm::dvec3 middleBelow(const CTree& tree, std::span<const StemMesh> stems, std::size_t g, const CStem& stem) {
-        const StemMesh& wood = stems[g - 1];
-        const CGeneration& below = tree.generation(g - 1);
-        const CStem& parent = below.stems[static_cast<std::size_t>(stem.parent)];
-        const std::int32_t index = wood.plan.tubeOfPath[parent.firstPath + stem.path];
-        if (index < 0) return tree.generation(g).segments[stem.firstSegment].position;
-        return CTubeWalls(below, wood.plan, wood.plan.tubes[static_cast<std::size_t>(index)]).middleAt(*wood.mesh, stem.offset);
-    }
+    const CGeneration& own() const { return m_tree.generation(m_generation); }
     glm::dvec3 placeOf(std::uint32_t vertex) const { return glm::dvec3(m_mesh.positions[vertex]); }
     void addRing(std::uint32_t vertex, std::uint32_t points) {
         glm::dvec3 middle(0);
@@ -116,10 +123,13 @@ private:
             addRing(m_rings.back().vertex + before + 1, tip ? 1 : own[r].points);
         }
     }
+    const CTree& m_tree;
+    std::span<const StemMesh> m_stems;
+    std::size_t m_generation;
     const CMesh& m_mesh;
     std::vector<Ring> m_rings;
-    glm::dvec3 m_middleOfWood;
     bool m_isClone = false;
+    double m_unit, m_around; ///< metres: a radius of the wood, see Reach
 };
 
 } // namespace stromar

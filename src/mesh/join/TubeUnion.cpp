@@ -1,4 +1,6 @@
 #include "join/TubeUnion.h"
+#include "join/ShortestFill.h"
+#include "join/SurfaceUnion.h"
 #include <algorithm>
 #include <array>
 #include <cmath>
@@ -21,6 +23,14 @@ struct Try {
     bool startsInMiddle = false; ///< see CTubeLines
 };
 constexpr Try kTries[]{{1}, {0.7}, {0.4}, {1, true}};
+/// How walls are moved to tell where they cross the wood: those that lie in each other cross anywhere.
+struct SurfaceTry {
+    double thinner;                    ///< radii of the tube
+    std::optional<double> starts = {}; ///< in the middle of what is drawn of the wood, so many radii of it further down
+};
+constexpr double kApartOnCurve = 0.3; // radii of the tube
+constexpr SurfaceTry kSurfaceTries[]{{0.02},    {0.05},   {0.1},    {0.2},     {0.3},    {0.5},      {-0.02},  {-0.1},
+                                     {0.02, 0}, {0.1, 0}, {0.3, 0}, {0.02, 3}, {0.1, 3}, {0.02, 12}, {0.1, 12}};
 
 /// One tube and the wood it comes out of. Both are cut along a loop, the tube a little further up, and what lies between is filled.
 class CTubeUnion {
@@ -38,14 +48,19 @@ public:
     }
 
     /// False where the tube is part of the wood, or cannot be joined.
-    bool make() {
+    bool make(const UnionMethod& method) {
         if (m_own.empty() || std::ranges::any_of(m_own, [&](Index t) { return m_patch.isMarked(t); })) return false;
+        return method.by == UnionBy::Lines ? makeAlongLines() : makeOfSurfaces(method.mostWork);
+    }
+
+private:
+    bool makeAlongLines() {
         for (const Try& own : kTries) {
             if (own.startsInMiddle) {
                 m_lines.startInMiddle();
                 m_near.clear();
             }
-            for (const Across across : {Across::Surface, Across::Wall}) {
+            for (const Across across : {Across::Normals, Across::Wall}) {
                 m_width = own.width;
                 m_across = across;
                 m_patch.mark();
@@ -59,9 +74,32 @@ public:
         return false;
     }
 
-private:
+    /// Cuts wherever the walls cross, without a strip between.
+    bool makeOfSurfaces(std::size_t work) {
+        std::vector<Index> branch, base;
+        m_patch.flood(m_own);
+        std::ranges::copy_if(m_patch.selected(), std::back_inserter(branch), [&](Index t) { return m_patch.isMarked(t); });
+        std::ranges::copy_if(m_own, std::back_inserter(base), [&](Index t) { return isOfBaseLid(m_patch.triangles()[t]); });
+        for (const SurfaceTry& own : kSurfaceTries) {
+            if (work == 0) return false;
+            if (m_lines.isClone() && own.starts.value_or(0) > 0) continue; // it starts in the path it parts from
+            m_patch.mark();
+            CrossingSurfaces surfaces{m_below, branch, m_own, base, kApartOnCurve * m_lines.radius, own.thinner * m_lines.radius};
+            if (own.starts) surfaces.start = m_lines.middleOfWood(*own.starts);
+            if (uniteSurfaces(surfaces, work, m_patch) && m_patch.finish()) return true;
+            m_patch.undo();
+        }
+        return false;
+    }
+
+    bool isOfBaseLid(const CWoodPatch::Triangle& triangle) const {
+        const MeshPlan& plan = m_stems[m_of.generation].plan;
+        const std::uint32_t lid = plan.baseLidPoints(m_tube) + (m_tube.middleOfLid(true) ? 1 : 0);
+        return std::ranges::all_of(triangle.vertices, [&](Index v) { return m_patch.vertices()[v].value.source.vertex >= m_tube.firstVertex + m_tube.vertices - lid; });
+    }
+
     /// What the plane through two points of the loop is square to: the normals there, or the tube's wall between them.
-    enum class Across { Surface, Wall };
+    enum class Across { Normals, Wall };
     /// Where a line of the tube leaves the wood.
     struct Left {
         CWoodPatch::Crossing crossing;
@@ -239,33 +277,12 @@ private:
         return top;
     }
 
-    /// Triangles within a closed edge: those with the shortest sides that look outwards (Klincsek 1980).
+    /// Triangles within a closed edge: those with the shortest sides that look outwards.
     bool fill(const std::vector<Index>& edge) {
-        const std::size_t n = edge.size();
-        if (n < 3) return n == 2;
-        std::vector<std::vector<double>> cost(n, std::vector<double>(n, 0));
-        std::vector<std::vector<std::size_t>> third(n, std::vector<std::size_t>(n, 0));
-        for (std::size_t span = 2; span < n; ++span)
-            for (std::size_t a = 0; a + span < n; ++a) {
-                const std::size_t b = a + span;
-                cost[a][b] = std::numeric_limits<double>::infinity();
-                for (std::size_t m = a + 1; m < b; ++m) {
-                    const double own = cost[a][m] + cost[m][b] + costOf(edge[a], edge[m], edge[b]);
-                    if (own < cost[a][b]) cost[a][b] = own, third[a][b] = m;
-                }
-            }
-        if (!std::isfinite(cost[0][n - 1])) return false;
-        std::vector<std::pair<std::size_t, std::size_t>> open{{0, n - 1}};
-        while (!open.empty()) {
-            const auto [a, b] = open.back();
-            open.pop_back();
-            if (b < a + 2) continue;
-            const std::size_t m = third[a][b];
-            m_patch.addTriangle({edge[a], edge[m], edge[b]}, m_of.generation);
-            open.push_back({a, m});
-            open.push_back({m, b});
-        }
-        return true;
+        if (edge.size() < 3) return edge.size() == 2;
+        return fillPolygon(
+            edge.size(), [&](std::size_t a, std::size_t b, std::size_t c) { return costOf(edge[a], edge[b], edge[c]); },
+            [&](std::size_t a, std::size_t b, std::size_t c) { m_patch.addTriangle({edge[a], edge[b], edge[c]}, m_of.generation); });
     }
 
     double costOf(Index a, Index b, Index c) const {
@@ -285,7 +302,7 @@ private:
     const Tube& m_tube;
     CWoodPatch& m_patch;
     std::vector<Index> m_own, m_below; ///< triangles of the tube, and of what it grows on with all that is joined to it
-    Across m_across = Across::Surface;
+    Across m_across = Across::Normals;
     double m_width = 1; ///< see Try
     std::vector<std::vector<Index>> m_near; ///< by ring: the wood around the lines below
     std::vector<Exit> m_exits; ///< by line, the first again at the end
@@ -293,8 +310,8 @@ private:
 };
 } // namespace
 
-bool unite(const CTree& tree, std::span<const StemMesh> stems, const BranchTube& tube, CTubeLines& lines, CWoodPatch& patch) {
-    return CTubeUnion(tree, stems, tube, lines, patch).make();
+bool unite(const CTree& tree, std::span<const StemMesh> stems, const BranchTube& tube, const UnionMethod& method, CTubeLines& lines, CWoodPatch& patch) {
+    return CTubeUnion(tree, stems, tube, lines, patch).make(method);
 }
 
 } // namespace stromar

@@ -3,8 +3,17 @@
 
 namespace stromar {
 
+enum class UnionBy {
+    Lines,    ///< along the tube's walls: a smooth foot
+    Surfaces, ///< the walls as they cross: of any shape
+};
+struct UnionMethod {
+    UnionBy by;
+    std::size_t mostWork; ///< see uniteSurfaces()
+};
+
 /// Joins a tube with the wood around it that it comes out of; false, and the patch as it was, where that cannot be. Time linear in the patch's
 /// triangles, for each line of the tube.
-bool unite(const CTree& tree, std::span<const StemMesh> stems, const BranchTube& tube, CTubeLines& lines, CWoodPatch& patch);
+bool unite(const CTree& tree, std::span<const StemMesh> stems, const BranchTube& tube, const UnionMethod& method, CTubeLines& lines, CWoodPatch& patch);
 
 } // namespace stromar

@@ -2,14 +2,28 @@
 #include "join/TubeUnion.h"
 #include "stromar/util/Parallel.h"
 #include <algorithm>
+#include <numeric>
 #include <unordered_map>
 
 namespace stromar {
 
 namespace {
-constexpr double kReaches[]{6, 30}; // radii: most tubes come out soon
-constexpr std::size_t kMostTubes = 5'000; // of a species hundreds at most
-constexpr std::size_t kMostNear = 25'000; // triangles around all tubes that are looked at: some hundredths of a second
+struct Pass {
+    CTubeLines::Reach reach;
+    UnionBy by;
+    std::size_t mostTubes;    ///< that may be apart: of most trees some dozens are, of those whose stems all run through each other thousands
+    std::size_t mostNear;     ///< triangles around all tubes that are looked at: some hundredths of a second
+    std::size_t mostWork = 0; ///< of one tube, see uniteSurfaces(): most need some hundreds
+};
+constexpr int kMostIdle = 1;
+constexpr std::size_t kAllWork = 60'000; // of all tubes
+constexpr Pass kUnionPasses[]{{{6}, UnionBy::Lines, 5'000, 25'000}, // most tubes come out soon
+                              {{30}, UnionBy::Lines, 5'000, 25'000},
+                              {{6, 4}, UnionBy::Surfaces, 100, 100'000, 6'000},
+                              {{30, 8}, UnionBy::Surfaces, 100, 100'000, 6'000},
+                              {{60, 20}, UnionBy::Surfaces, 100, 100'000, 6'000},
+                              {{200, 60}, UnionBy::Surfaces, 100, 100'000, 6'000},
+                              {{1000, 200}, UnionBy::Surfaces, 100, 100'000, 2'000}};
 
 using Index = CWoodPatch::Index;
 
@@ -93,11 +107,13 @@ void writeBack(std::uint32_t g, std::span<const CWoodPatch> patches, Wood& wood)
 }
 
 /// Leaves those that stay apart.
-United uniteWithin(double reach, const CTree& tree, std::span<const StemMesh> stems, std::vector<BranchTube>& apart, Wood& wood,
+United uniteWithin(const Pass& pass, const CTree& tree, std::span<const StemMesh> stems, std::vector<BranchTube>& apart, Wood& wood,
                    const CProgress& progress) {
     std::vector<CTubeLines> lines;
-    for (const BranchTube& own : apart) lines.emplace_back(tree, stems, own, reach);
-    const std::vector<WoodPlace> places = placesOf(lines, wood, kMostNear, progress);
+    for (const BranchTube& own : apart) lines.emplace_back(tree, stems, own, pass.reach);
+    const std::vector<WoodPlace> places = placesOf(lines, wood, pass.mostNear, progress);
+    const std::size_t tubes = std::accumulate(places.begin(), places.end(), std::size_t{1}, [](std::size_t sum, const WoodPlace& own) { return sum + own.tubes.size(); });
+    const UnionMethod method{pass.by, std::min(pass.mostWork, kAllWork / tubes)};
     std::vector<CWoodPatch> patches(places.size());
     std::vector<std::uint8_t> done(apart.size());
     parallelFor(
@@ -109,7 +125,7 @@ United uniteWithin(double reach, const CTree& tree, std::span<const StemMesh> st
                     progress.poll();
                     const std::uint32_t t = places[p].tubes[i];
                     patches[p].select(places[p].near[i]);
-                    done[t] = unite(tree, stems, apart[t], lines[t], patches[p]);
+                    done[t] = unite(tree, stems, apart[t], method, lines[t], patches[p]);
                 }
             }
         },
@@ -124,13 +140,15 @@ United uniteWithin(double reach, const CTree& tree, std::span<const StemMesh> st
 } // namespace
 
 United uniteWithWood(const CTree& tree, std::span<const StemMesh> stems, std::vector<BranchTube> apart, Wood& wood, const CProgress& progress) {
-    apart.resize(std::min(apart.size(), kMostTubes));
+    apart.resize(std::min(apart.size(), kUnionPasses[0].mostTubes));
     United united;
-    for (const double reach : kReaches) {
-        if (apart.empty()) break;
-        const United more = uniteWithin(reach, tree, stems, apart, wood, progress);
+    int idle = 0; // passes in turn that joined none
+    for (const Pass& pass : kUnionPasses) {
+        if (apart.empty() || apart.size() > pass.mostTubes || idle > kMostIdle) break;
+        const United more = uniteWithin(pass, tree, stems, apart, wood, progress);
         united.collars += more.collars;
         united.others += more.others;
+        idle = more.collars + more.others > 0 || pass.by == UnionBy::Lines ? 0 : idle + 1;
     }
     return united;
 }

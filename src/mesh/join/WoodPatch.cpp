@@ -4,7 +4,10 @@
 #include <cmath>
 #include <glm/common.hpp>
 #include <glm/geometric.hpp>
+#include <map>
+#include <set>
 #include <tuple>
+#include <unordered_map>
 #include <unordered_set>
 #include <utility>
 
@@ -14,6 +17,7 @@ namespace {
 constexpr int kMaxCuts = 200;      // of edges, on the way between two points
 constexpr double kLeastStep = 1e-12; // metres
 constexpr double kDetour = 15;      // the longest way between two points, over their distance
+constexpr double kLeastFold = 0.5; // cosine of the turn of a triangle whose corner is moved
 constexpr double kBulge = 2.5;     // how far from its middle what a loop bounds may reach, over the loop itself
 
 std::uint32_t cornerAt(const CWoodPatch::Triangle& triangle, CWoodPatch::Index point) {
@@ -49,11 +53,6 @@ CWoodPatch::CWoodPatch(std::vector<Vertex> vertices, std::vector<Index> pointOf,
     mark();
 }
 
-template <typename Do> void CWoodPatch::forEachAround(Index point, Do&& work) const {
-    for (const Index t : m_around[point])
-        if (!m_triangles[t].removed) work(t);
-}
-
 glm::dvec3 CWoodPatch::faceOf(const Triangle& triangle) const {
     const glm::dvec3 a = place(triangle.points[0]);
     return glm::cross(place(triangle.points[1]) - a, place(triangle.points[2]) - a);
@@ -65,7 +64,6 @@ glm::dvec3 CWoodPatch::normalAt(Index point) const {
     return sum;
 }
 
-/// The triangle on the other side; kNone at the patch's border.
 CWoodPatch::Index CWoodPatch::beyond(const Side& side) const {
     const Triangle& own = m_triangles[side.triangle];
     const Index from = own.points[side.corner], to = own.points[after(side.corner)];
@@ -176,11 +174,12 @@ void CWoodPatch::remove(Index triangle) {
     m_removed.push_back(triangle);
 }
 
-CWoodPatch::Index CWoodPatch::splitInside(Index triangle, const glm::dvec3& shares) {
+void CWoodPatch::keepWholes() {
+    for (const Index t : m_selected) m_triangles[t].whole = t;
+}
+
+void CWoodPatch::splitFace(Index triangle, const glm::dvec3& shares, Index point) {
     const Triangle own = m_triangles[triangle];
-    const auto at = [&](std::size_t c) { return place(own.points[c]); };
-    const std::size_t nearest = shares.x >= shares.y && shares.x >= shares.z ? 0 : shares.y >= shares.z ? 1 : 2;
-    const Index point = addPoint(shares.x * at(0) + shares.y * at(1) + shares.z * at(2), m_sources[own.points[nearest]]);
     const Index middle = addMixed(own, shares, point);
     remove(triangle);
     for (std::uint32_t c = 0; c < 3; ++c) {
@@ -188,11 +187,9 @@ CWoodPatch::Index CWoodPatch::splitInside(Index triangle, const glm::dvec3& shar
         part.vertices = {own.vertices[c], own.vertices[after(c)], middle};
         add(part);
     }
-    return point;
 }
 
-/// A new point on the edge between two, which parts the triangles on both sides. kNone where there are not two.
-CWoodPatch::Index CWoodPatch::pointOn(Index one, Index other, double share) {
+std::vector<CWoodPatch::Side> CWoodPatch::sidesOf(Index one, Index other) const {
     std::vector<Side> sides;
     forEachAround(one, [&](Index t) {
         for (std::uint32_t c = 0; c < 3; ++c) {
@@ -200,8 +197,54 @@ CWoodPatch::Index CWoodPatch::pointOn(Index one, Index other, double share) {
             if ((from == one && to == other) || (from == other && to == one)) sides.push_back({t, c});
         }
     });
-    if (sides.size() != 2) return kNone;
-    const Index point = addPoint(glm::mix(place(one), place(other), share), m_sources[share < 0.5 ? one : other]);
+    return sides;
+}
+
+/// Whether only the two triangles of an edge have corners at both ends and at the same third point (the link condition).
+bool CWoodPatch::isEdgeAlone(Index from, Index to) const {
+    const auto neighbours = [&](Index point) {
+        std::set<Index> all;
+        forEachAround(point, [&](Index t) { all.insert(m_triangles[t].points.begin(), m_triangles[t].points.end()); });
+        return all;
+    };
+    const std::set<Index> one = neighbours(from), other = neighbours(to);
+    return std::ranges::count_if(one, [&](Index point) { return other.contains(point); }) == 4; // both ends and two more
+}
+
+bool CWoodPatch::collapse(Index from, Index to) {
+    std::vector<Triangle> moved;
+    std::map<Index, Index> vertexFor; // at `from`: that at `to`
+    for (const Side& side : sidesOf(from, to)) {
+        const Triangle& own = m_triangles[side.triangle];
+        const std::uint32_t end = own.points[side.corner] == to ? side.corner : after(side.corner);
+        vertexFor[own.vertices[end == side.corner ? after(side.corner) : side.corner]] = own.vertices[end];
+    }
+    if (!isEdgeAlone(from, to)) return false;
+    bool folds = false;
+    std::vector<Index> around;
+    forEachAround(from, [&](Index t) {
+        around.push_back(t);
+        Triangle own = m_triangles[t];
+        if (std::ranges::count(own.points, to) > 0) return;
+        const std::uint32_t corner = cornerAt(own, from);
+        const auto vertex = vertexFor.find(own.vertices[corner]);
+        const glm::dvec3 before = faceOf(own);
+        own.points[corner] = to;
+        const glm::dvec3 face = faceOf(own);
+        folds = folds || vertex == vertexFor.end() || !(glm::dot(before, face) > kLeastFold * glm::length(before) * glm::length(face));
+        if (folds) return;
+        own.vertices[corner] = vertex->second;
+        moved.push_back(own);
+    });
+    if (folds) return false;
+    for (const Index t : around) remove(t);
+    for (const Triangle& own : moved) add(own);
+    return true;
+}
+
+bool CWoodPatch::splitEdge(Index one, Index other, double share, Index point) {
+    const std::vector<Side> sides = sidesOf(one, other);
+    if (sides.size() != 2) return false;
     std::array<Index, 2> known{kNone, kNone}; // the ends of the edge, as vertices
     Index middle = kNone;
     for (const Side& side : sides) {
@@ -223,7 +266,35 @@ CWoodPatch::Index CWoodPatch::pointOn(Index one, Index other, double share) {
         part.vertices = {middle, own.vertices[b], own.vertices[c]};
         add(part);
     }
+    return true;
+}
+
+CWoodPatch::Index CWoodPatch::pointInside(Index triangle, const glm::dvec3& shares) {
+    const auto points = m_triangles[triangle].points;
+    const std::size_t nearest = shares.x >= shares.y && shares.x >= shares.z ? 0 : shares.y >= shares.z ? 1 : 2;
+    const Index point = addPoint(shares.x * place(points[0]) + shares.y * place(points[1]) + shares.z * place(points[2]), m_sources[points[nearest]]);
+    splitFace(triangle, shares, point);
     return point;
+}
+
+/// A new point on the edge between two. kNone where it cannot be parted.
+CWoodPatch::Index CWoodPatch::pointOn(Index one, Index other, double share) {
+    if (sidesOf(one, other).size() != 2) return kNone;
+    const Index point = addPoint(glm::mix(place(one), place(other), share), m_sources[share < 0.5 ? one : other]);
+    splitEdge(one, other, share, point);
+    return point;
+}
+
+void CWoodPatch::exchange(std::span<const Index> parts, std::span<const std::array<Index, 3>> points) {
+    std::unordered_map<Index, Index> vertexAt;
+    for (const Index t : parts)
+        for (const Index v : m_triangles[t].vertices) vertexAt[m_pointOf[v]] = v;
+    Triangle own = m_triangles[parts[0]];
+    for (const Index t : parts) remove(t);
+    for (const auto& corners : points) {
+        for (std::size_t c = 0; c < 3; ++c) own.vertices[c] = vertexAt.at(corners[c]);
+        add(own);
+    }
 }
 
 CWoodPatch::Index CWoodPatch::pointAt(Index triangle, const glm::dvec3& at, double apart) {
@@ -245,7 +316,7 @@ CWoodPatch::Index CWoodPatch::pointAt(Index triangle, const glm::dvec3& at, doub
         const double low = shares[static_cast<int>(nearest)], high = shares[static_cast<int>(after(nearest))];
         return pointOn(own.points[nearest], own.points[after(nearest)], high / (low + high));
     }
-    return splitInside(triangle, shares);
+    return pointInside(triangle, shares);
 }
 
 CWoodPatch::Index CWoodPatch::pointNear(const glm::dvec3& at, double apart) {

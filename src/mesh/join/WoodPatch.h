@@ -28,6 +28,7 @@ public:
         std::uint32_t generation;
         std::size_t first; ///< of its indices in that mesh; of no meaning when new
         bool isNew = false, removed = false;
+        Index whole = kNone; ///< which it was parted from since keepWholes(), or itself
         std::uint32_t selection = 0, flooded = 0; ///< by which select() and flood() it was found last; what is cut out of it is too
     };
     /// Of a triangle: from a corner to the one after it.
@@ -81,6 +82,27 @@ public:
     /// where it must be near, reaches far beyond it.
     bool removeLeftOf(std::span<const Index> loop, std::uint32_t generation, bool near);
 
+    /// Lets the triangles that are selected now be those that others are parted from.
+    void keepWholes();
+    Index addPoint(const glm::dvec3& place, const VertexSource& source);
+    const VertexSource& sourceOf(Index point) const { return m_sources[point]; }
+    /// Parts the triangles on both sides of an edge, at a share of its length. False where there are not two.
+    bool splitEdge(Index one, Index other, double share, Index point);
+    /// Parts a triangle into three. `shares`: barycentric.
+    void splitFace(Index triangle, const glm::dvec3& shares, Index point);
+    /// Takes out some parts of one triangle and puts others there, with corners at points of those.
+    void exchange(std::span<const Index> parts, std::span<const std::array<Index, 3>> points);
+    void remove(Index triangle);
+    /// Moves a point to one at the other end of an edge, whose two triangles are left out. False, and nothing done, where anything would fold.
+    bool collapse(Index from, Index to);
+    /// The triangle on the other side; kNone at the patch's border.
+    Index beyond(const Side& side) const;
+    /// Calls work(triangle) for those at a point.
+    template <typename Do> void forEachAround(Index point, Do&& work) const {
+        for (const Index t : m_around[point])
+            if (!m_triangles[t].removed) work(t);
+    }
+
     /// A vertex like what lies so far between two others, whose picture is `below` it, repeats.
     Index addBetween(Index one, Index other, double share, double below, Index point);
     /// Of a triangle at a point: the vertex there.
@@ -105,14 +127,13 @@ private:
         glm::dvec3 place, normal;
         double apart; ///< points so near are on it, metres
     };
-    void remove(Index triangle);
     Index addVertex(const Vertex& vertex, Index point);
-    Index addPoint(const glm::dvec3& place, const VertexSource& source);
     Index addMixed(const Triangle& of, const glm::dvec3& shares, Index point);
     Index add(Triangle triangle);
+    bool isEdgeAlone(Index from, Index to) const;
+    std::vector<Side> sidesOf(Index one, Index other) const;
     Index pointOn(Index one, Index other, double share);
-    Index splitInside(Index triangle, const glm::dvec3& shares);
-    Index beyond(const Side& side) const;
+    Index pointInside(Index triangle, const glm::dvec3& shares);
     bool areConnected(Index one, Index other) const;
     struct Step {
         Index one = kNone, other = kNone; ///< to a point, or to a place on an edge
@@ -123,7 +144,6 @@ private:
     bool areApart() const;
     bool isSewn(Index from, Index to) const;
     glm::dvec3 faceOf(const Triangle& triangle) const;
-    template <typename Do> void forEachAround(Index point, Do&& work) const;
 
     std::vector<Vertex> m_vertices;
     std::vector<Index> m_pointOf; ///< by vertex

@@ -1,0 +1,195 @@
+#include "join/CrossingCurves.h"
+#include "join/BoundsTree.h"
+#include "join/Corners.h"
+#include <algorithm>
+#include <cmath>
+#include <glm/common.hpp>
+#include <glm/geometric.hpp>
+#include <limits>
+
+namespace stromar {
+
+namespace {
+constexpr double kClear = 1e-9;     // metres from a plane, of what certainly does not meet it
+constexpr double kSmallBase = 0.25; // of its size, where it is moved
+} // namespace
+
+bool CCrossingCurves::Segment::meets(const Segment& own) const {
+    return std::ranges::any_of(nodes, [&](Index node) { return std::ranges::count(own.nodes, node) > 0; });
+}
+
+CCrossingCurves::CCrossingCurves(const CrossingSurfaces& surfaces, const CWoodPatch& patch)
+    : m_surfaces(surfaces), m_patch(patch) {
+    for (const Index t : surfaces.own)
+        for (const Index point : cornersOf(t))
+            if (const glm::dvec3 normal = patch.normalAt(point); glm::length(normal) > 0)
+                m_moved[point] = patch.place(point) - surfaces.thinner * glm::normalize(normal);
+    if (surfaces.start) moveBase(*surfaces.start);
+    for (const auto& [point, place] : m_moved)
+        m_firstMoved = std::min(m_firstMoved, point), m_lastMoved = std::max(m_lastMoved, point);
+}
+
+void CCrossingCurves::moveBase(const glm::dvec3& start) {
+    glm::dvec3 sum(0);
+    std::set<Index> points;
+    for (const Index t : m_surfaces.base) points.insert(cornersOf(t).begin(), cornersOf(t).end());
+    for (const Index point : points) sum += m_patch.place(point);
+    const glm::dvec3 middle = sum / double(points.size());
+    for (const Index point : points) m_moved[point] = start + kSmallBase * (m_patch.place(point) - middle);
+}
+
+glm::dvec3 CCrossingCurves::movedPlaceOf(Index point) const {
+    const auto moved = m_moved.find(point);
+    return moved == m_moved.end() ? m_patch.place(point) : moved->second;
+}
+
+CCrossingCurves::Facet CCrossingCurves::facetOf(Index triangle) const {
+    Facet own{triangle, {}, glm::dvec3(0), kNowhere};
+    for (std::size_t c = 0; c < 3; ++c) {
+        own.corners[c] = placeOf(cornersOf(triangle)[c]);
+        include(own.bounds, glm::vec3(own.corners[c]));
+    }
+    const glm::dvec3 face = glm::cross(own.corners[1] - own.corners[0], own.corners[2] - own.corners[0]);
+    if (glm::length(face) > 0) own.normal = glm::normalize(face);
+    return own;
+}
+
+bool CCrossingCurves::Facet::isBeside(const Facet& plane) const {
+    glm::dvec3 heights(0);
+    for (int c = 0; c < 3; ++c)
+        heights[c] = glm::dot(plane.normal, corners[static_cast<std::size_t>(c)] - plane.corners[0]);
+    return std::min({heights.x, heights.y, heights.z}) > kClear ||
+           std::max({heights.x, heights.y, heights.z}) < -kClear;
+}
+
+glm::dvec2 CCrossingCurves::flatOf(Index node, Index triangle) const {
+    const Node& own = m_nodes[node];
+    const auto corners = cornersOf(triangle);
+    const auto within = [&](Index point) {
+        return glm::dvec2(corners[1] == point ? 1 : 0, corners[2] == point ? 1 : 0);
+    };
+    if (own.triangle != triangle) return glm::mix(within(own.low), within(own.high), own.share);
+    const glm::dvec3 shares = barycentricOf(own.place, placeOf(corners[0]), placeOf(corners[1]), placeOf(corners[2]));
+    return {shares.y, shares.z};
+}
+
+/// Six times the volume of four points, not 0, and of the very same size whatever their order is.
+double CCrossingCurves::volume(std::array<Index, 4> points) const {
+    double sign = 1;
+    for (std::size_t i = 1; i < 4; ++i)
+        for (std::size_t k = i; k > 0 && points[k] < points[k - 1]; --k)
+            std::swap(points[k], points[k - 1]), sign = -sign;
+    const glm::dvec3 a = placeOf(points[0]);
+    const double own = glm::dot(glm::cross(placeOf(points[1]) - a, placeOf(points[2]) - a), placeOf(points[3]) - a);
+    return sign * (own == 0 ? std::numeric_limits<double>::min() : own);
+}
+
+/// Of an edge and a triangle; kNone where they do not cross.
+CCrossingCurves::Index CCrossingCurves::nodeOf(Index one, Index other, Index triangle, Surface edgeOf) {
+    const auto [low, high] = std::minmax(one, other);
+    const auto [known, isNew] = m_nodeOf.try_emplace(Meeting{low, high, triangle}, CWoodPatch::kNone);
+    if (!isNew) return known->second;
+    const auto [a, b, c] = cornersOf(triangle);
+    const double below = volume({a, b, c, low}), above = volume({a, b, c, high});
+    if ((below > 0) == (above > 0)) return CWoodPatch::kNone;
+    const bool left = volume({low, high, a, b}) > 0;
+    if ((volume({low, high, b, c}) > 0) != left || (volume({low, high, c, a}) > 0) != left) return CWoodPatch::kNone;
+    const double share = below / (below - above);
+    m_nodes.push_back({low, high, triangle, edgeOf, share, glm::mix(placeOf(low), placeOf(high), share)});
+    return known->second = static_cast<Index>(m_nodes.size() - 1);
+}
+
+/// Adds the segment that two triangles have in common. False where that cannot be told.
+bool CCrossingCurves::addSegment(const Facet& wood, const Facet& branch) {
+    if (wood.isBeside(branch) || branch.isBeside(wood)) return true;
+    const auto &w = cornersOf(wood.triangle), &b = cornersOf(branch.triangle);
+    std::vector<Index> nodes;
+    for (std::uint32_t c = 0; c < 3; ++c) {
+        nodes.push_back(nodeOf(w[c], w[after(c)], branch.triangle, Surface::Wood));
+        nodes.push_back(nodeOf(b[c], b[after(c)], wood.triangle, Surface::Branch));
+    }
+    std::erase(nodes, CWoodPatch::kNone);
+    if (nodes.size() != 2) return nodes.empty();
+    for (const Index node : nodes) m_nodes[node].segments.push_back(static_cast<Index>(m_segments.size()));
+    m_segments.push_back(
+        {{nodes[0], nodes[1]}, {wood.triangle, branch.triangle}, glm::cross(branch.normal, wood.normal)});
+    return true;
+}
+
+bool CCrossingCurves::findSegments() {
+    auto& [wood, branch] = m_facets;
+    for (const Index t : m_surfaces.wood) wood.push_back(facetOf(t));
+    for (const Index t : m_surfaces.branch) branch.push_back(facetOf(t));
+    std::vector<Bounds> bounds;
+    for (const Facet& own : branch) bounds.push_back(own.bounds);
+    CBoundsTree tree(std::move(bounds));
+    bool clear = true;
+    for (const Facet& own : wood)
+        tree.forEachTouching(own.bounds,
+                             [&](std::uint32_t b) { return clear = addSegment(own, branch[b]) && clear, true; });
+    return clear;
+}
+
+bool CCrossingCurves::findCurves() {
+    for (Index first = 0; first < m_segments.size(); ++first) {
+        if (m_segments[first].used) continue;
+        Curve curve;
+        Index segment = first, node = m_segments[first].nodes[0];
+        while (segment != CWoodPatch::kNone && !m_segments[segment].used) {
+            m_segments[segment].used = true;
+            curve.nodes.push_back(node);
+            curve.segments.push_back(segment);
+            node = m_segments[segment].other(node);
+            const std::vector<Index>& both = m_nodes[node].segments;
+            if (both.size() > 2) return false;
+            segment = both.size() < 2 ? CWoodPatch::kNone : both[both[0] == segment ? 1 : 0];
+        }
+        if (segment != first) continue; // it ends at the patch's border, or starts there
+        orient(curve);
+        m_curves.push_back(std::move(curve));
+    }
+    return true;
+}
+
+void CCrossingCurves::orient(Curve& curve) const {
+    double along = 0;
+    for (std::size_t i = 0; i < curve.nodes.size(); ++i) {
+        const Segment& own = m_segments[curve.segments[i]];
+        const glm::dvec3 way = m_nodes[own.other(curve.nodes[i])].place - m_nodes[curve.nodes[i]].place;
+        along += glm::dot(way, own.along);
+    }
+    if (along > 0) return;
+    std::ranges::reverse(curve.nodes);
+    std::reverse(curve.segments.begin(), curve.segments.end() - 1);
+}
+
+void CCrossingCurves::findConflicts() {
+    struct Part {
+        Index curve, segment;
+        std::array<glm::dvec2, 2> ends;
+    };
+    std::map<Index, std::vector<Part>> parts; // by triangle
+    for (Index c = 0; c < m_curves.size(); ++c)
+        for (const Index segment : m_curves[c].segments) {
+            const Segment& own = m_segments[segment];
+            for (const Index t : own.triangles)
+                parts[t].push_back({c, segment, {flatOf(own.nodes[0], t), flatOf(own.nodes[1], t)}});
+        }
+    const auto parted = [](const Part& own, const Part& by) {
+        return (turn(by.ends[0], by.ends[1], own.ends[0]) > 0) != (turn(by.ends[0], by.ends[1], own.ends[1]) > 0);
+    };
+    for (const auto& [triangle, all] : parts)
+        for (std::size_t i = 0; i < all.size(); ++i)
+            for (std::size_t k = 0; k < i; ++k)
+                if (!m_segments[all[i].segment].meets(m_segments[all[k].segment]) && parted(all[i], all[k]) &&
+                    parted(all[k], all[i]))
+                    m_conflicts.insert(std::minmax(all[i].curve, all[k].curve));
+}
+
+bool CCrossingCurves::find() {
+    if (!findSegments() || !findCurves()) return false;
+    findConflicts();
+    return true;
+}
+
+} // namespace stromar

@@ -1,0 +1,278 @@
+#include "join/SurfaceUnion.h"
+#include "join/BoundsTree.h"
+#include "join/Corners.h"
+#include "join/SurfaceCutter.h"
+#include <algorithm>
+#include <cmath>
+#include <glm/geometric.hpp>
+#include <iterator>
+#include <limits>
+#include <optional>
+
+namespace stromar {
+
+namespace {
+using Index = CWoodPatch::Index;
+using Surface = CCrossingCurves::Surface;
+using Facet = CCrossingCurves::Facet;
+using Curve = CCrossingCurves::Curve;
+using Curves = std::set<Index>;
+
+constexpr std::size_t kMostTries = 8;      // curves to begin with
+constexpr std::size_t kFacetsPerWork = 50; // to find where they cross takes as long as cutting one of so many does
+constexpr std::size_t kMostSamples = 100;  // triangles
+constexpr double kMostSeen = 0.03;         // of their area, which may turn out to lie outside
+constexpr double kSameDistance = 1e-6;     // over the distance
+
+class CSurfaceUnion {
+public:
+    CSurfaceUnion(const CrossingSurfaces& surfaces, std::size_t& work, CWoodPatch& patch)
+        : m_surfaces(surfaces), m_work(work), m_patch(patch), m_curves(surfaces, patch), m_cutter(m_curves, patch) {
+        for (const Index t : surfaces.wood) m_surfaceOf[t] = Surface::Wood;
+        for (const Index t : surfaces.branch) m_surfaceOf[t] = Surface::Branch;
+    }
+
+    bool make() {
+        m_patch.keepWholes();
+        take((m_surfaces.wood.size() + m_surfaces.branch.size()) / kFacetsPerWork);
+        if (!m_curves.find()) return false;
+        if (!m_curves.meet()) return leaveOut();
+        Curves best = bestOf(together());
+        if (best.empty()) best = bestOf(alone());
+        if (best.empty() || neededOf(best) != best) return false;
+        for (const Index t : m_inside) m_patch.remove(t);
+        for (const Index c : best) coarsen(m_curves.curves()[c]);
+        return true;
+    }
+
+private:
+    void take(std::size_t work) { m_work -= std::min(m_work, work); }
+
+    std::optional<Surface> surfaceOf(Index triangle) const {
+        const auto own = m_surfaceOf.find(m_patch.triangles()[triangle].whole);
+        return own == m_surfaceOf.end() ? std::nullopt : std::optional(own->second);
+    }
+
+    /// Which curves may be cut together, as many as there are.
+    std::set<Curves> together() const {
+        std::set<Curves> all;
+        for (Index c = 0; c < std::min<std::size_t>(m_curves.curves().size(), kMostTries); ++c)
+            if (!m_curves.cross(c, c)) all.insert(withoutConflict(c));
+        return all;
+    }
+
+    std::set<Curves> alone() const {
+        std::set<Curves> all;
+        for (Index c = 0; c < std::min<std::size_t>(m_curves.curves().size(), kMostTries); ++c)
+            if (!m_curves.cross(c, c)) all.insert({c});
+        return all;
+    }
+
+    /// Those that are needed of what bounds least of the branch; none where no choice will do.
+    Curves bestOf(const std::set<Curves>& choices) {
+        Curves best;
+        double least = std::numeric_limits<double>::infinity();
+        for (const Curves& curves : choices) {
+            const auto needed = neededOf(curves);
+            const double area = needed ? insideOfBranch() : least;
+            if (area < least && isHidden(Surface::Branch) && isHidden(Surface::Wood)) least = area, best = *needed;
+        }
+        return best;
+    }
+
+    /// A curve and as many others as do not cross it, nor each other.
+    Curves withoutConflict(Index first) const {
+        Curves chosen{first};
+        for (Index c = 0; c < m_curves.curves().size(); ++c)
+            if (!m_curves.cross(c, c) &&
+                std::ranges::none_of(chosen, [&](Index own) { return m_curves.cross(own, c); }))
+                chosen.insert(c);
+        return chosen;
+    }
+
+    /// Those curves that bound what lies inside, when these are cut; none where that cannot be told.
+    std::optional<Curves> neededOf(const Curves& curves) {
+        for (const Index c : curves) take(m_curves.curves()[c].segments.size());
+        if (m_work == 0 || !m_cutter.cut(curves)) return {};
+        m_curveAt.clear();
+        for (const Index c : curves)
+            forEachEdge(c, [&](Index from, Index to) { return m_curveAt[std::minmax(from, to)] = c, true; });
+        std::vector<Index> base;
+        for (const Index t : m_surfaces.base) std::ranges::copy(m_cutter.partsOf(t), std::back_inserter(base));
+        if (auto needed = findInside(base)) return needed;
+        for (const Index c : curves) { // wood that is thinner than the base
+            if (!crossesBase(c)) continue;
+            std::vector<Index> seeds;
+            forEachSide(c, [&](Index inner, Index) { return seeds.push_back(inner), true; });
+            if (auto needed = findInside(seeds)) return needed;
+        }
+        return {};
+    }
+
+    bool crossesBase(Index curve) const {
+        return std::ranges::any_of(m_curves.curves()[curve].segments, [&](Index segment) {
+            return std::ranges::count(m_surfaces.base, m_curves.segments()[segment].in(Surface::Branch)) > 0;
+        });
+    }
+
+    /// Which curves bound what lies inside and hangs together with some triangles.
+    std::optional<Curves> findInside(std::span<const Index> seeds) {
+        m_inside.clear();
+        Curves found, done;
+        if (!std::ranges::all_of(seeds, [&](Index seed) { return addInside(seed, found); }) || found.empty()) return {};
+        while (done.size() < found.size()) {
+            const Index c = *std::ranges::find_if(found, [&](Index own) { return !done.contains(own); });
+            done.insert(c);
+            if (!forEachSide(c, [&](Index inner, Index) { return addInside(inner, found); })) return {};
+        }
+        const bool bound = std::ranges::all_of(found, [&](Index c) {
+            return forEachSide(c, [&](Index, Index outer) { return !m_inside.contains(outer); });
+        });
+        return bound ? std::optional(found) : std::nullopt;
+    }
+
+    /// False at the patch's border.
+    bool addInside(Index seed, Curves& curves) {
+        std::vector<Index> open{seed};
+        while (!open.empty()) {
+            const Index t = open.back();
+            open.pop_back();
+            if (t == CWoodPatch::kNone || !surfaceOf(t)) return false;
+            if (!m_inside.insert(t).second) continue;
+            const auto corners = m_curves.cornersOf(t);
+            for (std::uint32_t c = 0; c < 3; ++c) {
+                const auto curve = m_curveAt.find(std::minmax(corners[c], corners[after(c)]));
+                if (curve != m_curveAt.end())
+                    curves.insert(curve->second);
+                else
+                    open.push_back(m_patch.beyond({t, c}));
+            }
+        }
+        return true;
+    }
+
+    /// work(from, to) for the points of each edge of a curve, as long as it returns true.
+    template <typename Do>
+    bool forEachEdge(Index curve, Do&& work) const {
+        const std::vector<Index>& nodes = m_curves.curves()[curve].nodes;
+        for (std::size_t i = 0; i < nodes.size(); ++i)
+            if (!work(m_cutter.pointOf(nodes[i]), m_cutter.pointOf(nodes[(i + 1) % nodes.size()]))) return false;
+        return true;
+    }
+
+    /// work(inner, outer) for the triangles of both surfaces beside each edge of a curve: that inside the other
+    /// surface, and the other one.
+    template <typename Do>
+    bool forEachSide(Index curve, Do&& work) const {
+        return forEachEdge(curve, [&](Index from, Index to) {
+            return std::ranges::all_of(std::array{Surface::Wood, Surface::Branch}, [&](Surface surface) {
+                const bool onLeft = surface == Surface::Branch;
+                const Index left = triangleAt(from, to, surface), right = triangleAt(to, from, surface);
+                return left != CWoodPatch::kNone && right != CWoodPatch::kNone &&
+                       work(onLeft ? left : right, onLeft ? right : left);
+            });
+        });
+    }
+
+    /// Of a surface, to the left of an edge.
+    Index triangleAt(Index from, Index to, Surface surface) const {
+        Index found = CWoodPatch::kNone;
+        m_patch.forEachAround(from, [&](Index t) {
+            const auto& corners = m_curves.cornersOf(t);
+            for (std::uint32_t c = 0; c < 3; ++c)
+                if (corners[c] == from && corners[after(c)] == to && surfaceOf(t) == surface) found = t;
+        });
+        return found;
+    }
+
+    double areaOf(Index triangle) const {
+        const auto [a, b, c] = m_curves.cornersOf(triangle);
+        return glm::length(glm::cross(m_patch.place(b) - m_patch.place(a), m_patch.place(c) - m_patch.place(a))) / 2;
+    }
+
+    double insideOfBranch() const {
+        double area = 0;
+        for (const Index t : m_inside)
+            if (surfaceOf(t) == Surface::Branch) area += areaOf(t);
+        return area;
+    }
+
+    /// Leaves out nodes that are nearer to the last one than triangles should be small.
+    void coarsen(const Curve& curve) {
+        Index last = m_cutter.pointOf(curve.nodes[0]);
+        for (std::size_t i = 1, left = curve.nodes.size(); i < curve.nodes.size(); ++i) {
+            const Index own = m_cutter.pointOf(curve.nodes[i]);
+            const bool near = left > 3 && glm::distance(m_patch.place(own), m_patch.place(last)) < m_surfaces.apart;
+            if (near && m_patch.collapse(own, last))
+                --left;
+            else
+                last = own;
+        }
+    }
+
+    /// Whether what was found inside of one surface is there, as far as some of its triangles tell: not where curves
+    /// that are left uncut cross it.
+    bool isHidden(Surface surface) const {
+        std::vector<Index> own;
+        Bounds around = kNowhere;
+        for (const Index t : m_inside) {
+            if (surfaceOf(t) != surface) continue;
+            own.push_back(t);
+            for (const Index point : m_curves.cornersOf(t)) include(around, glm::vec3(m_curves.placeOf(point)));
+        }
+        std::vector<Facet> near;
+        std::ranges::copy_if(m_curves.facets(surface == Surface::Branch ? Surface::Wood : Surface::Branch),
+                             std::back_inserter(near), [&](const Facet& facet) { return touch(facet.bounds, around); });
+        double all = 0, seen = 0;
+        for (std::size_t i = 0; i < own.size(); i += own.size() / kMostSamples + 1) {
+            const auto [a, b, c] = m_curves.cornersOf(own[i]);
+            all += areaOf(own[i]);
+            if (isOutside((m_curves.placeOf(a) + m_curves.placeOf(b) + m_curves.placeOf(c)) / 3.0, near))
+                seen += areaOf(own[i]);
+        }
+        return seen <= kMostSeen * all;
+    }
+
+    /// On which side of the nearest of some triangles a place lies: of the steepest, where several are as near.
+    static bool isOutside(const glm::dvec3& place, std::span<const Facet> facets) {
+        double least = std::numeric_limits<double>::infinity(), side = 1;
+        for (const Facet& facet : facets) {
+            const glm::dvec3 way =
+                place - nearestOnTriangle(place, facet.corners[0], facet.corners[1], facet.corners[2]);
+            const double distance = glm::length(way), own = glm::dot(facet.normal, way);
+            if (distance > least * (1 + kSameDistance)) continue;
+            if (distance < least * (1 - kSameDistance) || std::abs(own) > std::abs(side)) side = own;
+            least = std::min(least, distance);
+        }
+        return side > 0;
+    }
+
+    /// The branch, where it lies in the wood as a whole.
+    bool leaveOut() {
+        for (const Facet& facet : m_curves.facets(Surface::Branch))
+            for (std::uint32_t c = 0; c < 3; ++c) {
+                const Index next = m_patch.beyond({facet.triangle, c});
+                if (next == CWoodPatch::kNone || surfaceOf(next) != Surface::Branch ||
+                    isOutside(facet.corners[c], m_curves.facets(Surface::Wood)))
+                    return false;
+            }
+        for (const Index t : m_surfaces.branch) m_patch.remove(t);
+        return true;
+    }
+
+    CrossingSurfaces m_surfaces;
+    std::size_t& m_work;
+    CWoodPatch& m_patch;
+    CCrossingCurves m_curves;
+    CSurfaceCutter m_cutter;
+    std::unordered_map<Index, Surface> m_surfaceOf;     ///< by whole triangle
+    std::map<std::pair<Index, Index>, Index> m_curveAt; ///< by edge
+    std::set<Index> m_inside;                           ///< triangles
+};
+} // namespace
+
+bool uniteSurfaces(const CrossingSurfaces& surfaces, std::size_t& work, CWoodPatch& patch) {
+    return CSurfaceUnion(surfaces, work, patch).make();
+}
+
+} // namespace stromar
