@@ -12,7 +12,7 @@ constexpr double kAtEdge = 1e-12;   // likewise, of what a point at its edge wou
 } // namespace
 
 CSurfaceCutter::CSurfaceCutter(const CCrossingCurves& curves, CWoodPatch& patch)
-    : m_curves(curves), m_patch(patch), m_firstNew(patch.triangles().size()) {}
+    : m_curves(curves), m_patch(patch), m_firstNew(patch.triangles().size()), m_listed(m_firstNew) {}
 
 template <typename Do>
 bool CSurfaceCutter::forEachNode(const std::set<Index>& curves, Do&& work) const {
@@ -22,6 +22,8 @@ bool CSurfaceCutter::forEachNode(const std::set<Index>& curves, Do&& work) const
 bool CSurfaceCutter::cut(const std::set<Index>& curves) {
     m_patch.undo();
     m_patch.keepWholes();
+    m_parts.clear();
+    m_listed = m_firstNew;
     addPoints(curves);
     return cutSurface(Surface::Wood, curves) && cutSurface(Surface::Branch, curves);
 }
@@ -82,11 +84,13 @@ bool CSurfaceCutter::splitEdge(std::vector<Index> nodes) {
     return true;
 }
 
-std::vector<CSurfaceCutter::Index> CSurfaceCutter::partsOf(Index whole) const {
-    if (!m_patch.triangles()[whole].removed) return {whole};
-    std::vector<Index> parts;
-    for (auto t = static_cast<Index>(m_firstNew); t < m_patch.triangles().size(); ++t)
-        if (m_patch.triangles()[t].whole == whole && !m_patch.triangles()[t].removed) parts.push_back(t);
+std::vector<CSurfaceCutter::Index> CSurfaceCutter::partsOf(Index whole) {
+    const auto triangles = m_patch.triangles();
+    if (!triangles[whole].removed) return {whole};
+    for (; m_listed < triangles.size(); ++m_listed)
+        m_parts[triangles[m_listed].whole].push_back(static_cast<Index>(m_listed));
+    std::vector<Index>& parts = m_parts[whole];
+    std::erase_if(parts, [&](Index t) { return triangles[t].removed; });
     return parts;
 }
 

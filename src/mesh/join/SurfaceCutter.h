@@ -18,7 +18,7 @@ public:
     /// The patch's point at a node of a curve that is cut.
     Index pointOf(Index node) const { return m_pointOf.at(node); }
     /// Of a triangle there was before: itself, where it is whole.
-    std::vector<Index> partsOf(Index whole) const;
+    std::vector<Index> partsOf(Index whole);
 
 private:
     using Edge = std::pair<Index, Index>; ///< points, the lower first
@@ -35,7 +35,9 @@ private:
 
     const CCrossingCurves& m_curves;
     CWoodPatch& m_patch;
-    std::size_t m_firstNew;                               ///< triangle
+    std::size_t m_firstNew, m_listed; ///< triangles
+    std::unordered_map<Index, std::vector<Index>>
+        m_parts; ///< by whole triangle, up to the last listed; some are removed
     std::unordered_map<Index, Index> m_pointOf, m_nodeOf; ///< by node, by point
     std::set<Edge> m_fixed;                               ///< of the surface that is being cut
 };

@@ -8,6 +8,7 @@
 #include <iterator>
 #include <limits>
 #include <optional>
+#include <unordered_set>
 
 namespace stromar {
 
@@ -18,11 +19,11 @@ using Facet = CCrossingCurves::Facet;
 using Curve = CCrossingCurves::Curve;
 using Curves = std::set<Index>;
 
-constexpr std::size_t kMostTries = 8;      // curves to begin with
-constexpr std::size_t kFacetsPerWork = 50; // to find where they cross takes as long as cutting one of so many does
-constexpr std::size_t kMostSamples = 100;  // triangles
-constexpr double kMostSeen = 0.03;         // of their area, which may turn out to lie outside
-constexpr double kSameDistance = 1e-6;     // over the distance
+constexpr std::size_t kMostTries = 8;         // curves to begin with
+constexpr std::size_t kTrianglesPerWork = 50; // to find where they cross takes as long as cutting one of so many does
+constexpr std::size_t kMostSamples = 100;     // triangles
+constexpr double kMostSeen = 0.03;            // of their area, which may turn out to lie outside
+constexpr double kSameDistance = 1e-6;        // over the distance
 
 class CSurfaceUnion {
 public:
@@ -34,7 +35,7 @@ public:
 
     bool make() {
         m_patch.keepWholes();
-        take((m_surfaces.wood.size() + m_surfaces.branch.size()) / kFacetsPerWork);
+        take((m_surfaces.wood.size() + m_surfaces.branch.size()) / kTrianglesPerWork);
         if (!m_curves.find()) return false;
         if (!m_curves.meet()) return leaveOut();
         Curves best = bestOf(together());
@@ -95,8 +96,11 @@ private:
         for (const Index c : curves) take(m_curves.curves()[c].segments.size());
         if (m_work == 0 || !m_cutter.cut(curves)) return {};
         m_curveAt.clear();
-        for (const Index c : curves)
+        m_outside.clear();
+        for (const Index c : curves) {
             forEachEdge(c, [&](Index from, Index to) { return m_curveAt[std::minmax(from, to)] = c, true; });
+            if (!forEachSide(c, [&](Index, Index outer) { return m_outside.insert(outer), true; })) return {};
+        }
         std::vector<Index> base;
         for (const Index t : m_surfaces.base) std::ranges::copy(m_cutter.partsOf(t), std::back_inserter(base));
         if (auto needed = findInside(base)) return needed;
@@ -118,30 +122,32 @@ private:
     /// Which curves bound what lies inside and hangs together with some triangles.
     std::optional<Curves> findInside(std::span<const Index> seeds) {
         m_inside.clear();
+        m_isInside.clear();
         Curves found, done;
-        if (!std::ranges::all_of(seeds, [&](Index seed) { return addInside(seed, found); }) || found.empty()) return {};
-        while (done.size() < found.size()) {
+        bool bound = std::ranges::all_of(seeds, [&](Index seed) { return addInside(seed, found); });
+        while (bound && done.size() < found.size()) {
             const Index c = *std::ranges::find_if(found, [&](Index own) { return !done.contains(own); });
             done.insert(c);
-            if (!forEachSide(c, [&](Index inner, Index) { return addInside(inner, found); })) return {};
+            bound = forEachSide(c, [&](Index inner, Index) { return addInside(inner, found); });
         }
-        const bool bound = std::ranges::all_of(found, [&](Index c) {
-            return forEachSide(c, [&](Index, Index outer) { return !m_inside.contains(outer); });
-        });
-        return bound ? std::optional(found) : std::nullopt;
+        take(m_inside.size() / kTrianglesPerWork);
+        return bound && !found.empty() ? std::optional(found) : std::nullopt;
     }
 
-    /// False at the patch's border.
+    /// False at the patch's border, and outside of a curve.
     bool addInside(Index seed, Curves& curves) {
         std::vector<Index> open{seed};
         while (!open.empty()) {
             const Index t = open.back();
             open.pop_back();
-            if (t == CWoodPatch::kNone || !surfaceOf(t)) return false;
-            if (!m_inside.insert(t).second) continue;
+            if (t == CWoodPatch::kNone || !surfaceOf(t) || m_outside.contains(t)) return false;
+            if (!m_isInside.insert(t).second) continue;
+            m_inside.push_back(t);
             const auto corners = m_curves.cornersOf(t);
+            const bool isPart = m_patch.triangles()[t].whole != t; // only these are at curves
             for (std::uint32_t c = 0; c < 3; ++c) {
-                const auto curve = m_curveAt.find(std::minmax(corners[c], corners[after(c)]));
+                const auto curve =
+                    isPart ? m_curveAt.find(std::minmax(corners[c], corners[after(c)])) : m_curveAt.end();
                 if (curve != m_curveAt.end())
                     curves.insert(curve->second);
                 else
@@ -267,7 +273,8 @@ private:
     CSurfaceCutter m_cutter;
     std::unordered_map<Index, Surface> m_surfaceOf;     ///< by whole triangle
     std::map<std::pair<Index, Index>, Index> m_curveAt; ///< by edge
-    std::set<Index> m_inside;                           ///< triangles
+    std::vector<Index> m_inside;                        ///< triangles
+    std::unordered_set<Index> m_isInside, m_outside;    ///< likewise; beside curves
 };
 } // namespace
 

@@ -15,15 +15,13 @@ struct Pass {
     std::size_t mostNear;     ///< triangles around all tubes that are looked at: some hundredths of a second
     std::size_t mostWork = 0; ///< of one tube, see uniteSurfaces(): most need some hundreds
 };
-constexpr int kMostIdle = 1;
-constexpr std::size_t kAllWork = 60'000; // of all tubes
+constexpr int kMostIdle = 0;
+constexpr std::size_t kAllWork = 30'000; // of all tubes
 constexpr Pass kUnionPasses[]{{{6}, UnionBy::Lines, 5'000, 25'000}, // most tubes come out soon
                               {{30}, UnionBy::Lines, 5'000, 25'000},
-                              {{6, 4}, UnionBy::Surfaces, 100, 100'000, 6'000},
-                              {{30, 8}, UnionBy::Surfaces, 100, 100'000, 6'000},
-                              {{60, 20}, UnionBy::Surfaces, 100, 100'000, 6'000},
-                              {{200, 60}, UnionBy::Surfaces, 100, 100'000, 6'000},
-                              {{1000, 200}, UnionBy::Surfaces, 100, 100'000, 2'000}};
+                              {{6, 4}, UnionBy::Surfaces, 100, 100'000, 4'000},
+                              {{30, 8}, UnionBy::Surfaces, 100, 100'000, 4'000},
+                              {{200, 60}, UnionBy::Surfaces, 100, 100'000, 4'000}};
 
 using Index = CWoodPatch::Index;
 
