@@ -117,7 +117,8 @@ bool CCrossingCurves::addSegment(const Facet& wood, const Facet& branch) {
 }
 
 bool CCrossingCurves::findSegments() {
-    auto& [wood, branch] = m_facets;
+    std::vector<Facet>& wood = m_facets[0];
+    std::vector<Facet>& branch = m_facets[1];
     for (const Index t : m_surfaces.wood) wood.push_back(facetOf(t));
     for (const Index t : m_surfaces.branch) branch.push_back(facetOf(t));
     std::vector<Bounds> bounds;
