@@ -1,10 +1,16 @@
 #pragma once
 #include <cstdint>
+#include <glm/vec2.hpp>
 
 namespace stromar {
 
 /// Of a triangle's three, counter-clockwise.
 constexpr std::uint32_t after(std::uint32_t corner) { return (corner + 1) % 3; }
 constexpr std::uint32_t before(std::uint32_t corner) { return (corner + 2) % 3; }
+
+/// Twice the area: positive when counter-clockwise.
+inline double twiceArea(const glm::dvec2& a, const glm::dvec2& b, const glm::dvec2& c) {
+    return (b.x - a.x) * (c.y - a.y) - (b.y - a.y) * (c.x - a.x);
+}
 
 } // namespace stromar

@@ -10,8 +10,10 @@
 namespace stromar {
 
 namespace {
-constexpr double kClear = 1e-9;     // metres from a plane, of what certainly does not meet it
-constexpr double kSmallBase = 0.25; // of its size, where it is moved
+constexpr double kClear = 1e-9;                // metres from a plane, of what certainly does not meet it
+constexpr std::size_t kMostPairs = 5'000'000;  // triangles whose bounds touch: some hundredths of a second
+constexpr std::size_t kMostMeetings = 500'000; // edges and triangles that may cross, some tens of bytes each
+constexpr double kSmallBase = 0.25;            // of its size, where it is moved
 } // namespace
 
 bool CCrossingCurves::Segment::meets(const Segment& own) const {
@@ -23,7 +25,7 @@ CCrossingCurves::CCrossingCurves(const CrossingSurfaces& surfaces, const CWoodPa
     for (const Index t : surfaces.own)
         for (const Index point : cornersOf(t))
             if (const glm::dvec3 normal = patch.normalAt(point); glm::length(normal) > 0)
-                m_moved[point] = patch.place(point) - surfaces.thinner * glm::normalize(normal);
+                m_moved[point] = patch.place(point) - surfaces.inset * glm::normalize(normal);
     if (surfaces.start) moveBase(*surfaces.start);
     for (const auto& [point, place] : m_moved)
         m_firstMoved = std::min(m_firstMoved, point), m_lastMoved = std::max(m_lastMoved, point);
@@ -101,7 +103,9 @@ CCrossingCurves::Index CCrossingCurves::nodeOf(Index one, Index other, Index tri
 
 /// Adds the segment that two triangles have in common. False where that cannot be told.
 bool CCrossingCurves::addSegment(const Facet& wood, const Facet& branch) {
+    if (++m_pairs > kMostPairs) return false;
     if (wood.isBeside(branch) || branch.isBeside(wood)) return true;
+    if (m_nodeOf.size() > kMostMeetings) return false;
     const auto &w = cornersOf(wood.triangle), &b = cornersOf(branch.triangle);
     std::vector<Index> nodes;
     for (std::uint32_t c = 0; c < 3; ++c) {
@@ -126,8 +130,7 @@ bool CCrossingCurves::findSegments() {
     CBoundsTree tree(std::move(bounds));
     bool clear = true;
     for (const Facet& own : wood)
-        tree.forEachTouching(own.bounds,
-                             [&](std::uint32_t b) { return clear = addSegment(own, branch[b]) && clear, true; });
+        tree.forEachTouching(own.bounds, [&](std::uint32_t b) { return clear = clear && addSegment(own, branch[b]); });
     return clear;
 }
 
@@ -177,7 +180,8 @@ void CCrossingCurves::findConflicts() {
                 parts[t].push_back({c, segment, {flatOf(own.nodes[0], t), flatOf(own.nodes[1], t)}});
         }
     const auto parted = [](const Part& own, const Part& by) {
-        return (turn(by.ends[0], by.ends[1], own.ends[0]) > 0) != (turn(by.ends[0], by.ends[1], own.ends[1]) > 0);
+        return (twiceArea(by.ends[0], by.ends[1], own.ends[0]) > 0) !=
+               (twiceArea(by.ends[0], by.ends[1], own.ends[1]) > 0);
     };
     for (const auto& [triangle, all] : parts)
         for (std::size_t i = 0; i < all.size(); ++i)

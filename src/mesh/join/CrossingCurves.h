@@ -15,8 +15,8 @@ struct CrossingSurfaces {
     std::span<const CWoodPatch::Index> own;  ///< of the branch: its own walls
     std::span<const CWoodPatch::Index> base; ///< of its own: those that lie inside the wood
     double apart = 0;                        ///< metres: points of a curve that are nearer become one, where they can
-    double thinner = 0; ///< metres that its own walls are moved inwards before it is told where they cross: walls that
-                        ///< lie in each other cross anywhere
+    double inset = 0; ///< metres that its own walls are moved inwards before it is told where they cross: walls that
+                      ///< lie in each other cross anywhere
     std::optional<glm::dvec3> start = {}; ///< where the base is moved to before, made smaller
 };
 
@@ -110,16 +110,12 @@ private:
         }
     };
     std::unordered_map<Meeting, Index, Hash> m_nodeOf; ///< kNone: they do not cross
+    std::size_t m_pairs = 0;                           ///< looked at
     std::array<std::vector<Facet>, 2> m_facets;        ///< by surface
     std::vector<Node> m_nodes;
     std::vector<Segment> m_segments;
     std::vector<Curve> m_curves;
     std::set<std::pair<Index, Index>> m_conflicts; ///< curves
 };
-
-/// Twice the area of a triangle in the plane, counter-clockwise.
-inline double turn(const glm::dvec2& a, const glm::dvec2& b, const glm::dvec2& c) {
-    return (b.x - a.x) * (c.y - a.y) - (b.y - a.y) * (c.x - a.x);
-}
 
 } // namespace stromar

@@ -9,6 +9,8 @@ namespace stromar {
 namespace {
 constexpr double kFlatPart = 1e-13; // twice the area of a part of a triangle, over that of the triangle
 constexpr double kAtEdge = 1e-12;   // likewise, of what a point at its edge would part off
+constexpr std::size_t kMostAcross =
+    200; // parts of a triangle that an edge crosses: filling takes their square in memory
 } // namespace
 
 CSurfaceCutter::CSurfaceCutter(const CCrossingCurves& curves, CWoodPatch& patch)
@@ -103,7 +105,7 @@ bool CSurfaceCutter::splitFace(Index node) {
     for (const Index part : partsOf(whole)) {
         const auto [a, b, c] = m_curves.cornersOf(part);
         const glm::dvec2 p = at(a, whole), q = at(b, whole), r = at(c, whole);
-        const glm::dvec3 own(turn(place, q, r), turn(p, place, r), turn(p, q, place));
+        const glm::dvec3 own(twiceArea(place, q, r), twiceArea(p, place, r), twiceArea(p, q, place));
         const double least = std::min({own.x, own.y, own.z});
         if (least <= most) continue;
         most = least;
@@ -135,7 +137,7 @@ bool CSurfaceCutter::splitEdgeAt(Index part, const glm::dvec3& areas, Index node
 bool CSurfaceCutter::connect(Index whole, Index from, Index to) {
     const std::vector<Index> parts = partsOf(whole);
     const glm::dvec2 start = at(from, whole), end = at(to, whole);
-    const auto sideOf = [&](Index point) { return turn(start, end, at(point, whole)); };
+    const auto sideOf = [&](Index point) { return twiceArea(start, end, at(point, whole)); };
     const auto beyond = [&](Index a, Index b) { // the part with an edge from a to b, and its other point
         for (const Index t : parts)
             for (std::uint32_t c = 0; c < 3; ++c)
@@ -156,6 +158,7 @@ bool CSurfaceCutter::connect(Index whole, Index from, Index to) {
             }
     if (crossed.empty()) return false;
     for (Index last = CWoodPatch::kNone; last != to;) {
+        if (crossed.size() > kMostAcross) return false;
         if (m_fixed.contains(std::minmax(left.back(), right.back()))) return false; // curves cross
         const auto [next, third] = beyond(left.back(), right.back());
         if (next == CWoodPatch::kNone) return false;
@@ -168,14 +171,14 @@ bool CSurfaceCutter::connect(Index whole, Index from, Index to) {
     std::ranges::reverse(left);
     std::vector<std::array<Index, 3>> filled;
     if (!fill(whole, right, filled) || !fill(whole, left, filled)) return false;
-    m_patch.exchange(crossed, filled);
+    m_patch.replace(crossed, filled);
     return true;
 }
 
 bool CSurfaceCutter::fill(Index whole, const std::vector<Index>& edge,
                           std::vector<std::array<Index, 3>>& filled) const {
     const auto costOf = [&](std::size_t a, std::size_t b, std::size_t c) {
-        if (turn(at(edge[a], whole), at(edge[b], whole), at(edge[c], whole)) < kFlatPart)
+        if (twiceArea(at(edge[a], whole), at(edge[b], whole), at(edge[c], whole)) < kFlatPart)
             return std::numeric_limits<double>::infinity();
         return glm::distance(m_patch.place(edge[a]), m_patch.place(edge[c]));
     };

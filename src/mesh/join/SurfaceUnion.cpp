@@ -28,14 +28,14 @@ constexpr double kSameDistance = 1e-6;        // over the distance
 class CSurfaceUnion {
 public:
     CSurfaceUnion(const CrossingSurfaces& surfaces, std::size_t& work, CWoodPatch& patch)
-        : m_surfaces(surfaces), m_work(work), m_patch(patch), m_curves(surfaces, patch), m_cutter(m_curves, patch) {
+        : m_work(work), m_patch(patch), m_curves(surfaces, patch), m_cutter(m_curves, patch) {
         for (const Index t : surfaces.wood) m_surfaceOf[t] = Surface::Wood;
         for (const Index t : surfaces.branch) m_surfaceOf[t] = Surface::Branch;
     }
 
     bool make() {
         m_patch.keepWholes();
-        take((m_surfaces.wood.size() + m_surfaces.branch.size()) / kTrianglesPerWork);
+        take((m_curves.surfaces().wood.size() + m_curves.surfaces().branch.size()) / kTrianglesPerWork);
         if (!m_curves.find()) return false;
         if (!m_curves.meet()) return leaveOut();
         Curves best = bestOf(together());
@@ -102,7 +102,7 @@ private:
             if (!forEachSide(c, [&](Index, Index outer) { return m_outside.insert(outer), true; })) return {};
         }
         std::vector<Index> base;
-        for (const Index t : m_surfaces.base) std::ranges::copy(m_cutter.partsOf(t), std::back_inserter(base));
+        for (const Index t : m_curves.surfaces().base) std::ranges::copy(m_cutter.partsOf(t), std::back_inserter(base));
         if (auto needed = findInside(base)) return needed;
         for (const Index c : curves) { // wood that is thinner than the base
             if (!crossesBase(c)) continue;
@@ -115,7 +115,7 @@ private:
 
     bool crossesBase(Index curve) const {
         return std::ranges::any_of(m_curves.curves()[curve].segments, [&](Index segment) {
-            return std::ranges::count(m_surfaces.base, m_curves.segments()[segment].in(Surface::Branch)) > 0;
+            return std::ranges::count(m_curves.surfaces().base, m_curves.segments()[segment].in(Surface::Branch)) > 0;
         });
     }
 
@@ -208,7 +208,8 @@ private:
         Index last = m_cutter.pointOf(curve.nodes[0]);
         for (std::size_t i = 1, left = curve.nodes.size(); i < curve.nodes.size(); ++i) {
             const Index own = m_cutter.pointOf(curve.nodes[i]);
-            const bool near = left > 3 && glm::distance(m_patch.place(own), m_patch.place(last)) < m_surfaces.apart;
+            const bool near =
+                left > 3 && glm::distance(m_patch.place(own), m_patch.place(last)) < m_curves.surfaces().apart;
             if (near && m_patch.collapse(own, last))
                 --left;
             else
@@ -262,11 +263,10 @@ private:
                     isOutside(facet.corners[c], m_curves.facets(Surface::Wood)))
                     return false;
             }
-        for (const Index t : m_surfaces.branch) m_patch.remove(t);
+        for (const Index t : m_curves.surfaces().branch) m_patch.remove(t);
         return true;
     }
 
-    CrossingSurfaces m_surfaces;
     std::size_t& m_work;
     CWoodPatch& m_patch;
     CCrossingCurves m_curves;

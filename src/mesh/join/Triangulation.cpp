@@ -16,15 +16,10 @@ constexpr int kPasses = 4;
 constexpr double kAboutHalf = 0.3;   // turns
 constexpr std::size_t kMaxUnsure = 4; // ways of a loop of which either side may be meant
 
-/// Twice the area: positive when counter-clockwise.
-double area(const glm::dvec2& a, const glm::dvec2& b, const glm::dvec2& c) {
-    return (b.x - a.x) * (c.y - a.y) - (b.y - a.y) * (c.x - a.x);
-}
-
 /// The side of a line from a to b on which c lies: 1 on its left, −1 on its right, 0 nearly on it.
 int sideOf(const glm::dvec2& a, const glm::dvec2& b, const glm::dvec2& c) {
     const auto squared = [](const glm::dvec2& way) { return glm::dot(way, way); };
-    const double twice = area(a, b, c), flat = kTooFlat * std::max({squared(b - a), squared(c - b), squared(a - c)});
+    const double twice = twiceArea(a, b, c), flat = kTooFlat * std::max({squared(b - a), squared(c - b), squared(a - c)});
     return twice > flat ? 1 : twice < -flat ? -1 : 0;
 }
 } // namespace
@@ -169,10 +164,10 @@ bool CTriangulation::insert(const LoopPoint& point) {
         const Triangle& here = m_triangles[t];
         std::uint32_t out = 3, near = 3;
         int nearCount = 0;
-        const double whole = area(here.at[0], here.at[1], here.at[2]);
+        const double whole = twiceArea(here.at[0], here.at[1], here.at[2]);
         for (std::uint32_t k = 0; k < 3; ++k) {
             const std::uint32_t c = (k + step) % 3;
-            const double share = area(here.at[c], here.at[after(c)], at) / whole;
+            const double share = twiceArea(here.at[c], here.at[after(c)], at) / whole;
             if (share < -kOnEdge) out = c;
             if (std::abs(share) <= kOnEdge) near = c, ++nearCount;
         }

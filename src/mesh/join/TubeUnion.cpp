@@ -25,7 +25,7 @@ struct Try {
 constexpr Try kTries[]{{1}, {0.7}, {0.4}, {1, true}};
 /// How walls are moved to tell where they cross the wood: those that lie in each other cross anywhere.
 struct SurfaceTry {
-    double thinner;                    ///< radii of the tube
+    double inset;                      ///< radii of the tube
     std::optional<double> starts = {}; ///< in the middle of what is drawn of the wood, so many radii of it further down
 };
 constexpr double kApartOnCurve = 0.3; // radii of the tube
@@ -84,7 +84,7 @@ private:
             if (work == 0) return false;
             if (m_lines.isClone() && own.starts.value_or(0) > 0) continue; // it starts in the path it parts from
             m_patch.mark();
-            CrossingSurfaces surfaces{m_below, branch, m_own, base, kApartOnCurve * m_lines.radius, own.thinner * m_lines.radius};
+            CrossingSurfaces surfaces{m_below, branch, m_own, base, kApartOnCurve * m_lines.radius, own.inset * m_lines.radius};
             if (own.starts) surfaces.start = m_lines.middleOfWood(*own.starts);
             if (uniteSurfaces(surfaces, work, m_patch) && m_patch.finish()) return true;
             m_patch.undo();

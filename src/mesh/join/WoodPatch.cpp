@@ -285,7 +285,7 @@ CWoodPatch::Index CWoodPatch::pointOn(Index one, Index other, double share) {
     return point;
 }
 
-void CWoodPatch::exchange(std::span<const Index> parts, std::span<const std::array<Index, 3>> points) {
+void CWoodPatch::replace(std::span<const Index> parts, std::span<const std::array<Index, 3>> points) {
     std::unordered_map<Index, Index> vertexAt;
     for (const Index t : parts)
         for (const Index v : m_triangles[t].vertices) vertexAt[m_pointOf[v]] = v;
@@ -482,6 +482,7 @@ bool CWoodPatch::areApart() const {
 
 bool CWoodPatch::finish() {
     if (!areApart()) return false;
+    std::unordered_map<Index, std::vector<Index>> turnedOf; // vertices that took the place of one
     for (std::size_t t = m_triangleMark; t < m_triangles.size(); ++t) {
         if (m_triangles[t].removed) continue;
         const glm::dvec3 face = faceOf(m_triangles[t]);
@@ -490,9 +491,14 @@ bool CWoodPatch::finish() {
             if (!isSewn(m_triangles[t].points[c], m_triangles[t].points[after(c)])) return false;
             const Vertex vertex = m_vertices[m_triangles[t].vertices[c]];
             if (glm::dot(face, glm::dvec3(vertex.value.normal)) > 0) continue;
-            Vertex own = vertex;
-            own.value.normal = glm::vec3(glm::normalize(face));
-            m_triangles[t].vertices[c] = addVertex(own, m_triangles[t].points[c]);
+            std::vector<Index>& turned = turnedOf[m_triangles[t].vertices[c]];
+            auto fitting = std::ranges::find_if(turned, [&](Index v) { return glm::dot(face, glm::dvec3(m_vertices[v].value.normal)) > 0; });
+            if (fitting == turned.end()) {
+                Vertex own = vertex;
+                own.value.normal = glm::vec3(glm::normalize(face));
+                fitting = turned.insert(turned.end(), addVertex(own, m_triangles[t].points[c]));
+            }
+            m_triangles[t].vertices[c] = *fitting;
         }
     }
     return true;

@@ -91,7 +91,7 @@ public:
     /// Parts a triangle into three. `shares`: barycentric.
     void splitFace(Index triangle, const glm::dvec3& shares, Index point);
     /// Takes out some parts of one triangle and puts others there, with corners at points of those.
-    void exchange(std::span<const Index> parts, std::span<const std::array<Index, 3>> points);
+    void replace(std::span<const Index> parts, std::span<const std::array<Index, 3>> points);
     void remove(Index triangle);
     /// Moves a point to one at the other end of an edge, whose two triangles are left out. False, and nothing done, where anything would fold.
     bool collapse(Index from, Index to);
