@@ -123,6 +123,9 @@ struct MeshPlan {
     /// How many points lie around the lid at its base.
     std::uint32_t baseLidPoints(const Tube& tube) const { return tube.forked ? limbOf(tube).lidPoints() : tube.points; }
 
+    /// Which path of a stem is drawn where one of them lies: itself, or the nearest of those it split from that has a tube; 0 where none has.
+    std::uint32_t drawnPath(const CGeneration& generation, const CStem& stem, std::uint32_t path) const;
+
     std::span<const ForkedBranch> branchesOf(const Tube& tube) const { return std::span(branches).subspan(tube.firstBranch, tube.branchCount); }
     /// The one that a stem of the next generation is; null where it is none.
     const ForkedBranch* branch(std::uint32_t stem) const;
@@ -137,7 +140,7 @@ struct MeshPlan {
     std::vector<ForkedBranch> branches; ///< ascending by stem
     std::vector<ForkPoint> branchPoints; ///< of their given rings
     std::vector<BarkJoint> barkJoints;   ///< of tubes that start at forks of their parents
-    std::vector<std::int32_t> tubeOfPath; ///< −1: too short to be drawn
+    std::vector<std::int32_t> tubeOfPath; ///< −1: not drawn, as it is too short or hidden by others
     std::vector<bool> stemBears;          ///< its leaves, blossoms and fruits are to be drawn
     const Detail* detail = nullptr;       ///< of the table
     Thickening thickening;                ///< with which its stems are drawn

@@ -53,7 +53,8 @@ public:
         const CStem& stem = own().stems[tube.stem];
         const CGeneration& generation = m_tree.generation(m_generation - 1);
         const StemMesh& wood = m_stems[m_generation - 1];
-        const std::int32_t index = wood.plan.tubeOfPath[generation.stems[static_cast<std::size_t>(stem.parent)].firstPath + stem.path];
+        const CStem& parent = generation.stems[static_cast<std::size_t>(stem.parent)];
+        const std::int32_t index = wood.plan.tubeOfPath[parent.firstPath + wood.plan.drawnPath(generation, parent, stem.path)];
         if (index < 0) return base;
         return CTubeWalls(generation, wood.plan, wood.plan.tubes[static_cast<std::size_t>(index)]).middleAt(*wood.mesh, stem.offset - below * m_unit);
     }

@@ -134,9 +134,10 @@ double CCollarMaker::placeOf(const Ring& ring) const {
 /// At a fork a branch may leave the wood through the wall of the limb beside its own.
 const Collar* CCollarMaker::makeOnAnyPath(const CStem& stem) {
     const CStem& parent = m_parents->stems[static_cast<std::size_t>(stem.parent)];
-    if (const Collar* collar = makeOn(stem.path, stem)) return collar;
+    const std::uint32_t own = m_wood->plan.drawnPath(*m_parents, parent, stem.path);
+    if (const Collar* collar = makeOn(own, stem)) return collar;
     for (std::uint32_t path = 0; path < parent.pathCount; ++path) {
-        if (!partAt(stem, parent, path)) continue;
+        if (path == own || !partAt(stem, parent, path)) continue;
         if (const Collar* collar = makeOn(path, stem)) return collar;
     }
     return nullptr;
@@ -145,9 +146,10 @@ const Collar* CCollarMaker::makeOnAnyPath(const CStem& stem) {
 /// Likewise: the walls of all paths that a branch may be inside of.
 void CCollarMaker::collectAllTriangles(const CStem& sitting, double offset) {
     const CStem& parent = m_parents->stems[static_cast<std::size_t>(sitting.parent)];
+    const std::uint32_t own = m_wood->plan.drawnPath(*m_parents, parent, sitting.path);
     clearTriangles();
     for (std::uint32_t path = 0; path < parent.pathCount; ++path)
-        if (path == sitting.path || partAt(sitting, parent, path)) addTriangles(parent.firstPath + path, offset);
+        if (path == own || partAt(sitting, parent, path)) addTriangles(parent.firstPath + path, offset);
 }
 
 /// Whether another path parts from a branch's own at a fork and still runs beside it where the branch sits.

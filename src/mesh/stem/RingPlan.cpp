@@ -88,6 +88,11 @@ const Fork* MeshPlan::forkAt(const Tube& tube, std::uint32_t ring) const {
     return above != own.begin() && ring < (above - 1)->ring + (above - 1)->rings ? &*(above - 1) : nullptr;
 }
 
+std::uint32_t MeshPlan::drawnPath(const CGeneration& generation, const CStem& stem, std::uint32_t path) const {
+    while (path > 0 && tubeOfPath[stem.firstPath + path] < 0) path = static_cast<std::uint32_t>(generation.paths[stem.firstPath + path].source);
+    return path;
+}
+
 const ForkedBranch* MeshPlan::branch(std::uint32_t stem) const {
     const auto at = std::ranges::lower_bound(branches, stem, {}, &ForkedBranch::stem);
     return at != branches.end() && at->stem == stem ? &*at : nullptr;

@@ -68,6 +68,7 @@ void CSimplifier::planPaths(std::uint32_t s, MeshPlan& plan) {
     m_refused.clear();
     m_tries = 0;
     m_starts.assign(stem.pathCount, {});
+    findCoinciding(stem);
     if (m_parents) m_starts[0] = startOnParent(*m_parents, stem, s);
     std::vector<Mark> before;
     for (std::uint32_t p = 0; p < stem.pathCount;) {
@@ -87,7 +88,7 @@ std::uint32_t CSimplifier::planPath(std::uint32_t s, std::uint32_t p, MeshPlan& 
     if (mayHaveCollar && (planWithCollar(s, index, plan) || isHidden(m_generation.stems[s], path))) return p + 1;
     ForkStart& start = m_starts[p];
     const bool starts = start.common.points > 0;
-    if (!starts && coincides(m_generation.stems[s], path)) return p + 1;
+    if (!starts && m_drawnAs[p] != p) return p + 1;
     if (planTube(s, index, {}, plan)) return p + 1;
     if (!starts || !m_startFolds) {
         const bool one = !m_folded.empty() && ++m_tries < kOneByOne;
@@ -109,15 +110,20 @@ bool CSimplifier::isHidden(const CStem& stem, const CPath& path) {
     return stem.pathCount == 1 && m_collars->hides(stem, m_generation.segmentsOf(path));
 }
 
-/// Whether a clone without clones of its own runs along in the wood of the path that it parts from: then it is not drawn either.
-bool CSimplifier::coincides(const CStem& stem, const CPath& path) const {
+/// Finds the clones that run along in the wood of those they split from: they are not drawn, and theirs lie in the same wood or come out of it.
+void CSimplifier::findCoinciding(const CStem& stem) {
     const auto paths = std::span(m_generation.paths).subspan(stem.firstPath, stem.pathCount);
-    const auto own = static_cast<std::int32_t>(&path - paths.data());
-    if (path.source < 0 || std::ranges::count(paths, own, &CPath::source) > 0) return false;
-    const CPath& source = paths[static_cast<std::size_t>(path.source)];
-    const auto beside = m_generation.segmentsOf(source).subspan(path.firstPosition - source.firstPosition);
-    const auto segments = m_generation.segmentsOf(path);
-    return segments.size() <= beside.size() && std::ranges::equal(segments, beside.first(segments.size()), [&](const CSegment& one, const CSegment& other) {
+    m_drawnAs.assign(stem.pathCount, 0);
+    for (std::uint32_t p = 1; p < stem.pathCount; ++p) {
+        const std::uint32_t wood = m_drawnAs[static_cast<std::size_t>(paths[p].source)];
+        m_drawnAs[p] = coincides(stem, paths[p], paths[wood]) ? wood : p;
+    }
+}
+
+bool CSimplifier::coincides(const CStem& stem, const CPath& clone, const CPath& wood) const {
+    const auto own = m_generation.segmentsOf(clone), beside = m_generation.segmentsOf(wood).subspan(clone.firstPosition - wood.firstPosition);
+    if (own.size() > beside.size()) return false;
+    return std::ranges::equal(own, beside.first(own.size()), [&](const CSegment& one, const CSegment& other) {
         const double near = kCoinciding * m_surface.drawnAtBase(stem, other);
         return glm::distance(one.centre(0.5), other.centre(0.5)) <= near && glm::distance(one.centre(1), other.centre(1)) <= near;
     });

@@ -47,7 +47,8 @@ private:
     void planPaths(std::uint32_t s, MeshPlan& plan);
     std::uint32_t planPath(std::uint32_t s, std::uint32_t p, MeshPlan& plan);
     bool isHidden(const CStem& stem, const CPath& path);
-    bool coincides(const CStem& stem, const CPath& path) const;
+    void findCoinciding(const CStem& stem);
+    bool coincides(const CStem& stem, const CPath& clone, const CPath& wood) const;
     bool planWithCollar(std::uint32_t s, std::uint32_t p, MeshPlan& plan);
     bool planWithCollar(std::uint32_t s, std::uint32_t p, double room, MeshPlan& plan);
     bool planTube(std::uint32_t s, std::uint32_t p, const std::optional<CollarTry>& collar, MeshPlan& plan);
@@ -112,6 +113,7 @@ private:
 
     // Of the stem and the tube that are being planned:
     std::vector<ForkStart> m_starts;      ///< of its paths
+    std::vector<std::uint32_t> m_drawnAs; ///< of each: itself, or the one whose wood it runs along in
     std::vector<std::uint32_t> m_planned; ///< forks of the tube, by the segment below
     std::vector<std::uint32_t> m_folded;  ///< those of them that fold
     bool m_startFolds = false;            ///< as the fork does that it starts at
