@@ -50,6 +50,12 @@ TEST(SurfaceUnion, ABaseThatIsThickerThanTheWoodIsJoinedWhereTheWoodEnters) {
     EXPECT_NEAR(volumeOf(patch), 4 + 3 * 0.21 * 0.25, 1e-3);
 }
 
+TEST(SurfaceUnion, ABaseThatComesOutOfTheWoodStays) {
+    CWoodPatch patch = patchOf({kWood, {{-0.21f, -0.32f, -3}, {0.23f, 0.34f, 3}}});
+    EXPECT_TRUE(unite(patch));
+    EXPECT_NEAR(volumeOf(patch), 8 + 4 * 0.44 * 0.66, 1e-3);
+}
+
 TEST(SurfaceUnion, ABranchWithinTheWoodIsLeftOut) {
     CWoodPatch patch = patchOf({kWood, {{-0.21f, -0.32f, 0.1f}, {0.23f, 0.34f, 0.9f}}});
     EXPECT_TRUE(unite(patch));

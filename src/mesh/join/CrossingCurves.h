@@ -66,6 +66,8 @@ public:
     /// False where that cannot be told. Time n log n in the triangles, and squared in the segments of one triangle.
     bool find();
 
+    /// How many edges and triangles were looked at.
+    std::size_t looked() const { return m_nodeOf.size(); }
     bool meet() const { return !m_segments.empty(); }
     std::span<const Facet> facets(Surface surface) const { return m_facets[static_cast<std::size_t>(surface)]; }
     std::span<const Node> nodes() const { return m_nodes; }

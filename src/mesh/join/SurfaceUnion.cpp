@@ -21,9 +21,11 @@ using Curves = std::set<Index>;
 
 constexpr std::size_t kMostTries = 8;         // curves to begin with
 constexpr std::size_t kTrianglesPerWork = 50; // to find where they cross takes as long as cutting one of so many does
+constexpr std::size_t kMeetingsPerWork = 20;  // likewise to look at so many edges and triangles
 constexpr std::size_t kMostSamples = 100;     // triangles
 constexpr double kMostSeen = 0.03;            // of their area, which may turn out to lie outside
 constexpr double kSameDistance = 1e-6;        // over the distance
+constexpr double kSliver = 2;                 // times what points on a curve are apart: across what may be left out
 
 class CSurfaceUnion {
 public:
@@ -36,13 +38,16 @@ public:
     bool make() {
         m_patch.keepWholes();
         take((m_curves.surfaces().wood.size() + m_curves.surfaces().branch.size()) / kTrianglesPerWork);
-        if (!m_curves.find()) return false;
+        const bool found = m_curves.find();
+        take(m_curves.looked() / kMeetingsPerWork);
+        if (!found) return false;
         if (!m_curves.meet()) return leaveOut();
         Curves best = bestOf(together());
         if (best.empty()) best = bestOf(alone());
         if (best.empty() || neededOf(best) != best) return false;
         for (const Index t : m_inside) m_patch.remove(t);
         for (const Index c : best) coarsen(m_curves.curves()[c]);
+        leaveOutSlivers();
         return true;
     }
 
@@ -110,7 +115,9 @@ private:
             forEachSide(c, [&](Index inner, Index) { return seeds.push_back(inner), true; });
             if (auto needed = findInside(seeds)) return needed;
         }
-        return {};
+        std::vector<Index> seeds; // of a base that comes out of the wood
+        for (const Index c : curves) forEachSide(c, [&](Index inner, Index) { return seeds.push_back(inner), true; });
+        return findInside(seeds);
     }
 
     bool crossesBase(Index curve) const {
@@ -215,6 +222,34 @@ private:
             else
                 last = own;
         }
+    }
+
+    /// Between curves a piece of both surfaces may be left that hangs together with nothing else.
+    void leaveOutSlivers() {
+        std::unordered_set<Index> known; // of larger pieces
+        for (Index t = 0; t < m_patch.triangles().size(); ++t) {
+            if (!m_patch.triangles()[t].isNew || m_patch.triangles()[t].removed || known.contains(t)) continue;
+            const std::vector<Index> piece = smallPieceOf(t, known);
+            for (const Index own : piece) m_patch.remove(own);
+        }
+    }
+
+    /// All that hangs together with a triangle; nothing where that goes further than a sliver does, and those looked at are known then.
+    std::vector<Index> smallPieceOf(Index seed, std::unordered_set<Index>& known) const {
+        std::vector<Index> piece{seed};
+        std::unordered_set<Index> found{seed};
+        bool small = true;
+        for (std::size_t i = 0; small && i < piece.size(); ++i) {
+            small = glm::distance(m_patch.place(m_curves.cornersOf(piece[i])[0]), m_patch.place(m_curves.cornersOf(seed)[0])) < kSliver * m_curves.surfaces().apart;
+            for (std::uint32_t c = 0; small && c < 3; ++c) {
+                const Index next = m_patch.beyond({piece[i], c});
+                small = next != CWoodPatch::kNone && !known.contains(next);
+                if (small && found.insert(next).second) piece.push_back(next);
+            }
+        }
+        if (small) return piece;
+        known.insert(piece.begin(), piece.end());
+        return {};
     }
 
     /// Whether what was found inside of one surface is there, as far as some of its triangles tell: not where curves

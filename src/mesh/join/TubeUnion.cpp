@@ -6,6 +6,7 @@
 #include <cmath>
 #include <glm/geometric.hpp>
 #include <iterator>
+#include <span>
 
 namespace stromar {
 
@@ -28,6 +29,12 @@ struct SurfaceTry {
     double inset;                      ///< radii of the tube
     std::optional<double> starts = {}; ///< in the middle of what is drawn of the wood, so many radii of it further down
 };
+/// Between which walls: others that run through those of its parent make curves that cross themselves, and so do twigs of the tube.
+struct Sides {
+    bool parentAlone = false; ///< of the wood
+    bool movesTwigs = false;  ///< as the tube's own walls
+};
+constexpr Sides kSides[]{{}, {.parentAlone = true}, {.movesTwigs = true}};
 constexpr double kApartOnCurve = 0.3; // radii of the tube
 constexpr SurfaceTry kSurfaceTries[]{{0.02},    {0.05},   {0.1},    {0.2},     {0.3},    {0.5},      {-0.02},  {-0.1},
                                      {0.02, 0}, {0.1, 0}, {0.3, 0}, {0.02, 3}, {0.1, 3}, {0.02, 12}, {0.1, 12}};
@@ -37,20 +44,16 @@ class CTubeUnion {
 public:
     CTubeUnion(const CTree& tree, std::span<const StemMesh> stems, const BranchTube& of, CTubeLines& lines, CWoodPatch& patch)
         : m_tree(tree), m_stems(stems), m_of(of), m_lines(lines), m_tube(lines.tube), m_patch(patch) {
-        std::vector<Index> below;
-        for (const Index t : patch.selected()) {
-            const VertexSource& source = patch.vertices()[patch.triangles()[t].vertices[0]].value.source;
-            if (isOwn(source)) m_own.push_back(t);
-            if (isBelow(source)) below.push_back(t);
-        }
-        patch.flood(below);
-        std::ranges::copy_if(patch.selected(), std::back_inserter(m_below), [&](Index t) { return patch.isMarked(t); });
+        const auto sourceOf = [&](Index t) { return patch.vertices()[patch.triangles()[t].vertices[0]].value.source; };
+        m_own = those(patch.selected(), [&](Index t) { return isOwn(sourceOf(t)); });
+        patch.flood(those(patch.selected(), [&](Index t) { return isBelow(sourceOf(t)); }));
+        m_below = those(patch.selected(), [&](Index t) { return patch.isMarked(t); });
     }
 
     /// False where the tube is part of the wood, or cannot be joined.
     bool make(const UnionMethod& method) {
         if (m_own.empty() || std::ranges::any_of(m_own, [&](Index t) { return m_patch.isMarked(t); })) return false;
-        return method.by == UnionBy::Lines ? makeAlongLines() : makeOfSurfaces(method.mostWork);
+        return method.by == UnionBy::Lines ? makeAlongLines() : makeOfSurfaces(method);
     }
 
 private:
@@ -75,21 +78,39 @@ private:
     }
 
     /// Cuts wherever the walls cross, without a strip between.
-    bool makeOfSurfaces(std::size_t work) {
-        std::vector<Index> branch, base;
+    bool makeOfSurfaces(const UnionMethod& method) {
+        std::size_t work = method.mostWork;
         m_patch.flood(m_own);
-        std::ranges::copy_if(m_patch.selected(), std::back_inserter(branch), [&](Index t) { return m_patch.isMarked(t); });
-        std::ranges::copy_if(m_own, std::back_inserter(base), [&](Index t) { return isOfBaseLid(m_patch.triangles()[t]); });
-        for (const SurfaceTry& own : kSurfaceTries) {
-            if (work == 0) return false;
-            if (m_lines.isClone() && own.starts.value_or(0) > 0) continue; // it starts in the path it parts from
-            m_patch.mark();
-            CrossingSurfaces surfaces{m_below, branch, m_own, base, kApartOnCurve * m_lines.radius, own.inset * m_lines.radius};
-            if (own.starts) surfaces.start = m_lines.middleOfWood(*own.starts);
-            if (uniteSurfaces(surfaces, work, m_patch) && m_patch.finish()) return true;
-            m_patch.undo();
-        }
+        const auto branch = those(m_patch.selected(), [&](Index t) { return m_patch.isMarked(t); });
+        const auto base = those(m_own, [&](Index t) { return isOfBaseLid(m_patch.triangles()[t]); });
+        const auto parent = those(m_below, [&](Index t) { return isOfParent(m_patch.triangles()[t]); });
+        for (const Sides& sides : std::span(kSides).first(method.allSides ? std::size(kSides) : 1))
+            for (const SurfaceTry& own : kSurfaceTries) {
+                if (work == 0) return false;
+                if (m_lines.isClone() && own.starts.value_or(0) > 0) continue; // it starts in the path it parts from
+                m_patch.mark();
+                CrossingSurfaces surfaces{sides.parentAlone ? parent : m_below, branch, sides.movesTwigs ? branch : m_own, base, kApartOnCurve * m_lines.radius,
+                                          own.inset * m_lines.radius};
+                if (own.starts) surfaces.start = m_lines.middleOfWood(*own.starts);
+                if (uniteSurfaces(surfaces, work, m_patch) && m_patch.finish()) return true;
+                m_patch.undo();
+            }
         return false;
+    }
+
+    template <typename Is> static std::vector<Index> those(std::span<const Index> triangles, Is&& is) {
+        std::vector<Index> chosen;
+        std::ranges::copy_if(triangles, std::back_inserter(chosen), is);
+        return chosen;
+    }
+
+    /// Whether a triangle is of the walls of the stem that the tube's grows on, or of a clone's stem.
+    bool isOfParent(const CWoodPatch::Triangle& triangle) const {
+        const std::uint32_t generation = m_of.generation - (m_lines.isClone() ? 0 : 1);
+        return triangle.generation == generation && std::ranges::any_of(triangle.vertices, [&](Index v) {
+            const VertexSource& source = m_patch.vertices()[v].value.source;
+            return source.generation == generation && isBelow(source);
+        });
     }
 
     bool isOfBaseLid(const CWoodPatch::Triangle& triangle) const {
@@ -138,11 +159,11 @@ private:
         return source.generation == m_of.generation && source.vertex >= m_tube.firstVertex && source.vertex < m_tube.firstVertex + m_tube.vertices;
     }
 
-    /// Whether a vertex is of one of the stems that the tube's grows on, or of what the tube parts from.
+    /// Whether a vertex is of one of the stems that the tube's grows on, or of a path it may part from.
     bool isBelow(const VertexSource& source) const {
         if (source.generation > m_of.generation || isOwn(source)) return false;
         const std::uint32_t surface = surfaceOf(m_stems, source), stem = m_stems[source.generation].plan.tubes[surface].stem;
-        if (source.generation == m_of.generation) return stem == m_tube.stem && surface != m_of.tube;
+        if (source.generation == m_of.generation) return stem == m_tube.stem && m_stems[source.generation].plan.tubes[surface].path < m_tube.path; // not of its own clones
         const CStem& own = m_tree.generation(m_of.generation).stems[m_tube.stem];
         return &m_tree.ancestor(m_of.generation, own, m_of.generation - source.generation) == &m_tree.generation(source.generation).stems[stem];
     }

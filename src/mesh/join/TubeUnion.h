@@ -10,6 +10,7 @@ enum class UnionBy {
 struct UnionMethod {
     UnionBy by;
     std::size_t mostWork; ///< see uniteSurfaces()
+    bool allSides;        ///< of surfaces: also with a part of the walls
 };
 
 /// Joins a tube with the wood around it that it comes out of; false, and the patch as it was, where that cannot be. Time linear in the patch's

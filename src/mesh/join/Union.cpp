@@ -14,14 +14,17 @@ struct Pass {
     std::size_t mostTubes;    ///< that may be apart: of most trees some dozens are, of those whose stems all run through each other thousands
     std::size_t mostNear;     ///< triangles around all tubes that are looked at: some hundredths of a second
     std::size_t mostWork = 0; ///< of one tube, see uniteSurfaces(): most need some hundreds
+    std::size_t allWork = 0;  ///< of all tubes
+    bool isLast = false;      ///< for a few: with all that can be tried
 };
-constexpr int kMostIdle = 0;
-constexpr std::size_t kAllWork = 30'000; // of all tubes
 constexpr Pass kUnionPasses[]{{{6}, UnionBy::Lines, 5'000, 25'000}, // most tubes come out soon
                               {{30}, UnionBy::Lines, 5'000, 25'000},
-                              {{6, 4}, UnionBy::Surfaces, 100, 100'000, 4'000},
-                              {{30, 8}, UnionBy::Surfaces, 100, 100'000, 4'000},
-                              {{200, 60}, UnionBy::Surfaces, 100, 100'000, 4'000}};
+                              {{6, 4}, UnionBy::Surfaces, 100, 100'000, 4'000, 30'000},
+                              {{30, 8}, UnionBy::Surfaces, 100, 100'000, 4'000, 30'000},
+                              {{200, 60}, UnionBy::Surfaces, 100, 100'000, 4'000, 30'000},
+                              {{6, 4}, UnionBy::Surfaces, 6, 100'000, 30'000, 30'000, true},
+                              {{30, 8}, UnionBy::Surfaces, 6, 100'000, 30'000, 30'000, true},
+                              {{200, 60}, UnionBy::Surfaces, 6, 100'000, 30'000, 30'000, true}};
 
 using Index = CWoodPatch::Index;
 
@@ -111,7 +114,7 @@ United uniteWithin(const Pass& pass, const CTree& tree, std::span<const StemMesh
     for (const BranchTube& own : apart) lines.emplace_back(tree, stems, own, pass.reach);
     const std::vector<WoodPlace> places = placesOf(lines, wood, pass.mostNear, progress);
     const std::size_t tubes = std::accumulate(places.begin(), places.end(), std::size_t{1}, [](std::size_t sum, const WoodPlace& own) { return sum + own.tubes.size(); });
-    const UnionMethod method{pass.by, std::min(pass.mostWork, kAllWork / tubes)};
+    const UnionMethod method{pass.by, std::min(pass.mostWork, pass.allWork / tubes), pass.isLast};
     std::vector<CWoodPatch> patches(places.size());
     std::vector<std::uint8_t> done(apart.size());
     parallelFor(
@@ -140,13 +143,13 @@ United uniteWithin(const Pass& pass, const CTree& tree, std::span<const StemMesh
 United uniteWithWood(const CTree& tree, std::span<const StemMesh> stems, std::vector<BranchTube> apart, Wood& wood, const CProgress& progress) {
     apart.resize(std::min(apart.size(), kUnionPasses[0].mostTubes));
     United united;
-    int idle = 0; // passes in turn that joined none
+    bool idle = false; // the pass before joined none
     for (const Pass& pass : kUnionPasses) {
-        if (apart.empty() || apart.size() > pass.mostTubes || idle > kMostIdle) break;
+        if (apart.empty() || apart.size() > pass.mostTubes || (idle && !pass.isLast)) continue;
         const United more = uniteWithin(pass, tree, stems, apart, wood, progress);
         united.collars += more.collars;
         united.others += more.others;
-        idle = more.collars + more.others > 0 || pass.by == UnionBy::Lines ? 0 : idle + 1;
+        idle = pass.by == UnionBy::Surfaces && more.collars + more.others == 0;
     }
     return united;
 }

@@ -470,14 +470,18 @@ bool CWoodPatch::isSewn(Index from, Index to) const {
     return there == 1 && (back == 1 || isBorder);
 }
 
-/// Whether no new point is at exactly the place of another.
+/// Whether no new point is at exactly the place of another, as far as there are triangles at both.
 bool CWoodPatch::areApart() const {
     const auto inOrder = [](const glm::vec3& a, const glm::vec3& b) { return std::tie(a.x, a.y, a.z) < std::tie(b.x, b.y, b.z); };
-    const auto start = m_places.begin() + static_cast<std::ptrdiff_t>(m_pointMark);
-    std::vector<glm::vec3> added(start, m_places.end());
+    const auto isUsed = [&](Index point) { return std::ranges::any_of(m_around[point], [&](Index t) { return !m_triangles[t].removed; }); };
+    std::vector<glm::vec3> added;
+    for (auto point = static_cast<Index>(m_pointMark); point < m_places.size(); ++point)
+        if (isUsed(point)) added.push_back(m_places[point]);
     std::ranges::sort(added, inOrder);
-    return std::ranges::adjacent_find(added) == added.end() &&
-           std::none_of(m_places.begin(), start, [&](const glm::vec3& place) { return std::ranges::binary_search(added, place, inOrder); });
+    if (std::ranges::adjacent_find(added) != added.end()) return false;
+    for (Index point = 0; point < m_pointMark; ++point)
+        if (std::ranges::binary_search(added, m_places[point], inOrder) && isUsed(point)) return false;
+    return true;
 }
 
 bool CWoodPatch::finish() {
