@@ -55,11 +55,15 @@ void expectSound(std::uint64_t first, std::uint64_t end, CParams (*make)(std::ui
     EXPECT_LE(double(tilted), maxTilted * double(triangles)) << tilted << " of " << triangles;
 }
 
-TEST(SlowRandomMesh, GentleTreesAreSound) { expectSound(0, 100, gentleParams, 0.002); }
-TEST(SlowRandomMesh, MoreGentleTreesAreSound) { expectSound(100, 200, gentleParams, 0.002); }
-TEST(SlowRandomMesh, StillMoreGentleTreesAreSound) { expectSound(200, 300, gentleParams, 0.002); }
-TEST(SlowRandomMesh, WildTreesAreSound) { expectSound(0, 60, randomParams, 0.005); }
-TEST(SlowRandomMesh, MoreWildTreesAreSound) { expectSound(60, 120, randomParams, 0.005); }
+/// From the sample on that is the parameter.
+constexpr std::uint64_t kGentleOfATest = 50, kWildOfATest = 30;
+class GentleTrees : public ::testing::TestWithParam<std::uint64_t> {};
+class WildTrees : public ::testing::TestWithParam<std::uint64_t> {};
+INSTANTIATE_TEST_SUITE_P(Slow, GentleTrees, ::testing::Range<std::uint64_t>(0, 300, kGentleOfATest));
+INSTANTIATE_TEST_SUITE_P(Slow, WildTrees, ::testing::Range<std::uint64_t>(0, 120, kWildOfATest));
+
+TEST_P(GentleTrees, AreSound) { expectSound(GetParam(), GetParam() + kGentleOfATest, gentleParams, 0.002); }
+TEST_P(WildTrees, AreSound) { expectSound(GetParam(), GetParam() + kWildOfATest, randomParams, 0.005); }
 
 TEST(RandomMesh, NoStemHasANegativeRadius) {
     for (std::uint64_t number = 0; number < kSamples; ++number) {
