@@ -7,6 +7,7 @@
 #include <array>
 #include <cmath>
 #include <glm/geometric.hpp>
+#include <glm/trigonometric.hpp>
 #include <gtest/gtest.h>
 #include <map>
 #include <numbers>
@@ -97,6 +98,46 @@ bool hasWithBark(const CMesh& mesh, const Tube& tube, const glm::vec3& place, co
     return false;
 }
 
+using Edge = std::array<std::array<float, 3>, 2>;
+
+/// The edges of the holes of a mesh, counter-clockwise in its triangles, each with the first index of its triangle.
+std::map<Edge, std::size_t> bordersOf(const CMesh& mesh) {
+    std::map<Edge, std::size_t> edges;
+    const auto placeOf = [&](std::size_t i) {
+        const glm::vec3& place = mesh.positions[mesh.indices[i]];
+        return std::array{place.x, place.y, place.z};
+    };
+    for (std::size_t i = 0; i < mesh.indices.size(); ++i) edges[{placeOf(i), placeOf(i % 3 == 2 ? i - 2 : i + 1)}] = i - i % 3;
+    std::map<Edge, std::size_t> borders;
+    for (const auto& [edge, triangle] : edges)
+        if (!edges.contains({edge[1], edge[0]})) borders[edge] = triangle;
+    return borders;
+}
+
+/// Degrees by which the seams turn that limbs share with the trunk, by stem.
+std::map<std::uint32_t, double> turnsOfSeams(const Grown& tree) {
+    const auto trunk = bordersOf(*tree.joined.meshes[0]), limbs = bordersOf(*tree.joined.meshes[1]);
+    const std::vector<Tube>& tubes = tree.stems[1].plan.tubes;
+    std::map<std::uint32_t, std::map<std::array<float, 3>, std::array<float, 3>>> seams; // from each place to the next
+    for (const auto& [edge, triangle] : limbs) {
+        if (!trunk.contains({edge[1], edge[0]})) continue;
+        for (std::size_t c = 0; c < 3; ++c) {
+            const VertexSource& source = tree.joined.sources[1][tree.joined.meshes[1]->indices[triangle + c]];
+            if (source.generation == 1) seams[(std::ranges::upper_bound(tubes, source.vertex, {}, &Tube::firstVertex) - 1)->stem][edge[0]] = edge[1];
+        }
+    }
+    std::map<std::uint32_t, double> turns;
+    for (const auto& [stem, seam] : seams)
+        for (const auto& [from, to] : seam) {
+            const auto next = seam.find(to);
+            if (next == seam.end()) continue;
+            const auto way = [](const auto& a, const auto& b) { return glm::dvec3(b[0] - a[0], b[1] - a[1], b[2] - a[2]); };
+            const glm::dvec3 in = way(from, to), out = way(to, next->second);
+            turns[stem] += glm::degrees(std::atan2(glm::length(glm::cross(in, out)), glm::dot(in, out)));
+        }
+    return turns;
+}
+
 double areaOfCircle(double radius, int points) { return points / 2.0 * radius * radius * std::sin(2 * std::numbers::pi / points); }
 } // namespace
 
@@ -171,6 +212,15 @@ TEST(JoinedStems, TheClonesOfAHelixPartAtAFork) {
     EXPECT_GE(clones, 700u);
     EXPECT_GE(joined, 600u);
     EXPECT_EQ(oak.left(), 0u);
+}
+
+/// Where limbs run through each other in the trunk, one that is cut out along the wrong line shows teeth.
+TEST(JoinedStems, SeamsOfLimbsAreSmooth) {
+    const Grown cedar(preset("lebanon_cedar"));
+    const auto turns = turnsOfSeams(cedar);
+    for (const auto& [stem, turn] : turns) EXPECT_LT(turn, 600) << "of stem " << stem;
+    EXPECT_LE(std::ranges::count_if(turns, [](const auto& own) { return own.second > 480; }), 2);
+    EXPECT_GE(std::ranges::count_if(turns, [](const auto& own) { return own.second > 360; }), 40) << "some grow out of others";
 }
 
 /// A clone that hangs down in the path it split from would be drawn twice.

@@ -17,10 +17,11 @@ std::vector<Index> trianglesOf(std::size_t box) {
 }
 
 /// The first box is the wood, the second the branch: its bottom is its base.
-bool unite(CWoodPatch& patch, std::size_t most = 1000, std::optional<glm::dvec3> start = {}) {
+std::optional<double> unite(CWoodPatch& patch, std::size_t most = 1000, std::optional<glm::dvec3> start = {}) {
     const std::vector<Index> wood = trianglesOf(0), branch = trianglesOf(1), base{branch[2], branch[3]};
     patch.mark();
-    return uniteSurfaces({wood, branch, branch, base, 0, 1e-5, start}, most, patch) && patch.finish();
+    const std::optional<double> turn = uniteSurfaces({wood, branch, branch, base, 0, 1e-5, start}, most, patch);
+    return patch.finish() ? turn : std::nullopt;
 }
 } // namespace
 
@@ -60,6 +61,17 @@ TEST(SurfaceUnion, ABranchWithinTheWoodIsLeftOut) {
     CWoodPatch patch = patchOf({kWood, {{-0.21f, -0.32f, 0.1f}, {0.23f, 0.34f, 0.9f}}});
     EXPECT_TRUE(unite(patch));
     EXPECT_EQ(left(patch), kBoxTriangles);
+}
+
+TEST(SurfaceUnion, TellsHowFarTheSeamTurns) {
+    CWoodPatch corner = patchOf({kWood, {{-0.21f, -0.32f, 0.1f}, {0.23f, 0.34f, 3}}});
+    EXPECT_NEAR(unite(corner).value(), 360, 0.05);
+    CWoodPatch several = patchOf({kWood, {{-3, -0.32f, -0.21f}, {3, 0.34f, 0.23f}}});
+    EXPECT_NEAR(unite(several).value(), 720, 0.05) << "of both";
+    CWoodPatch edge = patchOf({kWood, {{-0.21f, 0.5f, 0.1f}, {0.23f, 1.5f, 3}}});
+    EXPECT_NEAR(unite(edge).value(), 540, 0.05) << "over an edge of the wood";
+    CWoodPatch none = patchOf({kWood, {{-0.21f, -0.32f, 0.1f}, {0.23f, 0.34f, 0.9f}}});
+    EXPECT_EQ(unite(none), 0);
 }
 
 TEST(SurfaceUnion, ABranchBesideTheWoodStays) {

@@ -2,6 +2,7 @@
 #include "join/BoundsTree.h"
 #include "join/Corners.h"
 #include "join/SurfaceCutter.h"
+#include "join/TurnOfLine.h"
 #include <algorithm>
 #include <cmath>
 #include <glm/geometric.hpp>
@@ -35,20 +36,21 @@ public:
         for (const Index t : surfaces.branch) m_surfaceOf[t] = Surface::Branch;
     }
 
-    bool make() {
+    std::optional<double> make() {
         m_patch.keepWholes();
         take((m_curves.surfaces().wood.size() + m_curves.surfaces().branch.size()) / kTrianglesPerWork);
         const bool found = m_curves.find();
         take(m_curves.looked() / kMeetingsPerWork);
-        if (!found) return false;
-        if (!m_curves.meet()) return leaveOut();
+        if (!found) return {};
+        if (!m_curves.meet()) return leaveOut() ? std::optional(0.0) : std::nullopt;
         Curves best = bestOf(together());
         if (best.empty()) best = bestOf(alone());
-        if (best.empty() || neededOf(best) != best) return false;
+        if (best.empty() || neededOf(best) != best) return {};
         for (const Index t : m_inside) m_patch.remove(t);
-        for (const Index c : best) coarsen(m_curves.curves()[c]);
+        double turn = 0;
+        for (const Index c : best) turn += turnOf(coarsened(m_curves.curves()[c]));
         leaveOutSlivers();
-        return true;
+        return turn;
     }
 
 private:
@@ -210,9 +212,10 @@ private:
         return area;
     }
 
-    /// Leaves out nodes that are nearer to the last one than triangles should be small.
-    void coarsen(const Curve& curve) {
+    /// Leaves out nodes that are nearer to the last one than triangles should be small; the places of the others.
+    std::vector<glm::dvec3> coarsened(const Curve& curve) {
         Index last = m_cutter.pointOf(curve.nodes[0]);
+        std::vector<glm::dvec3> seam{m_patch.place(last)};
         for (std::size_t i = 1, left = curve.nodes.size(); i < curve.nodes.size(); ++i) {
             const Index own = m_cutter.pointOf(curve.nodes[i]);
             const bool near =
@@ -220,8 +223,9 @@ private:
             if (near && m_patch.collapse(own, last))
                 --left;
             else
-                last = own;
+                seam.emplace_back(m_patch.place(last = own));
         }
+        return seam;
     }
 
     /// Between curves a piece of both surfaces may be left that hangs together with nothing else.
@@ -313,7 +317,7 @@ private:
 };
 } // namespace
 
-bool uniteSurfaces(const CrossingSurfaces& surfaces, std::size_t& work, CWoodPatch& patch) {
+std::optional<double> uniteSurfaces(const CrossingSurfaces& surfaces, std::size_t& work, CWoodPatch& patch) {
     return CSurfaceUnion(surfaces, work, patch).make();
 }
 

@@ -1,11 +1,13 @@
 #include "join/TubeUnion.h"
 #include "join/ShortestFill.h"
 #include "join/SurfaceUnion.h"
+#include "join/TurnOfLine.h"
 #include <algorithm>
 #include <array>
 #include <cmath>
 #include <glm/geometric.hpp>
 #include <iterator>
+#include <limits>
 #include <span>
 
 namespace stromar {
@@ -35,8 +37,15 @@ struct Sides {
     bool movesTwigs = false;  ///< as the tube's own walls
 };
 constexpr Sides kSides[]{{}, {.parentAlone = true}, {.movesTwigs = true}};
+/// A tube's, for uniting as surfaces.
+struct Walls {
+    std::vector<CWoodPatch::Index> branch, base; ///< with all that grows on it; its lid in the wood
+    std::vector<CWoodPatch::Index> parent;       ///< of the wood: those of the stem that it grows on
+};
 constexpr double kApartOnCurve = 0.3; // radii of the tube
-constexpr SurfaceTry kSurfaceTries[]{{0.02},    {0.05},   {0.1},    {0.2},     {0.3},    {0.5},      {-0.02},  {-0.1},
+constexpr double kSmoothTurn = 540;   // degrees: once around, and half as much for what is uneven
+/// First those whose seams are the smoothest, as a rule.
+constexpr SurfaceTry kSurfaceTries[]{{0.1},     {0.2},    {0.05},   {0.3},     {0.02},   {0.5},      {-0.02},  {-0.1},
                                      {0.02, 0}, {0.1, 0}, {0.3, 0}, {0.02, 3}, {0.1, 3}, {0.02, 12}, {0.1, 12}};
 
 /// One tube and the wood it comes out of. Both are cut along a loop, the tube a little further up, and what lies between is filled.
@@ -53,11 +62,11 @@ public:
     /// False where the tube is part of the wood, or cannot be joined.
     bool make(const UnionMethod& method) {
         if (m_own.empty() || std::ranges::any_of(m_own, [&](Index t) { return m_patch.isMarked(t); })) return false;
-        return method.by == UnionBy::Lines ? makeAlongLines() : makeOfSurfaces(method);
+        return method.by == UnionBy::Lines ? makeAlongLines(method) : makeOfSurfaces(method);
     }
 
 private:
-    bool makeAlongLines() {
+    bool makeAlongLines(const UnionMethod& method) {
         for (const Try& own : kTries) {
             if (own.startsInMiddle) {
                 m_lines.startInMiddle();
@@ -68,7 +77,7 @@ private:
                 m_across = across;
                 m_patch.mark();
                 m_patch.markOnly(m_below);
-                const bool leaves = findExits();
+                const bool leaves = findExits() && (method.effort != UnionEffort::Smooth || turnOfExits() <= kSmoothTurn);
                 if (leaves && cutWood() && cutTube() && stitch() && m_patch.finish()) return true;
                 m_patch.undo();
                 if (!leaves) break;
@@ -77,25 +86,50 @@ private:
         return false;
     }
 
-    /// Cuts wherever the walls cross, without a strip between.
+    double turnOfExits() const {
+        std::vector<glm::dvec3> line;
+        for (const Exit& exit : std::span(m_exits).first(m_tube.points)) line.push_back(m_patch.place(exit.point));
+        return turnOf(line);
+    }
+
+    /// Cuts wherever the walls cross, without a strip between: in the first way that makes a smooth seam, or the smoothest.
     bool makeOfSurfaces(const UnionMethod& method) {
-        std::size_t work = method.mostWork;
         m_patch.flood(m_own);
-        const auto branch = those(m_patch.selected(), [&](Index t) { return m_patch.isMarked(t); });
-        const auto base = those(m_own, [&](Index t) { return isOfBaseLid(m_patch.triangles()[t]); });
-        const auto parent = those(m_below, [&](Index t) { return isOfParent(m_patch.triangles()[t]); });
-        for (const Sides& sides : std::span(kSides).first(method.allSides ? std::size(kSides) : 1))
-            for (const SurfaceTry& own : kSurfaceTries) {
-                if (work == 0) return false;
-                if (m_lines.isClone() && own.starts.value_or(0) > 0) continue; // it starts in the path it parts from
-                m_patch.mark();
-                CrossingSurfaces surfaces{sides.parentAlone ? parent : m_below, branch, sides.movesTwigs ? branch : m_own, base, kApartOnCurve * m_lines.radius,
-                                          own.inset * m_lines.radius};
-                if (own.starts) surfaces.start = m_lines.middleOfWood(*own.starts);
-                if (uniteSurfaces(surfaces, work, m_patch) && m_patch.finish()) return true;
-                m_patch.undo();
-            }
+        Walls walls{those(m_patch.selected(), [&](Index t) { return m_patch.isMarked(t); }),
+                    those(m_own, [&](Index t) { return isOfBaseLid(m_patch.triangles()[t]); }),
+                    those(m_below, [&](Index t) { return isOfParent(m_patch.triangles()[t]); })};
+        std::size_t work = method.mostWork;
+        for (const Sides& sides : std::span(kSides).first(method.effort == UnionEffort::All ? std::size(kSides) : 1))
+            if (makeSmoothest(walls, sides, method.effort, work)) return true;
         return false;
+    }
+
+    bool makeSmoothest(const Walls& walls, const Sides& sides, UnionEffort effort, std::size_t& work) {
+        const SurfaceTry* best = nullptr;
+        std::size_t needed = 0;
+        for (double least = std::numeric_limits<double>::infinity(); const SurfaceTry& own : kSurfaceTries) {
+            if (work == 0) break;
+            if (m_lines.isClone() && own.starts.value_or(0) > 0) continue; // it starts in the path it parts from
+            const std::size_t before = work;
+            const std::optional<double> turn = makeOfSurfaces(walls, sides, own, work);
+            if (!turn) continue;
+            if (*turn <= kSmoothTurn) return true;
+            m_patch.undo();
+            if (*turn < least) least = *turn, best = &own, needed = before - work + 1;
+        }
+        return best && effort != UnionEffort::Smooth && makeOfSurfaces(walls, sides, *best, needed);
+    }
+
+    /// By how many degrees the seam turns; none, and nothing is changed, where it cannot be made.
+    std::optional<double> makeOfSurfaces(const Walls& walls, const Sides& sides, const SurfaceTry& own, std::size_t& work) {
+        m_patch.mark();
+        CrossingSurfaces surfaces{sides.parentAlone ? walls.parent : m_below, walls.branch, sides.movesTwigs ? walls.branch : m_own, walls.base,
+                                  kApartOnCurve * m_lines.radius, own.inset * m_lines.radius};
+        if (own.starts) surfaces.start = m_lines.middleOfWood(*own.starts);
+        const std::optional<double> turn = uniteSurfaces(surfaces, work, m_patch);
+        if (turn && m_patch.finish()) return turn;
+        m_patch.undo();
+        return {};
     }
 
     template <typename Is> static std::vector<Index> those(std::span<const Index> triangles, Is&& is) {

@@ -11,20 +11,24 @@ namespace {
 struct Pass {
     CTubeLines::Reach reach;
     UnionBy by;
+    UnionEffort effort;
     std::size_t mostTubes;    ///< that may be apart: of most trees some dozens are, of those whose stems all run through each other thousands
     std::size_t mostNear;     ///< triangles around all tubes that are looked at: some hundredths of a second
     std::size_t mostWork = 0; ///< of one tube, see uniteSurfaces(): most need some hundreds
     std::size_t allWork = 0;  ///< of all tubes
-    bool isLast = false;      ///< for a few: with all that can be tried
 };
-constexpr Pass kUnionPasses[]{{{6}, UnionBy::Lines, 5'000, 25'000}, // most tubes come out soon
-                              {{30}, UnionBy::Lines, 5'000, 25'000},
-                              {{6, 4}, UnionBy::Surfaces, 100, 100'000, 4'000, 30'000},
-                              {{30, 8}, UnionBy::Surfaces, 100, 100'000, 4'000, 30'000},
-                              {{200, 60}, UnionBy::Surfaces, 100, 100'000, 4'000, 30'000},
-                              {{6, 4}, UnionBy::Surfaces, 6, 100'000, 30'000, 30'000, true},
-                              {{30, 8}, UnionBy::Surfaces, 6, 100'000, 30'000, 30'000, true},
-                              {{200, 60}, UnionBy::Surfaces, 6, 100'000, 30'000, 30'000, true}};
+constexpr Pass kUnionPasses[]{{{6}, UnionBy::Lines, UnionEffort::Smooth, 5'000, 25'000}, // most tubes come out soon
+                              {{30}, UnionBy::Lines, UnionEffort::Smooth, 5'000, 25'000},
+                              {{6, 4}, UnionBy::Surfaces, UnionEffort::Smooth, 100, 100'000, 4'000, 30'000},
+                              {{30, 8}, UnionBy::Surfaces, UnionEffort::Smooth, 100, 100'000, 4'000, 30'000},
+                              {{6}, UnionBy::Lines, UnionEffort::Usual, 5'000, 25'000},
+                              {{30}, UnionBy::Lines, UnionEffort::Usual, 5'000, 25'000},
+                              {{6, 4}, UnionBy::Surfaces, UnionEffort::Usual, 100, 100'000, 4'000, 30'000},
+                              {{30, 8}, UnionBy::Surfaces, UnionEffort::Usual, 100, 100'000, 4'000, 30'000},
+                              {{200, 60}, UnionBy::Surfaces, UnionEffort::Usual, 100, 100'000, 4'000, 30'000},
+                              {{6, 4}, UnionBy::Surfaces, UnionEffort::All, 6, 100'000, 30'000, 30'000},
+                              {{30, 8}, UnionBy::Surfaces, UnionEffort::All, 6, 100'000, 30'000, 30'000},
+                              {{200, 60}, UnionBy::Surfaces, UnionEffort::All, 6, 100'000, 30'000, 30'000}};
 
 using Index = CWoodPatch::Index;
 
@@ -114,7 +118,7 @@ United uniteWithin(const Pass& pass, const CTree& tree, std::span<const StemMesh
     for (const BranchTube& own : apart) lines.emplace_back(tree, stems, own, pass.reach);
     const std::vector<WoodPlace> places = placesOf(lines, wood, pass.mostNear, progress);
     const std::size_t tubes = std::accumulate(places.begin(), places.end(), std::size_t{1}, [](std::size_t sum, const WoodPlace& own) { return sum + own.tubes.size(); });
-    const UnionMethod method{pass.by, std::min(pass.mostWork, pass.allWork / tubes), pass.isLast};
+    const UnionMethod method{pass.by, std::min(pass.mostWork, pass.allWork / tubes), pass.effort};
     std::vector<CWoodPatch> patches(places.size());
     std::vector<std::uint8_t> done(apart.size());
     parallelFor(
@@ -143,9 +147,9 @@ United uniteWithin(const Pass& pass, const CTree& tree, std::span<const StemMesh
 United uniteWithWood(const CTree& tree, std::span<const StemMesh> stems, std::vector<BranchTube> apart, Wood& wood, const CProgress& progress) {
     apart.resize(std::min(apart.size(), kUnionPasses[0].mostTubes));
     United united;
-    bool idle = false; // the pass before joined none
+    bool idle = false; // the pass before joined none: one that reaches further will not either
     for (const Pass& pass : kUnionPasses) {
-        if (apart.empty() || apart.size() > pass.mostTubes || (idle && !pass.isLast)) continue;
+        if (apart.empty() || apart.size() > pass.mostTubes || (idle && pass.by == UnionBy::Surfaces && pass.effort != UnionEffort::All)) continue;
         const United more = uniteWithin(pass, tree, stems, apart, wood, progress);
         united.collars += more.collars;
         united.others += more.others;
