@@ -98,17 +98,10 @@ bool hasWithBark(const CMesh& mesh, const Tube& tube, const glm::vec3& place, co
     return false;
 }
 
-using Edge = std::array<std::array<float, 3>, 2>;
-
-/// The edges of the holes of a mesh, counter-clockwise in its triangles, each with the first index of its triangle.
-std::map<Edge, std::size_t> bordersOf(const CMesh& mesh) {
-    std::map<Edge, std::size_t> edges;
-    const auto placeOf = [&](std::size_t i) {
-        const glm::vec3& place = mesh.positions[mesh.indices[i]];
-        return std::array{place.x, place.y, place.z};
-    };
-    for (std::size_t i = 0; i < mesh.indices.size(); ++i) edges[{placeOf(i), placeOf(i % 3 == 2 ? i - 2 : i + 1)}] = i - i % 3;
-    std::map<Edge, std::size_t> borders;
+/// The edges of the holes of a mesh, as of trianglesByEdge().
+std::map<MeshEdge, std::size_t> bordersOf(const CMesh& mesh) {
+    const std::map<MeshEdge, std::size_t> edges = trianglesByEdge(mesh);
+    std::map<MeshEdge, std::size_t> borders;
     for (const auto& [edge, triangle] : edges)
         if (!edges.contains({edge[1], edge[0]})) borders[edge] = triangle;
     return borders;

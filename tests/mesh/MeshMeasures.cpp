@@ -43,6 +43,16 @@ double signedVolume(const std::vector<std::shared_ptr<const CMesh>>& meshes) {
     return sixfold / 6;
 }
 
+std::map<MeshEdge, std::size_t> trianglesByEdge(const CMesh& mesh) {
+    std::map<MeshEdge, std::size_t> edges;
+    const auto placeOf = [&](std::size_t i) {
+        const glm::vec3& place = mesh.positions[mesh.indices[i]];
+        return std::array{place.x, place.y, place.z};
+    };
+    for (std::size_t i = 0; i < mesh.indices.size(); ++i) edges[{placeOf(i), placeOf(i % 3 == 2 ? i - 2 : i + 1)}] = i - i % 3;
+    return edges;
+}
+
 bool sameBytes(const CMesh& a, const CMesh& b) {
     return a.name == b.name && a.surface == b.surface && sameArray(a.positions, b.positions) &&
            sameArray(a.normals, b.normals) && sameArray(a.texCoords, b.texCoords) &&

@@ -1,5 +1,7 @@
 #pragma once
 #include "stromar/mesh/check/MeshCheck.h"
+#include <array>
+#include <map>
 #include <string>
 
 namespace stromar::test {
@@ -18,6 +20,11 @@ double signedVolume(const std::vector<std::shared_ptr<const CMesh>>& meshes);
 /// How many edges of meshes together have not just as many triangles on one side as on the other; positions within 0.01 mm are
 /// the same.
 std::size_t openEdges(const std::vector<const CMesh*>& meshes);
+
+/// From a place to another, counter-clockwise in a triangle.
+using MeshEdge = std::array<std::array<float, 3>, 2>;
+/// With the first of the triangle's indices.
+std::map<MeshEdge, std::size_t> trianglesByEdge(const CMesh& mesh);
 
 /// Whether all bytes are equal.
 bool sameBytes(const CMesh& a, const CMesh& b);

@@ -15,7 +15,7 @@ constexpr double kClearRoom = 0.9;  // likewise the first ring that is the path'
 constexpr double kFill = 0.15;      // radii that valleys lie outside of the line where the surfaces meet
 constexpr double kApartOfMany = 1.3; // radii from their middle where three or more limbs have parted
 constexpr double kLeastWidth = 0.1;  // radii from the middle to a valley below the saddle, where limbs part and near again
-constexpr double kReach = 3;        // how fast what a valley fills wears off around a ring
+constexpr double kWearsOff = 1.5, kWearsOffOfMany = 3; // how fast what a valley fills does, to nothing on a ring's other side
 constexpr double kClear = 0.4;      // radii between the saddle and that ring, at least
 constexpr double kLeastAside = 0.4; // of the mean way of limbs from their middle: between all others a branch has no side of its own
 constexpr double kLeastFacing = 0.05; // cosine between a lid's triangles and it
@@ -376,9 +376,10 @@ void CForkMaker::addRing(const Level& level, std::size_t l, const Valley& left, 
     const RingShape& ring = level.rings[l];
     const auto pointAt = [&](double angle) { return surfaceOf(limb).pointAt(ring, angle, directionOf(angle)); };
     const glm::dvec3 leftOff = left.position - pointAt(limb.left), rightOff = right.position - pointAt(limb.right);
+    const double wearsOff = isPair() ? kWearsOff : kWearsOffOfMany;
     for (std::uint32_t i = 0; i <= m_points; ++i) {
         const double share = double(i) / m_points, angle = limb.left + share * (limb.right - limb.left);
-        const double toLeft = std::pow(1 - share, kReach), toRight = std::pow(share, kReach);
+        const double toLeft = std::pow(std::max(0.0, 1 - 2 * share), wearsOff), toRight = std::pow(std::max(0.0, 2 * share - 1), wearsOff);
         const glm::dvec3 own = surfaceOf(limb).normalAt(ring, angle, directionOf(angle));
         const glm::dvec3 position = i == 0        ? left.position
                                     : i == m_points ? right.position
