@@ -15,6 +15,7 @@ constexpr double kAround = 0.6;     // metres
 constexpr double kCrotch = 0.12;    // metres from the middle
 constexpr double kStraight = 0.98;  // cosine: within 11 degrees of a limb's azimuth
 constexpr double kMaxRidge = 14;    // degrees
+constexpr std::size_t kMinEdges = 20;
 
 struct Face {
     glm::dvec3 normal, middle;
@@ -27,6 +28,7 @@ Face faceOf(const CMesh& mesh, std::size_t firstIndex) {
 
 /// Degrees that the wood bends outwards most right below a limb that leaves `place` in a direction, across edges that run around it.
 double sharpestRidgeBelow(const CMesh& mesh, const glm::dvec3& place, const glm::dvec3& limb) {
+    std::size_t looked = 0;
     const auto edges = trianglesByEdge(mesh);
     const glm::dvec2 aside = glm::normalize(glm::dvec2(limb));
     double sharpest = 0;
@@ -38,10 +40,12 @@ double sharpestRidgeBelow(const CMesh& mesh, const glm::dvec3& place, const glm:
         const bool runsAround = std::abs(to.z - from.z) < glm::distance(from, to) / 2;
         if (other == edges.end() || !isNear || !runsAround) continue;
         const Face one = faceOf(mesh, triangle), two = faceOf(mesh, other->second);
-        const bool isRidge = glm::dot(two.middle - one.middle, one.normal) < 0;
-        if (!isRidge || one.normal.z > kFacesDown) continue;
+        if (one.normal.z > kFacesDown) continue;
+        ++looked;
+        if (glm::dot(two.middle - one.middle, one.normal) >= 0) continue; // no ridge
         sharpest = std::max(sharpest, 360 / kTurn * std::acos(std::min(1.0, glm::dot(one.normal, two.normal))));
     }
+    EXPECT_GE(looked, kMinEdges) << "the wood below the limb is not seen";
     return sharpest;
 }
 } // namespace

@@ -21,7 +21,7 @@ std::optional<double> unite(CWoodPatch& patch, std::size_t most = 1000, std::opt
     const std::vector<Index> wood = trianglesOf(0), branch = trianglesOf(1), base{branch[2], branch[3]};
     patch.mark();
     const std::optional<double> turn = uniteSurfaces({wood, branch, branch, base, 0, 1e-5, start}, most, patch);
-    return patch.finish() ? turn : std::nullopt;
+    return turn && patch.finish() ? turn : std::nullopt;
 }
 } // namespace
 

@@ -15,7 +15,7 @@ constexpr double kClearRoom = 0.9;  // likewise the first ring that is the path'
 constexpr double kFill = 0.15;      // radii that valleys lie outside of the line where the surfaces meet
 constexpr double kApartOfMany = 1.3; // radii from their middle where three or more limbs have parted
 constexpr double kLeastWidth = 0.1;  // radii from the middle to a valley below the saddle, where limbs part and near again
-constexpr double kWearsOff = 1.5, kWearsOffOfMany = 3; // how fast what a valley fills does, to nothing on a ring's other side
+constexpr double kWearsOff = 1.5, kWearsOffOfMany = 3; // exponents: how fast what fills a valley fades around a ring, to nothing halfway round; of two limbs, and of more
 constexpr double kClear = 0.4;      // radii between the saddle and that ring, at least
 constexpr double kLeastAside = 0.4; // of the mean way of limbs from their middle: between all others a branch has no side of its own
 constexpr double kLeastFacing = 0.05; // cosine between a lid's triangles and it
