@@ -26,9 +26,12 @@ std::optional<double> meetTriangle(const glm::dvec3& from, const glm::dvec3& dir
     const glm::dvec3 ab = b - a, ac = c - a, p = glm::cross(direction, ac);
     const double volume = glm::dot(ab, p);
     if (std::abs(volume) < 1e-300) return {};
-    const glm::dvec3 toA = from - a, q = glm::cross(toA, ab);
-    const double u = glm::dot(toA, p) / volume, v = glm::dot(direction, q) / volume;
-    if (u < 0 || v < 0 || u + v > 1) return {};
+    const glm::dvec3 toA = from - a;
+    const double u = glm::dot(toA, p) / volume;
+    if (u < 0 || u > 1) return {};
+    const glm::dvec3 q = glm::cross(toA, ab);
+    const double v = glm::dot(direction, q) / volume;
+    if (v < 0 || u + v > 1) return {};
     return glm::dot(ac, q) / volume;
 }
 

@@ -3,7 +3,6 @@
 #include <algorithm>
 #include <cstdint>
 #include <glm/common.hpp>
-#include <glm/vector_relational.hpp>
 #include <limits>
 #include <numeric>
 #include <span>
@@ -21,7 +20,8 @@ inline void include(Bounds& bounds, const glm::vec3& place) {
 }
 
 inline bool touch(const Bounds& one, const Bounds& other) {
-    return glm::all(glm::lessThanEqual(one.min, other.max)) && glm::all(glm::lessThanEqual(other.min, one.max));
+    return one.min.x <= other.max.x && other.min.x <= one.max.x && one.min.y <= other.max.y && other.min.y <= one.max.y &&
+           one.min.z <= other.max.z && other.min.z <= one.max.z;
 }
 
 /// Finds those of many bounds that touch others: a binary tree (bounding volume hierarchy). Made in time n log n.
@@ -34,6 +34,8 @@ public:
 
     /// Calls work(i) for each, always in the same order; what it returns false for is not found again.
     template <typename Do> void forEachTouching(const Bounds& bounds, Do&& work) { visit(0, m_order, bounds, work); }
+    /// Whether there are any.
+    bool touches(const Bounds& bounds) const { return touches(0, m_order, bounds); }
 
 private:
     struct Node {
@@ -52,6 +54,11 @@ private:
         std::ranges::nth_element(own, own.begin() + static_cast<std::ptrdiff_t>(own.size() / 2), {}, place);
         split(2 * node + 1, own.first(own.size() / 2));
         split(2 * node + 2, own.subspan(own.size() / 2));
+    }
+
+    bool touches(std::size_t node, std::span<const std::uint32_t> own, const Bounds& bounds) const {
+        if (m_nodes[node].count == 0 || !touch(m_nodes[node].around, bounds)) return false;
+        return own.size() == 1 || touches(2 * node + 1, own.first(own.size() / 2), bounds) || touches(2 * node + 2, own.subspan(own.size() / 2), bounds);
     }
 
     template <typename Do> void visit(std::size_t node, std::span<const std::uint32_t> own, const Bounds& bounds, Do& work) {

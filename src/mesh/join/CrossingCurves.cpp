@@ -14,6 +14,19 @@ constexpr double kClear = 1e-9;                // metres from a plane, of what c
 constexpr std::size_t kMostPairs = 5'000'000;  // triangles whose bounds touch: some hundredths of a second
 constexpr std::size_t kMostMeetings = 500'000; // edges and triangles that may cross, some tens of bytes each
 constexpr double kSmallBase = 0.25;            // of its size, where it is moved
+
+/// Six times the volume of four points, not 0, and of the very same size whatever their order is.
+template <typename Corner> double volume(const Corner& a, const Corner& b, const Corner& c, const Corner& d) {
+    std::array<const Corner*, 4> corners{&a, &b, &c, &d};
+    double sign = 1;
+    for (std::size_t i = 1; i < 4; ++i)
+        for (std::size_t k = i; k > 0 && corners[k]->point < corners[k - 1]->point; --k)
+            std::swap(corners[k], corners[k - 1]), sign = -sign;
+    const glm::dvec3& start = corners[0]->place;
+    const double own =
+        glm::dot(glm::cross(corners[1]->place - start, corners[2]->place - start), corners[3]->place - start);
+    return sign * (own == 0 ? std::numeric_limits<double>::min() : own);
+}
 } // namespace
 
 bool CCrossingCurves::Segment::meets(const Segment& own) const {
@@ -25,10 +38,17 @@ CCrossingCurves::CCrossingCurves(const CrossingSurfaces& surfaces, const CWoodPa
     for (const Index t : surfaces.own)
         for (const Index point : cornersOf(t))
             if (const glm::dvec3 normal = patch.normalAt(point); glm::length(normal) > 0)
-                m_moved[point] = patch.place(point) - surfaces.inset * glm::normalize(normal);
+                move(point, patch.place(point) - surfaces.inset * glm::normalize(normal));
     if (surfaces.start) moveBase(*surfaces.start);
-    for (const auto& [point, place] : m_moved)
-        m_firstMoved = std::min(m_firstMoved, point), m_lastMoved = std::max(m_lastMoved, point);
+}
+
+void CCrossingCurves::move(Index point, const glm::dvec3& place) {
+    if (point >= m_movedOf.size()) m_movedOf.resize(point + std::size_t{1}, CWoodPatch::kNone);
+    if (m_movedOf[point] == CWoodPatch::kNone) {
+        m_movedOf[point] = static_cast<Index>(m_moved.size());
+        m_moved.push_back(place);
+    } else
+        m_moved[m_movedOf[point]] = place;
 }
 
 void CCrossingCurves::moveBase(const glm::dvec3& start) {
@@ -37,22 +57,19 @@ void CCrossingCurves::moveBase(const glm::dvec3& start) {
     for (const Index t : m_surfaces.base) points.insert(cornersOf(t).begin(), cornersOf(t).end());
     for (const Index point : points) sum += m_patch.place(point);
     const glm::dvec3 middle = sum / double(points.size());
-    for (const Index point : points) m_moved[point] = start + kSmallBase * (m_patch.place(point) - middle);
-}
-
-glm::dvec3 CCrossingCurves::movedPlaceOf(Index point) const {
-    const auto moved = m_moved.find(point);
-    return moved == m_moved.end() ? m_patch.place(point) : moved->second;
+    for (const Index point : points) move(point, start + kSmallBase * (m_patch.place(point) - middle));
 }
 
 CCrossingCurves::Facet CCrossingCurves::facetOf(Index triangle) const {
-    Facet own{triangle, {}, glm::dvec3(0), kNowhere};
+    Facet own{triangle, {}, glm::dvec3(0), kNowhere, glm::dvec3(0), 0};
     for (std::size_t c = 0; c < 3; ++c) {
         own.corners[c] = placeOf(cornersOf(triangle)[c]);
         include(own.bounds, glm::vec3(own.corners[c]));
     }
     const glm::dvec3 face = glm::cross(own.corners[1] - own.corners[0], own.corners[2] - own.corners[0]);
     if (glm::length(face) > 0) own.normal = glm::normalize(face);
+    own.middle = (own.corners[0] + own.corners[1] + own.corners[2]) / 3.0;
+    for (const glm::dvec3& corner : own.corners) own.radius = std::max(own.radius, glm::distance(own.middle, corner));
     return own;
 }
 
@@ -75,30 +92,22 @@ glm::dvec2 CCrossingCurves::flatOf(Index node, Index triangle) const {
     return {shares.y, shares.z};
 }
 
-/// Six times the volume of four points, not 0, and of the very same size whatever their order is.
-double CCrossingCurves::volume(std::array<Index, 4> points) const {
-    double sign = 1;
-    for (std::size_t i = 1; i < 4; ++i)
-        for (std::size_t k = i; k > 0 && points[k] < points[k - 1]; --k)
-            std::swap(points[k], points[k - 1]), sign = -sign;
-    const glm::dvec3 a = placeOf(points[0]);
-    const double own = glm::dot(glm::cross(placeOf(points[1]) - a, placeOf(points[2]) - a), placeOf(points[3]) - a);
-    return sign * (own == 0 ? std::numeric_limits<double>::min() : own);
-}
-
-/// Of an edge and a triangle; kNone where they do not cross.
-CCrossingCurves::Index CCrossingCurves::nodeOf(Index one, Index other, Index triangle, Surface edgeOf) {
-    const auto [low, high] = std::minmax(one, other);
-    const auto [known, isNew] = m_nodeOf.try_emplace(Meeting{low, high, triangle}, CWoodPatch::kNone);
-    if (!isNew) return known->second;
-    const auto [a, b, c] = cornersOf(triangle);
-    const double below = volume({a, b, c, low}), above = volume({a, b, c, high});
+/// Of the edge from one of a triangle's corners to the next, with a triangle of the other surface; kNone where they do not cross.
+CCrossingCurves::Index CCrossingCurves::nodeOf(const Facet& edgeOf, std::uint32_t first, const Facet& facet,
+                                               Surface surface) {
+    Corner low = corner(edgeOf, first), high = corner(edgeOf, after(first));
+    if (high.point < low.point) std::swap(low, high);
+    const auto [known, isNew] = m_nodeOf.at({low.point, high.point, facet.triangle});
+    if (!isNew) return known;
+    const Corner a = corner(facet, 0), b = corner(facet, 1), c = corner(facet, 2);
+    const double below = volume(a, b, c, low), above = volume(a, b, c, high);
     if ((below > 0) == (above > 0)) return CWoodPatch::kNone;
-    const bool left = volume({low, high, a, b}) > 0;
-    if ((volume({low, high, b, c}) > 0) != left || (volume({low, high, c, a}) > 0) != left) return CWoodPatch::kNone;
+    const bool left = volume(low, high, a, b) > 0;
+    if ((volume(low, high, b, c) > 0) != left || (volume(low, high, c, a) > 0) != left) return CWoodPatch::kNone;
     const double share = below / (below - above);
-    m_nodes.push_back({low, high, triangle, edgeOf, share, glm::mix(placeOf(low), placeOf(high), share)});
-    return known->second = static_cast<Index>(m_nodes.size() - 1);
+    m_nodes.push_back(
+        {low.point, high.point, facet.triangle, surface, share, glm::mix(low.place, high.place, share)});
+    return known = static_cast<Index>(m_nodes.size() - 1);
 }
 
 /// Adds the segment that two triangles have in common. False where that cannot be told.
@@ -106,15 +115,17 @@ bool CCrossingCurves::addSegment(const Facet& wood, const Facet& branch) {
     if (++m_pairs > kMostPairs) return false;
     if (wood.isBeside(branch) || branch.isBeside(wood)) return true;
     if (m_nodeOf.size() > kMostMeetings) return false;
-    const auto &w = cornersOf(wood.triangle), &b = cornersOf(branch.triangle);
-    std::vector<Index> nodes;
+    std::array<Index, 6> nodes{};
+    std::size_t count = 0;
+    const auto add = [&](Index node) {
+        if (node != CWoodPatch::kNone) nodes[count++] = node;
+    };
     for (std::uint32_t c = 0; c < 3; ++c) {
-        nodes.push_back(nodeOf(w[c], w[after(c)], branch.triangle, Surface::Wood));
-        nodes.push_back(nodeOf(b[c], b[after(c)], wood.triangle, Surface::Branch));
+        add(nodeOf(wood, c, branch, Surface::Wood));
+        add(nodeOf(branch, c, wood, Surface::Branch));
     }
-    std::erase(nodes, CWoodPatch::kNone);
-    if (nodes.size() != 2) return nodes.empty();
-    for (const Index node : nodes) m_nodes[node].segments.push_back(static_cast<Index>(m_segments.size()));
+    if (count != 2) return count == 0;
+    for (const Index node : {nodes[0], nodes[1]}) m_nodes[node].segments.push_back(static_cast<Index>(m_segments.size()));
     m_segments.push_back(
         {{nodes[0], nodes[1]}, {wood.triangle, branch.triangle}, glm::cross(branch.normal, wood.normal)});
     return true;

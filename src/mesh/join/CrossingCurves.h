@@ -1,10 +1,10 @@
 #pragma once
+#include "join/Meetings.h"
 #include "join/WoodPatch.h"
 #include "stromar/mesh/Mesh.h"
 #include <glm/vec2.hpp>
 #include <map>
 #include <set>
-#include <unordered_map>
 #include <utility>
 
 namespace stromar {
@@ -53,6 +53,8 @@ public:
         std::array<glm::dvec3, 3> corners;
         glm::dvec3 normal; ///< 0: it is flat
         Bounds bounds;
+        glm::dvec3 middle; ///< of a sphere around it
+        double radius;
         /// Whether it is certainly on one side of another one's plane.
         bool isBeside(const Facet& plane) const;
     };
@@ -80,16 +82,22 @@ public:
     const std::array<Index, 3>& cornersOf(Index triangle) const { return m_patch.triangles()[triangle].points; }
     /// Where a point was moved to.
     glm::dvec3 placeOf(Index point) const {
-        return point < m_firstMoved || point > m_lastMoved ? m_patch.place(point) : movedPlaceOf(point);
+        const Index moved = point < m_movedOf.size() ? m_movedOf[point] : CWoodPatch::kNone;
+        return moved == CWoodPatch::kNone ? m_patch.place(point) : m_moved[moved];
     }
     /// Where a node of a triangle lies in it: the second and third barycentric coordinates.
     glm::dvec2 flatOf(Index node, Index triangle) const;
 
 private:
-    glm::dvec3 movedPlaceOf(Index point) const;
+    /// Of a triangle as it was moved.
+    struct Corner {
+        Index point;
+        glm::dvec3 place;
+    };
+    void move(Index point, const glm::dvec3& place);
     void moveBase(const glm::dvec3& start);
-    double volume(std::array<Index, 4> points) const;
-    Index nodeOf(Index one, Index other, Index triangle, Surface edgeOf);
+    Corner corner(const Facet& facet, std::uint32_t c) const { return {cornersOf(facet.triangle)[c], facet.corners[c]}; }
+    Index nodeOf(const Facet& edgeOf, std::uint32_t first, const Facet& facet, Surface surface);
     Facet facetOf(Index triangle) const;
     bool addSegment(const Facet& wood, const Facet& branch);
     bool findSegments();
@@ -99,19 +107,9 @@ private:
 
     CrossingSurfaces m_surfaces;
     const CWoodPatch& m_patch;
-    std::unordered_map<Index, glm::dvec3> m_moved; ///< points
-    Index m_firstMoved = CWoodPatch::kNone, m_lastMoved = 0;
-    struct Meeting {
-        Index low, high, triangle; ///< of an edge and a triangle
-        bool operator==(const Meeting&) const = default;
-    };
-    struct Hash {
-        std::size_t operator()(const Meeting& own) const {
-            return (std::size_t{own.low} * 0x9E3779B97F4A7C15u ^ own.high) * 0x9E3779B97F4A7C15u ^
-                   own.triangle * std::size_t{0xC2B2AE3D27D4EB4Fu};
-        }
-    };
-    std::unordered_map<Meeting, Index, Hash> m_nodeOf; ///< kNone: they do not cross
+    std::vector<Index> m_movedOf; ///< by point: which of the moved it is; kNone, as for those beyond: none
+    std::vector<glm::dvec3> m_moved;
+    CMeetings m_nodeOf;                                ///< kNone: they do not cross
     std::size_t m_pairs = 0;                           ///< looked at
     std::array<std::vector<Facet>, 2> m_facets;        ///< by surface
     std::vector<Node> m_nodes;

@@ -1,6 +1,7 @@
 #include "join/NearWood.h"
 #include "stromar/mesh/Weld.h"
 #include "stromar/util/DisjointSets.h"
+#include "stromar/util/Parallel.h"
 #include <algorithm>
 #include <map>
 #include <numeric>
@@ -9,15 +10,45 @@
 namespace stromar {
 
 namespace {
-/// Calls work(triangle, its bounds) for all.
-template <typename Do> void forEachTriangle(const Wood& wood, const CProgress& progress, Do&& work) {
-    for (std::uint32_t g = 0; g < wood.meshes.size(); ++g) {
-        progress.poll();
-        const CMesh& mesh = *wood.meshes[g];
-        for (std::size_t i = 0; i < mesh.indices.size(); i += 3) {
+constexpr std::size_t kBlockTriangles = 64, kBlockGrain = 512;
+
+/// Triangles that follow one another in a mesh, most of them of one stem.
+struct Block {
+    std::uint32_t generation;
+    std::size_t first, end; ///< indices
+    Bounds around;
+};
+
+std::vector<Block> blocksOf(const Wood& wood, const CProgress& progress) {
+    std::vector<Block> blocks;
+    for (std::uint32_t g = 0; g < wood.meshes.size(); ++g)
+        for (std::size_t first = 0, end = 0; first < wood.meshes[g]->indices.size(); first = end) {
+            end = std::min(first + 3 * kBlockTriangles, wood.meshes[g]->indices.size());
+            blocks.push_back({g, first, end, kNowhere});
+        }
+    parallelFor(
+        blocks.size(), kBlockGrain,
+        [&](std::size_t begin, std::size_t end) {
+            for (Block& own : std::span(blocks).subspan(begin, end - begin)) {
+                const CMesh& mesh = *wood.meshes[own.generation];
+                for (std::size_t i = own.first; i < own.end; ++i) include(own.around, mesh.positions[mesh.indices[i]]);
+            }
+        },
+        progress);
+    return blocks;
+}
+
+/// Calls work(triangle, its bounds) for those that may touch anything in a tree.
+template <typename Do> void forEachTriangleNear(const CBoundsTree& tree, const std::vector<Block>& blocks, const Wood& wood, const CProgress& progress, Do&& work) {
+    for (std::size_t b = 0; b < blocks.size(); ++b) {
+        if (b % kBlockGrain == 0) progress.poll();
+        const Block& own = blocks[b];
+        if (!tree.touches(own.around)) continue;
+        const CMesh& mesh = *wood.meshes[own.generation];
+        for (std::size_t i = own.first; i < own.end; i += 3) {
             Bounds bounds = kNowhere;
             for (std::size_t c = 0; c < 3; ++c) include(bounds, mesh.positions[mesh.indices[i + c]]);
-            work(WoodPlace::Source{g, i}, bounds);
+            work(WoodPlace::Source{own.generation, i}, bounds);
         }
     }
 }
@@ -28,12 +59,13 @@ CBoundsTree treeOf(const std::vector<CTubeLines>& lines, const std::vector<std::
     return CBoundsTree(std::move(bounds));
 }
 
-std::vector<std::uint32_t> chosenOf(const std::vector<CTubeLines>& lines, const Wood& wood, std::size_t most, const CProgress& progress) {
+std::vector<std::uint32_t> chosenOf(const std::vector<CTubeLines>& lines, const std::vector<Block>& blocks, const Wood& wood, std::size_t most,
+                                    const CProgress& progress) {
     std::vector<std::uint32_t> all(lines.size()), chosen;
     std::iota(all.begin(), all.end(), 0u);
     CBoundsTree tree = treeOf(lines, all);
     std::vector<std::size_t> near(lines.size());
-    forEachTriangle(wood, progress, [&](const WoodPlace::Source&, const Bounds& bounds) {
+    forEachTriangleNear(tree, blocks, wood, progress, [&](const WoodPlace::Source&, const Bounds& bounds) {
         tree.forEachTouching(bounds, [&](std::uint32_t t) { return ++near[t] <= most; });
     });
     std::ranges::stable_sort(all, {}, [&](std::uint32_t t) { return near[t]; });
@@ -46,7 +78,8 @@ std::vector<std::uint32_t> chosenOf(const std::vector<CTubeLines>& lines, const 
 } // namespace
 
 std::vector<WoodPlace> placesOf(const std::vector<CTubeLines>& lines, const Wood& wood, std::size_t most, const CProgress& progress) {
-    const std::vector<std::uint32_t> chosen = chosenOf(lines, wood, most, progress);
+    const std::vector<Block> blocks = blocksOf(wood, progress);
+    const std::vector<std::uint32_t> chosen = chosenOf(lines, blocks, wood, most, progress);
     CBoundsTree tree = treeOf(lines, chosen);
     CDisjointSets together(chosen.size());
     struct Near {
@@ -55,7 +88,7 @@ std::vector<WoodPlace> placesOf(const std::vector<CTubeLines>& lines, const Wood
     };
     std::vector<Near> near;
     std::vector<std::uint32_t> tubes;
-    forEachTriangle(wood, progress, [&](const WoodPlace::Source& triangle, const Bounds& bounds) {
+    forEachTriangleNear(tree, blocks, wood, progress, [&](const WoodPlace::Source& triangle, const Bounds& bounds) {
         const std::size_t first = tubes.size();
         tree.forEachTouching(bounds, [&](std::uint32_t tube) {
             tubes.push_back(tube);

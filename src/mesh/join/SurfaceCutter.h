@@ -1,5 +1,7 @@
 #pragma once
 #include "join/CrossingCurves.h"
+#include <set>
+#include <unordered_map>
 
 namespace stromar {
 

@@ -9,6 +9,7 @@
 #include <iterator>
 #include <limits>
 #include <optional>
+#include <unordered_map>
 #include <unordered_set>
 
 namespace stromar {
@@ -32,6 +33,7 @@ class CSurfaceUnion {
 public:
     CSurfaceUnion(const CrossingSurfaces& surfaces, std::size_t& work, CWoodPatch& patch)
         : m_work(work), m_patch(patch), m_curves(surfaces, patch), m_cutter(m_curves, patch) {
+        m_surfaceOf.resize(patch.triangles().size());
         for (const Index t : surfaces.wood) m_surfaceOf[t] = Surface::Wood;
         for (const Index t : surfaces.branch) m_surfaceOf[t] = Surface::Branch;
     }
@@ -57,8 +59,8 @@ private:
     void take(std::size_t work) { m_work -= std::min(m_work, work); }
 
     std::optional<Surface> surfaceOf(Index triangle) const {
-        const auto own = m_surfaceOf.find(m_patch.triangles()[triangle].whole);
-        return own == m_surfaceOf.end() ? std::nullopt : std::optional(own->second);
+        const Index whole = m_patch.triangles()[triangle].whole;
+        return whole < m_surfaceOf.size() ? m_surfaceOf[whole] : std::nullopt;
     }
 
     /// Which curves may be cut together, as many as there are.
@@ -103,10 +105,10 @@ private:
         for (const Index c : curves) take(m_curves.curves()[c].segments.size());
         if (m_work == 0 || !m_cutter.cut(curves)) return {};
         m_curveAt.clear();
-        m_outside.clear();
+        m_outside.assign(m_patch.triangles().size(), false);
         for (const Index c : curves) {
-            forEachEdge(c, [&](Index from, Index to) { return m_curveAt[std::minmax(from, to)] = c, true; });
-            if (!forEachSide(c, [&](Index, Index outer) { return m_outside.insert(outer), true; })) return {};
+            forEachEdge(c, [&](Index from, Index to) { return m_curveAt[edgeOf(from, to)] = c, true; });
+            if (!forEachSide(c, [&](Index, Index outer) { return m_outside[outer] = true; })) return {};
         }
         std::vector<Index> base;
         for (const Index t : m_curves.surfaces().base) std::ranges::copy(m_cutter.partsOf(t), std::back_inserter(base));
@@ -131,7 +133,7 @@ private:
     /// Which curves bound what lies inside and hangs together with some triangles.
     std::optional<Curves> findInside(std::span<const Index> seeds) {
         m_inside.clear();
-        m_isInside.clear();
+        m_isInside.assign(m_patch.triangles().size(), false);
         Curves found, done;
         bool bound = std::ranges::all_of(seeds, [&](Index seed) { return addInside(seed, found); });
         while (bound && done.size() < found.size()) {
@@ -149,14 +151,15 @@ private:
         while (!open.empty()) {
             const Index t = open.back();
             open.pop_back();
-            if (t == CWoodPatch::kNone || !surfaceOf(t) || m_outside.contains(t)) return false;
-            if (!m_isInside.insert(t).second) continue;
+            if (t == CWoodPatch::kNone || !surfaceOf(t) || m_outside[t]) return false;
+            if (m_isInside[t]) continue;
+            m_isInside[t] = true;
             m_inside.push_back(t);
             const auto corners = m_curves.cornersOf(t);
             const bool isPart = m_patch.triangles()[t].whole != t; // only these are at curves
             for (std::uint32_t c = 0; c < 3; ++c) {
                 const auto curve =
-                    isPart ? m_curveAt.find(std::minmax(corners[c], corners[after(c)])) : m_curveAt.end();
+                    isPart ? m_curveAt.find(edgeOf(corners[c], corners[after(c)])) : m_curveAt.end();
                 if (curve != m_curveAt.end())
                     curves.insert(curve->second);
                 else
@@ -164,6 +167,10 @@ private:
             }
         }
         return true;
+    }
+
+    static std::uint64_t edgeOf(Index one, Index other) {
+        return std::uint64_t{std::min(one, other)} << 32 | std::max(one, other);
     }
 
     /// work(from, to) for the points of each edge of a curve, as long as it returns true.
@@ -283,6 +290,9 @@ private:
     static bool isOutside(const glm::dvec3& place, std::span<const Facet> facets) {
         double least = std::numeric_limits<double>::infinity(), side = 1;
         for (const Facet& facet : facets) {
+            const double far = least * (1 + kSameDistance) + facet.radius;
+            const glm::dvec3 toMiddle = place - facet.middle;
+            if (glm::dot(toMiddle, toMiddle) > far * far * (1 + kSameDistance)) continue;
             const glm::dvec3 way =
                 place - nearestOnTriangle(place, facet.corners[0], facet.corners[1], facet.corners[2]);
             const double distance = glm::length(way), own = glm::dot(facet.normal, way);
@@ -310,10 +320,10 @@ private:
     CWoodPatch& m_patch;
     CCrossingCurves m_curves;
     CSurfaceCutter m_cutter;
-    std::unordered_map<Index, Surface> m_surfaceOf;     ///< by whole triangle
-    std::map<std::pair<Index, Index>, Index> m_curveAt; ///< by edge
-    std::vector<Index> m_inside;                        ///< triangles
-    std::unordered_set<Index> m_isInside, m_outside;    ///< likewise; beside curves
+    std::vector<std::optional<Surface>> m_surfaceOf;     ///< by whole triangle
+    std::unordered_map<std::uint64_t, Index> m_curveAt;  ///< by edge
+    std::vector<Index> m_inside;                         ///< triangles
+    std::vector<std::uint8_t> m_isInside, m_outside;     ///< by triangle; beside curves
 };
 } // namespace
 

@@ -18,6 +18,7 @@ constexpr int kMaxCuts = 200;      // of edges, on the way between two points
 constexpr double kLeastStep = 1e-12; // metres
 constexpr double kDetour = 15;      // the longest way between two points, over their distance
 constexpr double kLeastFold = 0.5; // cosine of the turn of a triangle whose corner is moved
+constexpr double kRounded = 1e-6;  // of what a place is from the origin
 constexpr double kBulge = 2.5;     // how far from its middle what a loop bounds may reach, over the loop itself
 
 std::uint32_t cornerAt(const CWoodPatch::Triangle& triangle, CWoodPatch::Index point) {
@@ -123,8 +124,16 @@ std::vector<CWoodPatch::Index> CWoodPatch::near(const Capsule& capsule) const {
 std::vector<CWoodPatch::Crossing> CWoodPatch::crossings(const glm::dvec3& from, const glm::dvec3& to, std::span<const Index> among) const {
     std::vector<Crossing> all;
     const glm::dvec3 way = to - from;
+    const glm::vec3 rounding(kRounded * glm::max(glm::abs(from), glm::abs(to)));
+    const glm::vec3 low = glm::vec3(glm::min(from, to)) - rounding, high = glm::vec3(glm::max(from, to)) + rounding;
+    const auto isBeside = [&](const glm::vec3& a, const glm::vec3& b, const glm::vec3& c) { // most are: meetTriangle() takes longer
+        for (int i = 0; i < 3; ++i)
+            if ((a[i] < low[i] && b[i] < low[i] && c[i] < low[i]) || (a[i] > high[i] && b[i] > high[i] && c[i] > high[i])) return true;
+        return false;
+    };
     for (const Index t : among) {
         const Triangle& own = m_triangles[t];
+        if (isBeside(m_places[own.points[0]], m_places[own.points[1]], m_places[own.points[2]])) continue;
         const auto share = meetTriangle(from, way, place(own.points[0]), place(own.points[1]), place(own.points[2]));
         if (share && *share >= 0 && *share <= 1) all.push_back({*share, t, from + *share * way, glm::dot(faceOf(own), way) > 0});
     }

@@ -16,38 +16,55 @@ bool turn(glm::vec3& normal, const glm::vec3& face, float effort) {
     return true;
 }
 
-bool turnAt(CMesh& mesh, const std::uint32_t* corners, float effort) {
+/// Unit; 0 where the triangle has no area.
+glm::vec3 faceOf(const CMesh& mesh, const std::uint32_t* corners) {
     const glm::vec3& a = mesh.positions[corners[0]];
     const glm::vec3 face = glm::cross(mesh.positions[corners[1]] - a, mesh.positions[corners[2]] - a);
     const float area = glm::length(face);
-    if (!(area > 0)) return false;
+    return area > 0 ? face / area : glm::vec3(0);
+}
+
+bool turnTo(const glm::vec3& face, CMesh& mesh, const std::uint32_t* corners, float effort) {
+    if (face == glm::vec3(0)) return false;
     bool turned = false;
-    for (int c = 0; c < 3; ++c) turned |= turn(mesh.normals[corners[c]], face / area, effort);
+    for (int c = 0; c < 3; ++c) turned |= turn(mesh.normals[corners[c]], face, effort);
     return turned;
 }
 
-/// Whether some of the triangles' normals had to be turned: further from the face, the greater `effort` is.
-bool turnOnce(CMesh& mesh, std::size_t begin, std::size_t end, float effort) {
-    bool turned = false;
-    for (std::size_t t = begin; t < end; t += 3) turned |= turnAt(mesh, &mesh.indices[t], effort);
-    return turned;
-}
+bool turnAt(CMesh& mesh, const std::uint32_t* corners, float effort) { return turnTo(faceOf(mesh, corners), mesh, corners, effort); }
+
 
 /// The triangles of a tube; its rings' first and last vertices, at the seam of the bark, share a normal.
 class CRingNormals {
 public:
     CRingNormals(CMesh& mesh, const MeshPlan& plan, const Tube& tube)
-        : m_mesh(mesh), m_plan(plan), m_tube(tube) {}
+        : m_mesh(mesh), m_plan(plan), m_tube(tube), m_changed(tube.vertices) {}
 
-    bool turnOnce(float effort) {
-        return stromar::turnOnce(m_mesh, m_tube.firstIndex, m_tube.firstIndex + m_tube.indexCount(), effort);
+    /// Whether some of the triangles' normals had to be turned: further from the face, the greater `effort` is. All are looked
+    /// at the first time, then those where a normal has changed.
+    bool turn(float effort) {
+        bool turned = false;
+        const bool first = m_faces.empty();
+        const std::size_t end = m_tube.firstIndex + m_tube.indexCount();
+        for (std::size_t t = m_tube.firstIndex; t < end; t += 3) {
+            const std::uint32_t* corners = &m_mesh.indices[t];
+            if (first) m_faces.push_back(faceOf(m_mesh, corners));
+            else if (!changed(corners[0]) && !changed(corners[1]) && !changed(corners[2])) continue;
+            if (!turnTo(m_faces[(t - m_tube.firstIndex) / 3], m_mesh, corners, effort)) continue;
+            for (std::size_t c = 0; c < 3; ++c) changed(corners[c]) = true;
+            turned = true;
+        }
+        return turned;
     }
 
     void closeSeam() {
         std::uint32_t first = m_tube.firstVertex;
         const auto close = [&](std::uint32_t points) {
             glm::vec3 &a = m_mesh.normals[first], &b = m_mesh.normals[first + points];
-            if (a != b) a = b = glm::normalize(a + b);
+            if (a != b) {
+                a = b = glm::normalize(a + b);
+                changed(first) = changed(first + points) = true;
+            }
             first += points + 1;
         };
         for (std::uint32_t r = 0; r < m_tube.collarRings; ++r) close(m_tube.points);
@@ -66,24 +83,32 @@ private:
         const Fork* fork = m_plan.forkAt(m_tube, r);
         return fork && m_plan.ringsOf(m_tube)[fork->ring].parted;
     }
+    std::uint8_t& changed(std::uint32_t vertex) { return m_changed[vertex - m_tube.firstVertex]; }
+
     CMesh& m_mesh;
     const MeshPlan& m_plan;
     const Tube& m_tube;
+    std::vector<std::uint8_t> m_changed; ///< by vertex of the tube
+    std::vector<glm::vec3> m_faces;      ///< by triangle
 };
 } // namespace
 
 bool turnNormalsToFront(CMesh& mesh, const MeshPlan& plan, const Tube& tube) {
     CRingNormals normals(mesh, plan, tube);
     for (int pass = 0; pass < kPasses; ++pass) {
-        if (!normals.turnOnce(kEffort * static_cast<float>(pass))) return true;
+        if (!normals.turn(kEffort * static_cast<float>(pass))) return true;
         normals.closeSeam();
     }
     return false;
 }
 
 bool turnNormalsToFront(CMesh& mesh) {
-    for (int pass = 0; pass < kPasses; ++pass)
-        if (!turnOnce(mesh, 0, mesh.indices.size(), kEffort * static_cast<float>(pass))) return true;
+    for (int pass = 0; pass < kPasses; ++pass) {
+        bool turned = false;
+        for (std::size_t t = 0; t < mesh.indices.size(); t += 3)
+            turned |= turnAt(mesh, &mesh.indices[t], kEffort * static_cast<float>(pass));
+        if (!turned) return true;
+    }
     return false;
 }
 
