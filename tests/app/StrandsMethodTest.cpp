@@ -11,7 +11,7 @@
 #include <gtest/gtest.h>
 
 namespace stromar::test {
-TEST(StrandsMethod, MeshesOfRandomTreesAreSound) {
+TEST(SlowStrandsMethod, MeshesOfRandomTreesAreSound) {
     for (unsigned number = 1; number <= 500; ++number) {
         const CParams params = randomStrands(number, 250);
         const auto tree = methodOf(params).makeBuilder(true)->build(params, nullptr, 0, CProgress(2));

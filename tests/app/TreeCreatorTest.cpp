@@ -137,7 +137,7 @@ TEST(TreeCreator, AnotherPictureGivesWhatANewCreatorGives) {
     expectSame(blooming, otherLeaves, 2); // which hide blossoms
 }
 
-TEST(TreeCreator, AnEditOfAnyParameterGivesWhatANewCreatorGives) {
+TEST(SlowTreeCreator, AnEditOfAnyParameterGivesWhatANewCreatorGives) {
     for (const ParamRef& ref : numberParams())
         for (const Detail* detail : {&detailOf(Model::Simple), &detailOf(Model::Full, 1)}) {
             CTreeCreator creator;

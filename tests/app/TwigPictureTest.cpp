@@ -26,6 +26,7 @@ protected:
     CTemporaryFolder m_folder;
     CParams m_params = preset("quaking_aspen");
 };
+class SlowTwigPicture : public TwigPicture {};
 
 /// Sums of what is opaque.
 struct Seen {
@@ -95,7 +96,7 @@ TEST_F(TwigPicture, HasNoDarkEdgesOnEitherSide) {
     EXPECT_LT(meanOf(out, true), 240);
 }
 
-TEST_F(TwigPicture, IsOneForAllLevelsOfDetailAndOnlyWhereCardsAre) {
+TEST_F(SlowTwigPicture, IsOneForAllLevelsOfDetailAndOnlyWhereCardsAre) {
     EXPECT_TRUE(file(*create(0)).empty());
     EXPECT_TRUE(file(*create(1)).empty());
     const auto two = create(2), three = create(3);
@@ -106,7 +107,7 @@ TEST_F(TwigPicture, IsOneForAllLevelsOfDetailAndOnlyWhereCardsAre) {
     EXPECT_NE(file(*create(2)), file(*two));
 }
 
-TEST_F(TwigPicture, FollowsTheLeavesPicture) {
+TEST_F(SlowTwigPicture, FollowsTheLeavesPicture) {
     const auto before = create(2);
     makePictures(*before, m_folder.path(), CProgress());
     m_params.text.leafTexture = "leaf:maple season=10.2 autumn=#d01010";
@@ -118,7 +119,7 @@ TEST_F(TwigPicture, FollowsTheLeavesPicture) {
 }
 
 /// Two processes may draw the same leaf at the same time.
-TEST_F(TwigPicture, StaysWhenARecipeIsDrawnAgain) {
+TEST_F(SlowTwigPicture, StaysWhenARecipeIsDrawnAgain) {
     const auto model = create(2);
     makePictures(*model, m_folder.path(), CProgress());
     const fs::path before = file(*model), leaf = textureOf(m_params, Surface::Leaf, m_folder.path());
@@ -161,7 +162,7 @@ TEST_F(TwigPicture, StandsForTheLastStemsAndTheirLeaves) {
     EXPECT_GT(few->stems.back()->vertexCount(), 0u);
 }
 
-TEST_F(TwigPicture, GoesWithTheModel) {
+TEST_F(SlowTwigPicture, GoesWithTheModel) {
     const fs::path path = m_folder.path() / "aspen.obj";
     exportModel(*create(2), m_folder.path(), path, CProgress(2));
     EXPECT_TRUE(fs::exists(m_folder.path() / "aspen_twig.png"));

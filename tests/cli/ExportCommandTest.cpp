@@ -155,7 +155,7 @@ TEST(ExportCommand, AFullDiskLeavesTheOlderFile) {
     }
 }
 
-TEST(ExportCommand, AnInterruptLeavesNoFile) {
+TEST(SlowExportCommand, AnInterruptLeavesNoFile) {
     for (const Format& format : formatTable()) {
         const CTemporaryFolder folder;
         CProcess process(cliCommand(

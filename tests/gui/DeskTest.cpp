@@ -44,8 +44,9 @@ protected:
     QPointF seenAt(const osg::Vec3d& point) { return *window.viewport().overlay().toWidget(point); }
     QString selection() { return window.viewport().overlay().model().selectionText; }
 };
+class SlowDeskTest : public DeskTest {};
 
-TEST_F(DeskTest, AClickOnTheTrunkTellsAboutItAndOpensItsTab) {
+TEST_F(SlowDeskTest, AClickOnTheTrunkTellsAboutItAndOpensItsTab) {
     const QPointF trunk = seenAt({0, 0, 2});
     QTest::mouseClick(&window.viewport(), Qt::LeftButton, {}, trunk.toPoint());
     EXPECT_EQ(window.panel().tabs().currentIndex(), window.panel().tabOf(Group::Trunk));

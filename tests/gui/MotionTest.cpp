@@ -40,6 +40,7 @@ protected:
         });
     }
 };
+class SlowMotionTest : public MotionTest {};
 
 TEST_F(MotionTest, TheAgeOfTheSliderIsTheTreesWithTheSimpleModelFirst) {
     std::vector<Model> models;
@@ -64,7 +65,7 @@ TEST_F(MotionTest, StepsAreTwoPercent) {
     ASSERT_TRUE(showsAge(0.98, Model::Full));
 }
 
-TEST_F(MotionTest, PlayingShowsSimpleModelsThatGrowAndThenTheFullOne) {
+TEST_F(SlowMotionTest, PlayingShowsSimpleModelsThatGrowAndThenTheFullOne) {
     std::vector<std::size_t> stems;
     bool simple = true;
     QObject::connect(&window, &CMainWindow::modelShown, &window, [&] {
@@ -85,7 +86,7 @@ TEST_F(MotionTest, PlayingShowsSimpleModelsThatGrowAndThenTheFullOne) {
     EXPECT_TRUE(rests()) << "the clock stops";
 }
 
-TEST_F(MotionTest, AnotherTreeIsGrown) {
+TEST_F(SlowMotionTest, AnotherTreeIsGrown) {
     window.timeline().setAge(0.3);
     ASSERT_TRUE(showsAge(0.3, Model::Full));
     ASSERT_TRUE(window.files().open(presetPath("apple")));
@@ -112,7 +113,7 @@ TEST_F(MotionTest, ExportWritesTheAgeThatIsSeen) {
     EXPECT_GT(between, sizeOf("young.ply") / 2);
 }
 
-TEST_F(MotionTest, PicturesFollowOneAnotherWhileTheWindBlowsAndOnlyThen) {
+TEST_F(SlowMotionTest, PicturesFollowOneAnotherWhileTheWindBlowsAndOnlyThen) {
     ASSERT_TRUE(rests()) << "nothing is drawn while nothing moves";
     const QImage still = picture();
     action("wind")->trigger();
@@ -242,7 +243,7 @@ TEST_F(RecordTest, AFallIsPicturesToo) {
               QImage(folder.filePath(QStringLiteral("f_0004.png"))));
 }
 
-TEST_F(MotionTest, AFelledTreeFallsAndStandsAgain) {
+TEST_F(SlowMotionTest, AFelledTreeFallsAndStandsAgain) {
     ASSERT_TRUE(rests());
     const QImage standing = picture();
     window.fall().fell({0, 1});

@@ -75,6 +75,7 @@ protected:
     /// Later: pressed inside the timer's slot, the dialog that follows would stop the timer.
     static void press(QAbstractButton* button) { QTimer::singleShot(0, button, &QAbstractButton::click); }
 };
+class SlowSavePicture : public SavePicture {};
 
 TEST_F(SavePicture, APictureOfOnesOwnMayBeBehind) {
     QImage red(40, 30, QImage::Format_RGB32);
@@ -98,7 +99,7 @@ TEST_F(SavePicture, APictureOfOnesOwnMayBeBehind) {
     EXPECT_GT(corner().blue(), 100) << "the sky is back";
 }
 
-TEST_F(SavePicture, HasTheWantedSizeAndBackdrop) {
+TEST_F(SlowSavePicture, HasTheWantedSizeAndBackdrop) {
     const QString file = path(QStringLiteral("tree.png"));
     save({.size = {320, 240}, .path = file});
     EXPECT_EQ(files(), QStringList{QStringLiteral("tree.png")});
@@ -128,7 +129,7 @@ TEST_F(SavePicture, HasTheWantedSizeAndBackdrop) {
     EXPECT_FALSE(CPictureDialog({100, 100}).options().transparent);
 }
 
-TEST_F(SavePicture, AsksBeforeItReplacesAnotherAndSaysWhatItCannotWrite) {
+TEST_F(SlowSavePicture, AsksBeforeItReplacesAnotherAndSaysWhatItCannotWrite) {
     const QString file = path(QStringLiteral("tree.png")), inside = path(QStringLiteral("tree.png/other.png"));
     save({.size = {64, 48}, .path = file});
     save({.size = {80, 60}, .path = file});
@@ -144,7 +145,7 @@ TEST_F(SavePicture, AsksBeforeItReplacesAnotherAndSaysWhatItCannotWrite) {
     EXPECT_EQ(QImage(file).size(), QSize(80, 60));
 }
 
-TEST_F(SavePicture, ATurntableGoesOnceAround) {
+TEST_F(SlowSavePicture, ATurntableGoesOnceAround) {
     save({.size = {160, 120}, .frames = 4, .path = path(QStringLiteral("turn.png"))});
     QStringList names;
     std::vector<QImage> frames;
@@ -164,7 +165,7 @@ TEST_F(SavePicture, ATurntableGoesOnceAround) {
     }
 }
 
-TEST_F(SavePicture, ATurntableThatEndsEarlyKeepsWholeFrames) {
+TEST_F(SlowSavePicture, ATurntableThatEndsEarlyKeepsWholeFrames) {
     const QString blocked = path(QStringLiteral("turn_0001.png"));
     ASSERT_TRUE(QDir().mkdir(blocked));
     save({.size = {64, 48}, .frames = 3, .path = path(QStringLiteral("turn.png"))});
@@ -185,7 +186,7 @@ TEST_F(SavePicture, ATurntableThatEndsEarlyKeepsWholeFrames) {
     EXPECT_TRUE(notice().contains(QStringLiteral("%1 frame").arg(written.size()))) << notice().toStdString();
 }
 
-TEST_F(SavePicture, OnAFullDiskTheOldOneStays) {
+TEST_F(SlowSavePicture, OnAFullDiskTheOldOneStays) {
     const QString file = path(QStringLiteral("tree.png"));
     save({.size = {64, 48}, .path = file});
     const std::string before = readFile(toPath(file));
@@ -203,7 +204,7 @@ TEST_F(SavePicture, OnAFullDiskTheOldOneStays) {
     EXPECT_TRUE(readFile(toPath(file)) == before);
 }
 
-TEST_F(SavePicture, EveryFormatOfferedCanBeWritten) {
+TEST_F(SlowSavePicture, EveryFormatOfferedCanBeWritten) {
     save({.size = {64, 48}, .path = path(QStringLiteral("first.png"))});
     QStringList endings;
     for (auto found = QRegularExpression(QStringLiteral("\\*\\.(\\w+)")).globalMatch(offered); found.hasNext();)

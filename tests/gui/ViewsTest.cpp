@@ -33,6 +33,7 @@ protected:
     }
     QPointF seenAt(const osg::Vec3d& point) { return *view().overlay().toWidget(point); }
 };
+class SlowViewsTest : public ViewsTest {};
 
 TEST_F(ViewsTest, EverySideHasAKey) {
     const std::tuple<Qt::Key, osg::Vec3d> sides[] = {{Qt::Key_1, {0, 1, 0}}, {Qt::Key_2, {0, -1, 0}}, {Qt::Key_3, {-1, 0, 0}},
@@ -179,7 +180,7 @@ TEST_F(ViewsTest, ALineWipesBetweenBeforeAndNow) {
     EXPECT_FALSE(view().overlay().wipe());
 }
 
-TEST_F(ViewsTest, LevelsOfDetailStandSideBySideWithTheirTriangles) {
+TEST_F(SlowViewsTest, LevelsOfDetailStandSideBySideWithTheirTriangles) {
     action("levels")->trigger();
     ASSERT_TRUE(waitFor([&] { return !window.sideBySide().busy(); }, 120000));
     const auto& labels = view().overlay().model().labels;
@@ -195,7 +196,7 @@ TEST_F(ViewsTest, LevelsOfDetailStandSideBySideWithTheirTriangles) {
     EXPECT_TRUE(showsNow(Model::Full));
 }
 
-TEST_F(ViewsTest, TreesStandSideBySide) {
+TEST_F(SlowViewsTest, TreesStandSideBySide) {
     const osg::BoundingBox alone = view().scene().bounds();
     for (const auto& [name, count] : {std::pair{"ages", 5}, {"seasons", 4}, {"seeds", 9}}) {
         action(name)->trigger();
@@ -215,7 +216,7 @@ TEST_F(ViewsTest, TreesStandSideBySide) {
     EXPECT_EQ(view().scene().bounds().xMax(), alone.xMax());
 }
 
-TEST_F(ViewsTest, AViewThatTurnsTooSlowlyShowsASimplerModelUntilItRests) {
+TEST_F(SlowViewsTest, AViewThatTurnsTooSlowlyShowsASimplerModelUntilItRests) {
     window.files().open(QString::fromStdString(test::inSource("presets/english_oak.tree")));
     ASSERT_TRUE(waitFor([&] { return !window.busy() && window.shown() && window.shown()->model->detail == &detailOf(Model::Full); }, 120000));
     EXPECT_TRUE(view().scene().hasStandIn());
@@ -237,7 +238,7 @@ TEST_F(ViewsTest, AViewThatTurnsTooSlowlyShowsASimplerModelUntilItRests) {
     EXPECT_TRUE(waitFor([&] { return !view().drawsStandIn(); }, 5000)) << "at rest";
 }
 
-TEST_F(ViewsTest, ATreeThatFollowsASliderTooSlowlyLeavesOutWhatItsLeavesHide) {
+TEST_F(SlowViewsTest, ATreeThatFollowsASliderTooSlowlyLeavesOutWhatItsLeavesHide) {
     window.files().open(QString::fromStdString(test::inSource("presets/english_oak.tree")));
     window.growth().showOnly(Model::Simple);
     ASSERT_TRUE(waitFor([&] { return !window.busy() && window.shown() && window.shown()->model->detail == &detailOf(Model::Simple); }, 120000));
@@ -278,7 +279,7 @@ TEST_F(ViewsTest, ATreeThatFollowsASliderTooSlowlyLeavesOutWhatItsLeavesHide) {
     EXPECT_TRUE(editsTwigs() || editsTwigs() || editsTwigs()) << "who edits twigs sees them";
 }
 
-TEST_F(ViewsTest, TreesSideBySideAreExportedAsOneScene) {
+TEST_F(SlowViewsTest, TreesSideBySideAreExportedAsOneScene) {
     EXPECT_TRUE(window.sideBySide().trees().empty()) << "alone";
     action("ages")->trigger();
     ASSERT_TRUE(waitFor([&] { return !window.sideBySide().busy(); }, 120000));

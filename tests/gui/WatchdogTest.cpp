@@ -9,7 +9,7 @@
 
 namespace stromar::test {
 
-class WatchdogTest : public WindowFixture {
+class SlowWatchdog : public WindowFixture {
 protected:
     void SetUp() override {
         CWatchedApplication::refine(true);
@@ -32,7 +32,7 @@ protected:
     }
 };
 
-TEST_F(WatchdogTest, TheWillowNeverStopsTheWindow) {
+TEST_F(SlowWatchdog, TheWillowNeverStopsTheWindow) {
     app().restart();
     ASSERT_TRUE(window.files().open(presetPath("weeping_willow")));
     ASSERT_TRUE(grown());
@@ -56,7 +56,7 @@ TEST_F(WatchdogTest, TheWillowNeverStopsTheWindow) {
     expectFree("looking for random values");
 }
 
-TEST_F(WatchdogTest, TheWorkshopDrawsOnAThread) {
+TEST_F(SlowWatchdog, TheWorkshopDrawsOnAThread) {
     ASSERT_TRUE(window.files().open(presetPath("english_oak")));
     ASSERT_TRUE(grown());
     app().restart();

@@ -46,6 +46,7 @@ namespace stromar {
 namespace {
 
 class WindowTest : public WindowFixture {};
+class SlowWindowTest : public WindowTest {};
 
 TEST(Start, NothingIsSeenOfTheTreeBeforeTheOneThatIsOpened) {
     CMainWindow window;
@@ -240,7 +241,7 @@ TEST_F(WindowTest, WarningsStayReadable) {
     EXPECT_TRUE(list->item(1)->text().contains(QLatin1String("w.tree:3:10")));
 }
 
-TEST_F(WindowTest, ExportsEveryFormat) {
+TEST_F(SlowWindowTest, ExportsEveryFormat) {
     QTemporaryDir folder;
     for (const Format& format : formatTable()) {
         const QString path = folder.filePath(QStringLiteral("tree") + toQString(format.ending));

@@ -97,7 +97,7 @@ TEST(WindFormats, OnesThatCannotCarryItSaySo) {
     }
 }
 
-TEST(WindAttributes, AScriptThatKnowsTheFileAloneBendsTheTreeAsTheProgramDoes) {
+TEST(SlowWindAttributes, AScriptThatKnowsTheFileAloneBendsTheTreeAsTheProgramDoes) {
     needTool(runProcess({"/usr/bin/python3", "-c", "import numpy"}).status == 0, "NumPy");
     if (::testing::Test::HasFailure() || ::testing::Test::IsSkipped()) return;
     const CTemporaryFolder folder;

@@ -165,7 +165,7 @@ TEST(JoinedStems, TheAspenIsOneSurface) {
     EXPECT_EQ(faults.surfaces, 1u);
 }
 
-TEST(JoinedStems, SoAreTheOthers) {
+TEST(SlowJoinedStems, SoAreTheOthers) {
     struct Model {
         const char* name;
         int lod = 0;

@@ -59,8 +59,10 @@ void expectSound(std::uint64_t first, std::uint64_t end, CParams (*make)(std::ui
 constexpr std::uint64_t kGentleOfATest = 50, kWildOfATest = 30;
 class GentleTrees : public ::testing::TestWithParam<std::uint64_t> {};
 class WildTrees : public ::testing::TestWithParam<std::uint64_t> {};
-INSTANTIATE_TEST_SUITE_P(Slow, GentleTrees, ::testing::Range<std::uint64_t>(0, 300, kGentleOfATest));
-INSTANTIATE_TEST_SUITE_P(Slow, WildTrees, ::testing::Range<std::uint64_t>(0, 120, kWildOfATest));
+INSTANTIATE_TEST_SUITE_P(Slow, GentleTrees, ::testing::Range<std::uint64_t>(0, 100, kGentleOfATest));
+INSTANTIATE_TEST_SUITE_P(Exhaustive, GentleTrees, ::testing::Range<std::uint64_t>(100, 300, kGentleOfATest));
+INSTANTIATE_TEST_SUITE_P(Slow, WildTrees, ::testing::Range<std::uint64_t>(0, 60, kWildOfATest));
+INSTANTIATE_TEST_SUITE_P(Exhaustive, WildTrees, ::testing::Range<std::uint64_t>(60, 120, kWildOfATest));
 
 TEST_P(GentleTrees, AreSound) { expectSound(GetParam(), GetParam() + kGentleOfATest, gentleParams, 0.002); }
 TEST_P(WildTrees, AreSound) { expectSound(GetParam(), GetParam() + kWildOfATest, randomParams, 0.005); }
@@ -73,7 +75,7 @@ TEST(RandomMesh, NoStemHasANegativeRadius) {
     }
 }
 
-TEST(RandomMesh, StraightTubesFaceOutwards) {
+TEST(SlowRandomMesh, StraightTubesFaceOutwards) {
     std::size_t looked = 0;
     for (std::uint64_t number = 0; number < kSamples; ++number) {
         CParams params = randomParams(number);
@@ -105,7 +107,7 @@ bool windsUp(const CTree& tree, const CParams& params, int generation) {
     return std::ranges::any_of(tree.generation(static_cast<std::size_t>(generation)).stems, tight);
 }
 
-TEST(RandomMesh, WholeMeshesEncloseWood) {
+TEST(SlowRandomMesh, WholeMeshesEncloseWood) {
     int looked = 0;
     forEachStemMesh([&](const CTree& tree, const CParams& params, int generation, const MeshPlan&, const CMesh& mesh,
                         const std::string& label) {

@@ -54,7 +54,7 @@ double meanDifference(const Pixels& a, const Pixels& b) {
 }
 
 /// Any number of samples can be asked for, and more come nearer to the picture of very many.
-TEST(HeadlessPainter, MoreSamplesThanTheCardHasAreDrawnInPasses) {
+TEST(SlowHeadlessPainter, MoreSamplesThanTheCardHasAreDrawnInPasses) {
     CTreeCreator creator;
     const auto model = creator.create(preset("winter_oak"), detailOf(Model::Simple), CProgress());
     const auto parts = viewPartsOf(*model, {}, CProgress());
