@@ -59,7 +59,7 @@ TEST_F(SlowDeskTest, AClickOnTheTrunkTellsAboutItAndOpensItsTab) {
     EXPECT_TRUE(selection().isEmpty());
 }
 
-TEST_F(DeskTest, AClickOnALeafAndOnABranch) {
+TEST_F(SlowDeskTest, AClickOnALeafAndOnABranch) {
     const auto click = [&] {
         window.viewport().lookFrom(0, 0);
         for (int y = 60; y < window.viewport().height() - 60 && selection().isEmpty(); y += 20)
@@ -75,7 +75,7 @@ TEST_F(DeskTest, AClickOnALeafAndOnABranch) {
     EXPECT_TRUE(selection().contains(QLatin1String("\nOn "))) << "its parent";
 }
 
-TEST_F(DeskTest, ADraggedHandleOfTheEnvelopeIsOneStep) {
+TEST_F(SlowDeskTest, ADraggedHandleOfTheEnvelopeIsOneStep) {
     window.panel().tabs().setCurrentIndex(window.panel().tabOf(Group::Pruning));
     window.document().setValue(paramRef("PruneRatio"), 1, 0);
     ASSERT_TRUE(showsNow(Model::Full));
@@ -148,7 +148,7 @@ TEST_F(DeskTest, APictureMayBeTransparent) {
     EXPECT_GT(solid, 3000);
 }
 
-TEST_F(DeskTest, SwitchesOfTheView) {
+TEST_F(SlowDeskTest, SwitchesOfTheView) {
     for (const char* name : {"wireframe", "wireframeOver", "bare", "ground", "backdropLight", "backdropDark", "orthographic"}) {
         const QImage before = picture();
         action(name)->trigger();
@@ -190,7 +190,7 @@ TEST_F(DeskTest, AnAxisOfTheCrossTurnsTheView) {
     EXPECT_LT(window.viewport().camera().forward().z(), -0.99) << "from above";
 }
 
-TEST_F(DeskTest, LevelsOfDetailAreSeenAtTheirDistance) {
+TEST_F(SlowDeskTest, LevelsOfDetailAreSeenAtTheirDistance) {
     const auto detail = [&] { return window.shown()->model->detail; };
     const auto shows = [&](int lod) {
         return waitFor([&] { return !window.busy() && detail()->model == Model::Full && detail()->lod == lod; }, 60000);
@@ -226,7 +226,7 @@ TEST_F(DeskTest, ThePictureComesBackInANewContext) {
 
 // Variants
 
-TEST_F(DeskTest, ASheetOfSeedsToChooseFromAndToLike) {
+TEST_F(SlowDeskTest, ASheetOfSeedsToChooseFromAndToLike) {
     auto* cell = window.variants().findChild<QToolButton*>(QStringLiteral("seed4"));
     ASSERT_TRUE(waitFor([&] { return !window.busy(); }));
     QTest::qWait(1000);
@@ -270,7 +270,7 @@ TEST_F(DeskTest, RandomiseMovesWhatIsNotLocked) {
 
 // Barks
 
-TEST_F(DeskTest, ABarkIsDrawnFromItsRecipe) {
+TEST_F(SlowDeskTest, ABarkIsDrawnFromItsRecipe) {
     const ParamRef bark = *findParam("BarkTexture");
     action("bare")->trigger();
     const auto rests = [&] { return showsNow(Model::Full) && waitFor([&] { return !window.busy(); }); };

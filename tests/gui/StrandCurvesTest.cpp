@@ -31,6 +31,7 @@ protected:
         return count;
     }
 };
+class SlowStrandCurves : public StrandCurves {};
 
 TEST_F(StrandCurves, OneOfEveryPictureIsUnfolded) {
     for (const char* first : {"StrandShareG", "SplitAngleG", "LengthLeastG", "StrandShareW"}) EXPECT_FALSE(curve(first).folded()) << first;
@@ -43,7 +44,7 @@ TEST_F(StrandCurves, OneOfEveryPictureIsUnfolded) {
     EXPECT_FALSE(curve("StrandShareG").folded()) << "another picture";
 }
 
-TEST_F(StrandCurves, BranchesAreCountedBehindTheCurve) {
+TEST_F(SlowStrandCurves, BranchesAreCountedBehindTheCurve) {
     const auto& use = curve("SplitAngleG").use();
     EXPECT_EQ(use.branches.size(), 2u * 6000 - 1);
     EXPECT_EQ(std::ranges::count(use.branches, 1.0), static_cast<std::ptrdiff_t>(generation(1).segments.size()));
@@ -53,7 +54,7 @@ TEST_F(StrandCurves, BranchesAreCountedBehindTheCurve) {
     EXPECT_GT(*std::ranges::max_element(curve("SplitAngleG").use().branches), 4);
 }
 
-TEST_F(StrandCurves, APointThatIsHeldLightsUpWhatItTouches) {
+TEST_F(SlowStrandCurves, APointThatIsHeldLightsUpWhatItTouches) {
     window.document().setValue(row("Strands"), 900.0, 0);
     ASSERT_TRUE(showsNow(Model::Full));
     CCurveEditor& angle = curve("SplitAngleG"); // points at 0, 2 and 5

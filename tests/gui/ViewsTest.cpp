@@ -118,7 +118,7 @@ TEST_F(ViewsTest, AReferenceStandsBehindTheTreeInItsSize) {
     EXPECT_EQ(with.pixelColor(at({0, 0, 2})), without.pixelColor(at({0, 0, 2}))) << "the trunk stands before it";
 }
 
-TEST_F(ViewsTest, BeforeIsShownUntilSomethingChanges) {
+TEST_F(SlowViewsTest, BeforeIsShownUntilSomethingChanges) {
     const QImage before = picture();
     QTest::keyClick(&view(), Qt::Key_A);
     EXPECT_FALSE(action("showBefore")->isChecked()) << "nothing was kept";
@@ -151,7 +151,7 @@ double differenceOf(const QImage& a, const QImage& b, double from, double to) {
     return double(count) / std::max(1, all);
 }
 
-TEST_F(ViewsTest, ALineWipesBetweenBeforeAndNow) {
+TEST_F(SlowViewsTest, ALineWipesBetweenBeforeAndNow) {
     action("wipe")->trigger();
     EXPECT_FALSE(action("wipe")->isChecked()) << "nothing was kept";
     const auto grab = [&] {

@@ -59,10 +59,10 @@ void expectSound(std::uint64_t first, std::uint64_t end, CParams (*make)(std::ui
 constexpr std::uint64_t kGentleOfATest = 50, kWildOfATest = 30;
 class GentleTrees : public ::testing::TestWithParam<std::uint64_t> {};
 class WildTrees : public ::testing::TestWithParam<std::uint64_t> {};
-INSTANTIATE_TEST_SUITE_P(Slow, GentleTrees, ::testing::Range<std::uint64_t>(0, 100, kGentleOfATest));
-INSTANTIATE_TEST_SUITE_P(Exhaustive, GentleTrees, ::testing::Range<std::uint64_t>(100, 300, kGentleOfATest));
-INSTANTIATE_TEST_SUITE_P(Slow, WildTrees, ::testing::Range<std::uint64_t>(0, 60, kWildOfATest));
-INSTANTIATE_TEST_SUITE_P(Exhaustive, WildTrees, ::testing::Range<std::uint64_t>(60, 120, kWildOfATest));
+INSTANTIATE_TEST_SUITE_P(Slow, GentleTrees, ::testing::Values<std::uint64_t>(0));
+INSTANTIATE_TEST_SUITE_P(Exhaustive, GentleTrees, ::testing::Range<std::uint64_t>(kGentleOfATest, 300, kGentleOfATest));
+INSTANTIATE_TEST_SUITE_P(Slow, WildTrees, ::testing::Values<std::uint64_t>(0));
+INSTANTIATE_TEST_SUITE_P(Exhaustive, WildTrees, ::testing::Range<std::uint64_t>(kWildOfATest, 120, kWildOfATest));
 
 TEST_P(GentleTrees, AreSound) { expectSound(GetParam(), GetParam() + kGentleOfATest, gentleParams, 0.002); }
 TEST_P(WildTrees, AreSound) { expectSound(GetParam(), GetParam() + kWildOfATest, randomParams, 0.005); }
