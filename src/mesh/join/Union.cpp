@@ -28,7 +28,9 @@ constexpr Pass kUnionPasses[]{{{6}, UnionBy::Lines, UnionEffort::Smooth, 5'000, 
                               {{200, 60}, UnionBy::Surfaces, UnionEffort::Usual, 100, 100'000, 4'000, 30'000},
                               {{6, 4}, UnionBy::Surfaces, UnionEffort::All, 6, 100'000, 30'000, 30'000},
                               {{30, 8}, UnionBy::Surfaces, UnionEffort::All, 6, 100'000, 30'000, 30'000},
-                              {{200, 60}, UnionBy::Surfaces, UnionEffort::All, 6, 100'000, 30'000, 30'000}};
+                              {{200, 60}, UnionBy::Surfaces, UnionEffort::All, 6, 100'000, 30'000, 30'000},
+                              {{6, 4}, UnionBy::Surfaces, UnionEffort::All, 1, 100'000, 200'000, 200'000},
+                              {{30, 8}, UnionBy::Surfaces, UnionEffort::All, 1, 100'000, 200'000, 200'000}}; // the last one
 
 using Index = CWoodPatch::Index;
 
