@@ -29,8 +29,8 @@ constexpr Pass kUnionPasses[]{{{6}, UnionBy::Lines, UnionEffort::Smooth, 5'000, 
                               {{6, 4}, UnionBy::Surfaces, UnionEffort::All, 6, 100'000, 30'000, 30'000},
                               {{30, 8}, UnionBy::Surfaces, UnionEffort::All, 6, 100'000, 30'000, 30'000},
                               {{200, 60}, UnionBy::Surfaces, UnionEffort::All, 6, 100'000, 30'000, 30'000},
-                              {{6, 4}, UnionBy::Surfaces, UnionEffort::All, 1, 100'000, 200'000, 200'000},
-                              {{30, 8}, UnionBy::Surfaces, UnionEffort::All, 1, 100'000, 200'000, 200'000}}; // the last one
+                              {{6, 4}, UnionBy::Surfaces, UnionEffort::All, 1, 100'000, 200'000, 200'000}, // for the last tube of a tree
+                              {{30, 8}, UnionBy::Surfaces, UnionEffort::All, 1, 100'000, 200'000, 200'000}};
 
 using Index = CWoodPatch::Index;
 
