@@ -1,3 +1,4 @@
+#include "stromar/app/TreeCreator.h"
 #include "stromar/params/methods/weberpenn/WeberPennParams.h"
 #include "mesh/MeshMeasures.h"
 #include "mesh/SampleTrees.h"
@@ -16,6 +17,7 @@ void forEachStemMesh(const CTree& tree, const CParams& params, const Detail& det
 }
 
 constexpr double kStub = 6;
+const std::vector<std::string> kMostUnited{"ca_black_oak", "english_oak", "lebanon_cedar", "strand_willow", "weeping_willow", "winter_oak"}; ///< with most branches to unite
 
 /// The first vertex of a ring that shows a tube's own bark, and how many points it has: the lowest, of which a joined tube has a share; of one that
 /// starts at its parent's fork the one above.
@@ -45,50 +47,123 @@ protected:
 };
 INSTANTIATE_TEST_SUITE_P(Slow, PresetMesh, testing::Range<std::size_t>(0, presets().size()), nameOf);
 
-void expectSound(const CParams& params) {
-    const auto tree = grow(params);
-    for (const Detail& detail : detailTable()) {
-        const auto all = meshAllStems(*tree, meshParamsOf(params), detail, CProgress(2));
-        const std::string label = std::string(detail.name) + ", ";
-        for (std::size_t g = 0; g < all.size(); ++g) {
-            const MeshFaults faults = checkStems(*tree, static_cast<int>(g), all[g], all);
-            EXPECT_EQ(inWords(faults), "") << label << all[g].mesh->name;
-            EXPECT_TRUE(faults.triangles > 0 || (detail.collarRings > 0 && isHidden(*tree, g))) << label << all[g].mesh->name;
-        }
-        EXPECT_EQ(inWords(checkJoined(joinStems(*tree, all, CProgress(2)), all)), "") << label << "joined";
-        EXPECT_EQ(inWords(checkLeaves(*organsOf(*tree, params, Organ::Leaf, all, detail))), "") << label;
+/// The stems of a tree as a level of detail draws them.
+struct Level {
+    const CParams& params;
+    const CTree& tree;
+    const Detail& detail;
+    std::vector<StemMesh> stems = meshAllStems(tree, meshParamsOf(params), detail, CProgress(2));
+};
+
+void expectSound(const Level& level, const JoinedStems& joined) {
+    for (std::size_t g = 0; g < level.stems.size(); ++g) {
+        const std::string& name = level.stems[g].mesh->name;
+        const MeshFaults faults = checkStems(level.tree, static_cast<int>(g), level.stems[g], level.stems);
+        EXPECT_EQ(inWords(faults), "") << name;
+        EXPECT_TRUE(faults.triangles > 0 || (level.detail.collarRings > 0 && isHidden(level.tree, g))) << name;
+    }
+    EXPECT_EQ(inWords(checkJoined(joined, level.stems)), "") << "joined";
+    EXPECT_EQ(inWords(checkLeaves(*organsOf(level.tree, level.params, Organ::Leaf, level.stems, level.detail))), "");
+}
+
+void expectFacesOutwards(const Level& level) {
+    for (std::size_t g = 0; const auto& [plan, mesh] : level.stems) {
+        ASSERT_TRUE(!plan.tubes.empty() || (level.detail.collarRings > 0 && isHidden(level.tree, g)));
+        EXPECT_EQ(invertedSurfaces(plan, *mesh), 0u) << "of " << plan.tubes.size() << ", " << mesh->name;
+        ++g;
     }
 }
 
-TEST_P(PresetMesh, IsSound) { expectSound(params(13)); }
+void expectAlmostEveryBranchGrowsOutOfTheWood(const Level& level) {
+    const bool byLevels = &level.params.block() == &weberPennBlock();
+    std::size_t allChosen = 0, allAttached = 0;
+    for (std::size_t g = 1; g < level.stems.size(); ++g) {
+        const auto& stems = level.tree.generation(g).stems;
+        const auto leavesWood = [&](std::size_t s) { // figures of the book have stubs as thick as long
+            return byLevels || stems[s].length > kStub * std::max(stems[s].radius, stems[s].parentRadius);
+        };
+        const MeshPlan& plan = level.stems[g].plan;
+        std::size_t chosen = 0, attached = 0;
+        for (std::size_t s = 0; s < stems.size(); ++s) chosen += plan.stemBears[s] && leavesWood(s);
+        for (const Tube& tube : plan.tubes) attached += (tube.collarRings > 0 || tube.forked) && leavesWood(tube.stem);
+        if (byLevels) {
+            EXPECT_GE(double(attached), 0.8 * double(chosen)) << level.stems[g].mesh->name;
+        }
+        allChosen += chosen;
+        allAttached += attached;
+    }
+    // Where a stem and its branch part at a tip, both bend away, and some branches start inside the wood.
+    EXPECT_GE(double(allAttached), 0.5 * double(allChosen));
+}
+
+/// Of the paths that fork from a stem, all but few are one surface with it by the plan of its rings; helices do not part, nor do whips that
+/// hang down in one line.
+void expectForksAreOneSurface(const Level& level) {
+    std::size_t clones = 0, joined = 0;
+    for (std::size_t g = 0; g < level.stems.size(); ++g) {
+        const CGeneration& generation = level.tree.generation(g);
+        for (const Tube& tube : level.stems[g].plan.tubes) {
+            const CStem& stem = generation.stems[tube.stem];
+            const CPath& path = generation.paths[tube.path];
+            const CSegment* below = generation.segmentBelow(stem, path);
+            if (!below || below->helixRadius > 0) continue;
+            const CSegment& runsOn = generation.segmentAt(stem, static_cast<std::uint32_t>(path.source), path.firstPosition);
+            if (glm::dot(runsOn.frame[2], generation.segments[path.firstSegment].frame[2]) > 0.9999) continue;
+            ++clones;
+            joined += tube.joined;
+        }
+    }
+    EXPECT_GE(double(joined), 0.8 * double(clones)) << "of " << clones;
+}
+
+/// No branch and no clone keeps a lid inside the wood.
+void expectAllIsOneSurface(const JoinedStems& joined) {
+    EXPECT_EQ(joined.apart, 0u);
+    EXPECT_EQ(joined.withoutCollar, 0u);
+}
+
+TEST_P(PresetMesh, IsSoundAndGrowsOutOfTheWoodAtEveryLevelOfDetail) {
+    const auto tree = grow(params());
+    for (const Detail& detail : detailTable()) {
+        SCOPED_TRACE(detail.name);
+        const Level level{params(), *tree, detail};
+        const JoinedStems joined = joinStems(*tree, level.stems, CProgress(2));
+        expectSound(level, joined);
+        expectFacesOutwards(level);
+        if (detail.collarRings == 0) continue;
+        expectAlmostEveryBranchGrowsOutOfTheWood(level);
+        expectForksAreOneSurface(level);
+        if (detail.twigPlanes == 0) expectAllIsOneSurface(joined);
+    }
+}
+
+class WoodBesideCards : public testing::TestWithParam<std::string> {};
+INSTANTIATE_TEST_SUITE_P(Slow, WoodBesideCards, testing::ValuesIn(kMostUnited),
+                         [](const testing::TestParamInfo<std::string>& own) { return own.param; });
+class WoodOfPresetBesideCards : public PresetMesh {};
+INSTANTIATE_TEST_SUITE_P(Exhaustive, WoodOfPresetBesideCards, testing::Range<std::size_t>(0, presets().size()), nameOf);
+
+void expectIsOneSurfaceBesideCards(const CParams& params) {
+    const auto model = CTreeCreator().create(params, detailOf(Model::Full, 2), CProgress(2), CTreeCreator::Plans::Keep);
+    expectAllIsOneSurface(joinStems(*model->tree, *model->planned, CProgress(2)));
+}
+
+TEST_P(WoodBesideCards, IsOneSurface) { expectIsOneSurfaceBesideCards(preset(GetParam())); }
+
+TEST_P(WoodOfPresetBesideCards, IsOneSurface) { expectIsOneSurfaceBesideCards(params()); }
 
 class PresetMeshOfAnotherSeed : public PresetMesh {};
 INSTANTIATE_TEST_SUITE_P(Exhaustive, PresetMeshOfAnotherSeed, testing::Range<std::size_t>(0, presets().size()), nameOf);
 
-TEST_P(PresetMeshOfAnotherSeed, IsSound) { expectSound(params(4711)); }
-
-TEST_P(PresetMesh, AlmostEveryBranchGrowsOutOfTheWood) {
-    const auto tree = grow(params());
-    for (int lod = 0; lod <= 2; ++lod) {
-        const auto all = meshAllStems(*tree, meshParamsOf(params()), detailOf(Model::Full, lod), CProgress(2));
-        const bool byLevels = &params().block() == &weberPennBlock();
-        std::size_t allChosen = 0, allAttached = 0;
-        for (std::size_t g = 1; g < all.size(); ++g) {
-            const auto& stems = tree->generation(g).stems;
-            const auto leavesWood = [&](std::size_t s) { // figures of the book have stubs as thick as long
-                return byLevels || stems[s].length > kStub * std::max(stems[s].radius, stems[s].parentRadius);
-            };
-            std::size_t chosen = 0, attached = 0;
-            for (std::size_t s = 0; s < stems.size(); ++s) chosen += all[g].plan.stemBears[s] && leavesWood(s);
-            for (const Tube& tube : all[g].plan.tubes) attached += (tube.collarRings > 0 || tube.forked) && leavesWood(tube.stem);
-            if (byLevels) {
-                EXPECT_GE(double(attached), 0.8 * double(chosen)) << "LOD " << lod << ", " << all[g].mesh->name;
-            }
-            allChosen += chosen;
-            allAttached += attached;
+TEST_P(PresetMeshOfAnotherSeed, IsSound) {
+    for (const int seed : {13, 4711}) {
+        const CParams own = params(seed);
+        const auto tree = grow(own);
+        for (const Detail& detail : detailTable()) {
+            SCOPED_TRACE(detail.name);
+            const Level level{own, *tree, detail};
+            expectSound(level, joinStems(*tree, level.stems, CProgress(2)));
         }
-        // Where a stem and its branch part at a tip, both bend away, and some branches start inside the wood.
-        EXPECT_GE(double(allAttached), 0.5 * double(allChosen)) << "LOD " << lod;
     }
 }
 
@@ -120,38 +195,6 @@ TEST_P(PresetMesh, RingsHaveFewerPointsWhereTheyAreThin) {
         tapers = tapers || (taper >= 0.8 && taper <= 1.2);
     }
     EXPECT_EQ(halved > 0, tapers);
-}
-
-/// Of the paths that fork from a stem, all but few are one surface with it; helices do not part, nor do whips that hang down
-/// in one line.
-TEST_P(PresetMesh, ForksAreOneSurface) {
-    const auto tree = grow(params());
-    for (const int lod : {0, 1, 2}) {
-        std::size_t clones = 0, joined = 0;
-        forEachStemMesh(*tree, params(), detailOf(Model::Full, lod), [&](int g, const MeshPlan& plan, const CMesh&) {
-            const CGeneration& generation = tree->generation(static_cast<std::size_t>(g));
-            for (const Tube& tube : plan.tubes) {
-                const CStem& stem = generation.stems[tube.stem];
-                const CPath& path = generation.paths[tube.path];
-                const CSegment* below = generation.segmentBelow(stem, path);
-                if (!below || below->helixRadius > 0) continue;
-                const CSegment& runsOn = generation.segmentAt(stem, static_cast<std::uint32_t>(path.source), path.firstPosition);
-                if (glm::dot(runsOn.frame[2], generation.segments[path.firstSegment].frame[2]) > 0.9999) continue;
-                ++clones;
-                joined += tube.joined;
-            }
-        });
-        EXPECT_GE(double(joined), 0.8 * double(clones)) << "of " << clones << ", LOD " << lod;
-    }
-}
-
-TEST_P(PresetMesh, EveryTubeFacesOutwards) {
-    const auto tree = grow(params());
-    for (const Detail& detail : detailTable())
-        forEachStemMesh(*tree, params(), detail, [&](int g, const MeshPlan& plan, const CMesh& mesh) {
-            ASSERT_TRUE(!plan.tubes.empty() || (detail.collarRings > 0 && isHidden(*tree, static_cast<std::size_t>(g))));
-            EXPECT_EQ(invertedSurfaces(plan, mesh), 0u) << "of " << plan.tubes.size() << ", " << detail.name << ", " << mesh.name;
-        });
 }
 
 TEST_P(PresetMesh, BarkGoesWholeTimesAroundAndKeepsItsScale) {
@@ -202,45 +245,49 @@ TEST_P(PresetMesh, BarkGoesWholeTimesAroundAndKeepsItsScale) {
     EXPECT_GT(measured, 1u);
 }
 
-void expectSameWith(const CParams& params, int threads) {
-    const auto alone = grow(params, 1), tree = grow(params, threads);
-    for (const Detail& detail : detailTable()) {
-        const auto one = meshesOf(*alone, params, detail, 1), more = meshesOf(*tree, params, detail, threads);
-        ASSERT_EQ(one.size(), more.size());
-        for (std::size_t m = 0; m < one.size(); ++m) EXPECT_TRUE(sameBytes(*one[m], *more[m])) << detail.name << ", " << one[m]->name;
+using Meshes = std::vector<std::shared_ptr<const CMesh>>;
+
+void expectSame(const Meshes& one, const Meshes& other) {
+    ASSERT_EQ(one.size(), other.size());
+    for (std::size_t m = 0; m < one.size(); ++m) EXPECT_TRUE(sameBytes(*one[m], *other[m])) << one[m]->name;
+}
+
+void expectWithinTheTreesSize(const Meshes& meshes, const CTree& tree, const CParams& params) {
+    const Bounds trunk = meshes.front()->bounds();
+    EXPECT_LT(trunk.min.z, 0.01f);
+    if (&params.block() == &weberPennBlock()) {
+        EXPECT_NEAR(trunk.max.z, tree.generation(0).stems[0].length, 0.35 * tree.height());
+    }
+    for (const auto& mesh : meshes) {
+        if (mesh->vertexCount() == 0) continue; // leaves in winter
+        EXPECT_LT(mesh->bounds().max.z, 1.6 * tree.height()) << mesh->name;
     }
 }
 
-TEST_P(PresetMesh, IsTheSameForEveryNumberOfThreads) { expectSameWith(params(), 5); }
-
-class PresetMeshOfTwoThreads : public PresetMesh {};
-INSTANTIATE_TEST_SUITE_P(Exhaustive, PresetMeshOfTwoThreads, testing::Range<std::size_t>(0, presets().size()), nameOf);
-
-TEST_P(PresetMeshOfTwoThreads, IsTheSame) { expectSameWith(params(), 2); }
-
-TEST_P(PresetMesh, HasFewerTrianglesAtEveryLevelOfDetail) {
-    const auto tree = grow(params());
+TEST_P(PresetMesh, IsTheSameForEveryNumberOfThreadsAndHasFewerTrianglesAtEveryLevelOfDetail) {
+    const auto alone = grow(params(), 1), tree = grow(params(), 5);
     std::size_t last = std::numeric_limits<std::size_t>::max();
-    for (int lod = 0; lod <= 3; ++lod) {
+    for (const Detail& detail : detailTable()) {
+        SCOPED_TRACE(detail.name);
+        const Meshes meshes = meshesOf(*alone, params(), detail, 1);
+        expectSame(meshes, meshesOf(*tree, params(), detail, 5));
+        if (detail.model != Model::Full) continue;
+        if (detail.lod == 0) expectWithinTheTreesSize(meshes, *alone, params());
         std::size_t triangles = 0;
-        for (const auto& mesh : meshesOf(*tree, params(), detailOf(Model::Full, lod)))
-            triangles += mesh->triangleCount();
-        EXPECT_LT(triangles, last) << "level of detail " << lod;
+        for (const auto& mesh : meshes) triangles += mesh->triangleCount();
+        EXPECT_LT(triangles, last);
         last = triangles;
     }
 }
 
-TEST_P(PresetMesh, StaysInsideTheTreesSize) {
-    const auto tree = grow(params());
-    const auto meshes = meshesOf(*tree, params(), detailOf(Model::Full));
-    const Bounds trunk = meshes.front()->bounds();
-    EXPECT_LT(trunk.min.z, 0.01f);
-    if (&params().block() == &weberPennBlock()) {
-        EXPECT_NEAR(trunk.max.z, tree->generation(0).stems[0].length, 0.35 * tree->height());
-    }
-    for (const auto& mesh : meshes) {
-        if (mesh->vertexCount() == 0) continue; // leaves in winter
-        EXPECT_LT(mesh->bounds().max.z, 1.6 * tree->height()) << mesh->name;
+class PresetMeshOfTwoThreads : public PresetMesh {};
+INSTANTIATE_TEST_SUITE_P(Exhaustive, PresetMeshOfTwoThreads, testing::Range<std::size_t>(0, presets().size()), nameOf);
+
+TEST_P(PresetMeshOfTwoThreads, IsTheSame) {
+    const auto alone = grow(params(), 1), tree = grow(params(), 2);
+    for (const Detail& detail : detailTable()) {
+        SCOPED_TRACE(detail.name);
+        expectSame(meshesOf(*alone, params(), detail, 1), meshesOf(*tree, params(), detail, 2));
     }
 }
 

@@ -46,7 +46,7 @@ constexpr double kApartOnCurve = 0.3; // radii of the tube
 constexpr double kSmoothTurn = 540;   // degrees: once around, and half as much for what is uneven
 /// First those whose seams are the smoothest, as a rule.
 constexpr SurfaceTry kSurfaceTries[]{{0.1},     {0.2},    {0.05},   {0.3},     {0.02},   {0.5},      {-0.02},  {-0.1},
-                                     {0.02, 0}, {0.1, 0}, {0.3, 0}, {0.02, 3}, {0.1, 3}, {0.02, 12}, {0.1, 12}};
+                                     {0.02, 0}, {0.1, 0}, {0.3, 0}, {0.02, 3}, {0.1, 3}, {0.02, 12}, {0.1, 12}, {0.8}};
 
 /// One tube and the wood it comes out of. Both are cut along a loop, the tube a little further up, and what lies between is filled.
 class CTubeUnion {
