@@ -15,7 +15,7 @@ namespace {
 namespace fs = std::filesystem;
 
 std::shared_ptr<const TreeModel> largeModel() {
-    static const auto model = createAnew(preset("ca_black_oak"), detailOf(Model::Full));
+    static const auto model = createAnew(preset("quaking_aspen"), detailOf(Model::Full));
     return model;
 }
 
@@ -212,6 +212,7 @@ TEST_P(Export, GivesWhatTheOptionsSayOrRefuses) {
             ExportOptions options;
             options.*choice.field = static_cast<int>(word);
             if (choice.key == "impostor") options.textureSize = 128; // time
+            if (choice.key == "watertight") options.voxelSize = 0.05; // likewise
             const fs::path path = folder / target().filename();
             const auto write = [&] { exportModels({smallModel()}, options, {}, path, CProgress(2)); };
             SCOPED_TRACE(std::string(choice.key) + " " + std::string(choice.words[word]));
