@@ -247,24 +247,24 @@
         <translation>Ukázat v obrázku rozměry a počty</translation>
     </message>
     <message>
-        <source>Before the S&amp;ky</source>
-        <translation>Před o&amp;blohou</translation>
+        <source>S&amp;ky</source>
+        <translation>O&amp;bloha</translation>
     </message>
     <message>
         <source>Sky and ground behind the tree</source>
         <translation>Obloha a zem za stromem</translation>
     </message>
     <message>
-        <source>Before &amp;Light Grey</source>
-        <translation>Před s&amp;větlou šedou</translation>
+        <source>&amp;Light Grey</source>
+        <translation>S&amp;větle šedá</translation>
     </message>
     <message>
         <source>A light, plain backdrop</source>
         <translation>Světlé jednolité pozadí</translation>
     </message>
     <message>
-        <source>Before &amp;Dark Grey</source>
-        <translation>Před &amp;tmavou šedou</translation>
+        <source>&amp;Dark Grey</source>
+        <translation>&amp;Tmavě šedá</translation>
     </message>
     <message>
         <source>A dark, plain backdrop</source>
@@ -395,8 +395,8 @@
         <translation>Pokácet strom; časová osa pak vede jeho pádem</translation>
     </message>
     <message>
-        <source>Before a &amp;Picture…</source>
-        <translation>Před &amp;obrázkem…</translation>
+        <source>&amp;Picture or Panorama…</source>
+        <translation>&amp;Obrázek nebo panorama…</translation>
     </message>
     <message>
         <source>Tint What Is &amp;Edited</source>
@@ -4534,8 +4534,8 @@
 <context>
     <name>stromar::CLightPanel</name>
     <message>
-        <source>Usual light</source>
-        <translation>Obvyklé světlo</translation>
+        <source>Reset light</source>
+        <translation>Obnovit světlo</translation>
     </message>
     <message>
         <source>%1 stops</source>

@@ -247,24 +247,24 @@
         <translation>Показать размеры и количества в картинке</translation>
     </message>
     <message>
-        <source>Before the S&amp;ky</source>
-        <translation>На фоне &amp;неба</translation>
+        <source>S&amp;ky</source>
+        <translation>&amp;Небо</translation>
     </message>
     <message>
         <source>Sky and ground behind the tree</source>
         <translation>Небо и земля за деревом</translation>
     </message>
     <message>
-        <source>Before &amp;Light Grey</source>
-        <translation>На &amp;светло-сером</translation>
+        <source>&amp;Light Grey</source>
+        <translation>&amp;Светло-серый</translation>
     </message>
     <message>
         <source>A light, plain backdrop</source>
         <translation>Светлый однотонный фон</translation>
     </message>
     <message>
-        <source>Before &amp;Dark Grey</source>
-        <translation>На &amp;тёмно-сером</translation>
+        <source>&amp;Dark Grey</source>
+        <translation>&amp;Тёмно-серый</translation>
     </message>
     <message>
         <source>A dark, plain backdrop</source>
@@ -395,8 +395,8 @@
         <translation>Срубить дерево; шкала времени идёт по его падению</translation>
     </message>
     <message>
-        <source>Before a &amp;Picture…</source>
-        <translation>На фоне &amp;изображения…</translation>
+        <source>&amp;Picture or Panorama…</source>
+        <translation>&amp;Изображение или панорама…</translation>
     </message>
     <message>
         <source>Tint What Is &amp;Edited</source>
@@ -4534,8 +4534,8 @@
 <context>
     <name>stromar::CLightPanel</name>
     <message>
-        <source>Usual light</source>
-        <translation>Обычный свет</translation>
+        <source>Reset light</source>
+        <translation>Сбросить свет</translation>
     </message>
     <message>
         <source>%1 stops</source>

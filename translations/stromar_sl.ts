@@ -247,24 +247,24 @@
         <translation>Pokaži mere in števila v sliki</translation>
     </message>
     <message>
-        <source>Before the S&amp;ky</source>
-        <translation>Pred &amp;nebom</translation>
+        <source>S&amp;ky</source>
+        <translation>&amp;Nebo</translation>
     </message>
     <message>
         <source>Sky and ground behind the tree</source>
         <translation>Nebo in tla za drevesom</translation>
     </message>
     <message>
-        <source>Before &amp;Light Grey</source>
-        <translation>Pred sv&amp;etlo sivino</translation>
+        <source>&amp;Light Grey</source>
+        <translation>Sv&amp;etlo siva</translation>
     </message>
     <message>
         <source>A light, plain backdrop</source>
         <translation>Svetlo enobarvno ozadje</translation>
     </message>
     <message>
-        <source>Before &amp;Dark Grey</source>
-        <translation>Pred te&amp;mno sivino</translation>
+        <source>&amp;Dark Grey</source>
+        <translation>Te&amp;mno siva</translation>
     </message>
     <message>
         <source>A dark, plain backdrop</source>
@@ -395,8 +395,8 @@
         <translation>Podreti drevo; časovnica teče po njegovem padcu</translation>
     </message>
     <message>
-        <source>Before a &amp;Picture…</source>
-        <translation>Pred &amp;sliko …</translation>
+        <source>&amp;Picture or Panorama…</source>
+        <translation>&amp;Slika ali panorama …</translation>
     </message>
     <message>
         <source>Tint What Is &amp;Edited</source>
@@ -4534,8 +4534,8 @@
 <context>
     <name>stromar::CLightPanel</name>
     <message>
-        <source>Usual light</source>
-        <translation>Običajna svetloba</translation>
+        <source>Reset light</source>
+        <translation>Ponastavi svetlobo</translation>
     </message>
     <message>
         <source>%1 stops</source>

@@ -126,7 +126,7 @@ TEST(LightPanel, MovesTheSunOfTheLook) {
     ViewLook kept;
     again.applyTo(kept);
     EXPECT_EQ(kept, look) << "kept between runs";
-    panel.findChild<QPushButton*>(QStringLiteral("usualLight"))->click();
+    panel.findChild<QPushButton*>(QStringLiteral("resetLight"))->click();
     panel.applyTo(look);
     EXPECT_EQ(look, ViewLook());
 }

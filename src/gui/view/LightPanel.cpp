@@ -62,8 +62,8 @@ CLightPanel::CLightPanel(QWidget* parent) : QWidget(parent) {
         column->addWidget(label);
         column->addWidget(slider);
     }
-    auto* reset = new QPushButton(tr("Usual light"));
-    reset->setObjectName(QStringLiteral("usualLight"));
+    auto* reset = new QPushButton(tr("Reset light"));
+    reset->setObjectName(QStringLiteral("resetLight"));
     connect(reset, &QPushButton::clicked, this, [resets] {
         for (const auto& one : resets) one();
     });
