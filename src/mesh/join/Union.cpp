@@ -55,12 +55,13 @@ void leaveOutUnused(CMesh& mesh, std::vector<VertexSource>& sources) {
     for (std::uint32_t& v : mesh.indices) v = placeOf[v];
 }
 
-/// Leaves out removed triangles.
-void compact(CMesh& mesh, const std::vector<std::uint8_t>& removed) {
-    std::size_t next = 0;
-    for (std::size_t i = 0; i < mesh.indices.size(); ++i)
-        if (!removed[i / 3]) mesh.indices[next++] = mesh.indices[i];
-    mesh.indices.resize(next);
+void leaveOut(std::vector<std::size_t>& triangles, CMesh& mesh) {
+    std::ranges::sort(triangles);
+    const auto at = [&](std::size_t triangle) { return mesh.indices.begin() + static_cast<std::ptrdiff_t>(3 * triangle); };
+    auto end = at(triangles.front());
+    for (std::size_t i = 0; i < triangles.size(); ++i)
+        end = std::copy(at(triangles[i] + 1), i + 1 < triangles.size() ? at(triangles[i + 1]) : mesh.indices.end(), end);
+    mesh.indices.erase(end, mesh.indices.end());
 }
 
 /// No more than what patches may add: arrays that grow would be twice as large.
@@ -98,24 +99,33 @@ void append(const CWoodPatch& patch, std::uint32_t g, CMesh& mesh, std::vector<V
     }
 }
 
-/// What patches changed of one generation.
-void writeBack(std::uint32_t g, std::span<const CWoodPatch> patches, Wood& wood) {
+/// What patches changed of one generation; vertices that no triangle has any more stay. False where they changed nothing.
+bool writeBack(std::uint32_t g, std::span<const CWoodPatch> patches, Wood& wood) {
     CMesh& mesh = *wood.meshes[g];
-    std::vector<std::uint8_t> removed(mesh.triangleCount());
-    bool changed = false;
+    std::vector<std::size_t> gone; // triangles
     for (const CWoodPatch& patch : patches)
         for (const CWoodPatch::Triangle& triangle : patch.triangles())
-            if (triangle.removed && !triangle.isNew && triangle.generation == g) removed[triangle.first / 3] = changed = true;
-    if (!changed) return;
-    compact(mesh, removed);
+            if (triangle.removed && !triangle.isNew && triangle.generation == g) gone.push_back(triangle.first / 3);
+    if (gone.empty()) return false;
+    leaveOut(gone, mesh);
     reserveFor(patches, g, mesh, wood.sources[g]);
     for (const CWoodPatch& patch : patches) append(patch, g, mesh, wood.sources[g]);
-    leaveOutUnused(mesh, wood.sources[g]);
+    return true;
 }
 
-/// Leaves those that stay apart.
+/// work(generation), on several threads.
+template <typename Do> void forEachGeneration(std::size_t count, const CProgress& progress, Do&& work) {
+    parallelFor(
+        count, 1,
+        [&](std::size_t begin, std::size_t end) {
+            for (std::size_t g = begin; g < end; ++g) work(static_cast<std::uint32_t>(g));
+        },
+        progress);
+}
+
+/// Leaves those that stay apart, and marks generations that change.
 United uniteWithin(const Pass& pass, const CTree& tree, std::span<const StemMesh> stems, std::vector<BranchTube>& apart, Wood& wood,
-                   const CProgress& progress) {
+                   std::vector<std::uint8_t>& changed, const CProgress& progress) {
     std::vector<CTubeLines> lines;
     for (const BranchTube& own : apart) lines.emplace_back(tree, stems, own, pass.reach);
     const std::vector<WoodPlace> places = placesOf(lines, wood, pass.mostNear, progress);
@@ -137,7 +147,7 @@ United uniteWithin(const Pass& pass, const CTree& tree, std::span<const StemMesh
             }
         },
         progress);
-    for (std::uint32_t g = 0; g < stems.size(); ++g) writeBack(g, patches, wood);
+    forEachGeneration(stems.size(), progress, [&](std::uint32_t g) { changed[g] |= writeBack(g, patches, wood); });
     United united;
     for (std::size_t t = 0; t < apart.size(); ++t) (lines[t].tube.collarRings > 0 ? united.collars : united.others) += done[t];
     std::size_t next = 0;
@@ -149,14 +159,18 @@ United uniteWithin(const Pass& pass, const CTree& tree, std::span<const StemMesh
 United uniteWithWood(const CTree& tree, std::span<const StemMesh> stems, std::vector<BranchTube> apart, Wood& wood, const CProgress& progress) {
     apart.resize(std::min(apart.size(), kUnionPasses[0].mostTubes));
     United united;
+    std::vector<std::uint8_t> changed(stems.size());
     bool idle = false; // the pass before joined none: one that reaches further will not either
     for (const Pass& pass : kUnionPasses) {
         if (apart.empty() || apart.size() > pass.mostTubes || (idle && pass.by == UnionBy::Surfaces && pass.effort != UnionEffort::All)) continue;
-        const United more = uniteWithin(pass, tree, stems, apart, wood, progress);
+        const United more = uniteWithin(pass, tree, stems, apart, wood, changed, progress);
         united.collars += more.collars;
         united.others += more.others;
         idle = pass.by == UnionBy::Surfaces && more.collars + more.others == 0;
     }
+    forEachGeneration(stems.size(), progress, [&](std::uint32_t g) {
+        if (changed[g]) leaveOutUnused(*wood.meshes[g], wood.sources[g]);
+    });
     return united;
 }
 
