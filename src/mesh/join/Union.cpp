@@ -32,6 +32,8 @@ constexpr Pass kUnionPasses[]{{{6}, UnionBy::Lines, UnionEffort::Smooth, 5'000, 
                               {{6, 4}, UnionBy::Surfaces, UnionEffort::All, 1, 100'000, 200'000, 200'000}, // for the last tube of a tree
                               {{30, 8}, UnionBy::Surfaces, UnionEffort::All, 1, 100'000, 200'000, 200'000}};
 
+constexpr std::size_t kSlack = 50; // for the next passes: one more has room for so many
+
 using Index = CWoodPatch::Index;
 
 void leaveOutUnused(CMesh& mesh, std::vector<VertexSource>& sources) {
@@ -64,19 +66,22 @@ void leaveOut(std::vector<std::size_t>& triangles, CMesh& mesh) {
     mesh.indices.erase(end, mesh.indices.end());
 }
 
-/// No more than what patches may add: arrays that grow would be twice as large.
+/// Little more than what patches may add: arrays that grow would be twice as large.
 void reserveFor(std::span<const CWoodPatch> patches, std::uint32_t g, CMesh& mesh, std::vector<VertexSource>& sources) {
     std::size_t vertices = sources.size(), indices = mesh.indices.size();
     for (const CWoodPatch& patch : patches) {
         for (const CWoodPatch::Vertex& vertex : patch.vertices()) vertices += vertex.index == CWoodPatch::kNone && vertex.generation == g;
         for (const CWoodPatch::Triangle& triangle : patch.triangles()) indices += triangle.isNew && !triangle.removed && triangle.generation == g ? 3 : 0;
     }
-    mesh.positions.reserve(vertices);
-    mesh.normals.reserve(vertices);
-    mesh.texCoords.reserve(vertices);
-    mesh.looks.reserve(vertices);
-    mesh.indices.reserve(indices);
-    sources.reserve(vertices);
+    const auto reserve = [](auto& array, std::size_t count) {
+        if (count > array.capacity()) array.reserve(count + count / kSlack);
+    };
+    reserve(mesh.positions, vertices);
+    reserve(mesh.normals, vertices);
+    reserve(mesh.texCoords, vertices);
+    reserve(mesh.looks, vertices);
+    reserve(mesh.indices, indices);
+    reserve(sources, vertices);
 }
 
 /// Writes a patch's new triangles of one generation.
