@@ -4,6 +4,7 @@
 #include <algorithm>
 #include <numeric>
 #include <unordered_map>
+#include <utility>
 
 namespace stromar {
 
@@ -32,7 +33,7 @@ constexpr Pass kUnionPasses[]{{{6}, UnionBy::Lines, UnionEffort::Smooth, 5'000, 
                               {{6, 4}, UnionBy::Surfaces, UnionEffort::All, 1, 100'000, 200'000, 200'000}, // for the last tube of a tree
                               {{30, 8}, UnionBy::Surfaces, UnionEffort::All, 1, 100'000, 200'000, 200'000}};
 
-constexpr std::size_t kSlack = 50; // for the next passes: one more has room for so many
+constexpr std::size_t kSlack = 50; // arrays have room for one part in so many more, which later passes may fill
 
 using Index = CWoodPatch::Index;
 
@@ -57,7 +58,7 @@ void leaveOutUnused(CMesh& mesh, std::vector<VertexSource>& sources) {
     for (std::uint32_t& v : mesh.indices) v = placeOf[v];
 }
 
-void leaveOut(std::vector<std::size_t>& triangles, CMesh& mesh) {
+void leaveOut(std::vector<std::size_t> triangles, CMesh& mesh) {
     std::ranges::sort(triangles);
     const auto at = [&](std::size_t triangle) { return mesh.indices.begin() + static_cast<std::ptrdiff_t>(3 * triangle); };
     auto end = at(triangles.front());
@@ -112,18 +113,18 @@ bool writeBack(std::uint32_t g, std::span<const CWoodPatch> patches, Wood& wood)
         for (const CWoodPatch::Triangle& triangle : patch.triangles())
             if (triangle.removed && !triangle.isNew && triangle.generation == g) gone.push_back(triangle.first / 3);
     if (gone.empty()) return false;
-    leaveOut(gone, mesh);
+    leaveOut(std::move(gone), mesh);
     reserveFor(patches, g, mesh, wood.sources[g]);
     for (const CWoodPatch& patch : patches) append(patch, g, mesh, wood.sources[g]);
     return true;
 }
 
-/// work(generation), on several threads.
-template <typename Do> void forEachGeneration(std::size_t count, const CProgress& progress, Do&& work) {
+/// work(index), on several threads.
+template <typename Do> void forEachIndex(std::size_t count, const CProgress& progress, Do&& work) {
     parallelFor(
         count, 1,
         [&](std::size_t begin, std::size_t end) {
-            for (std::size_t g = begin; g < end; ++g) work(static_cast<std::uint32_t>(g));
+            for (std::size_t i = begin; i < end; ++i) work(static_cast<std::uint32_t>(i));
         },
         progress);
 }
@@ -138,21 +139,16 @@ United uniteWithin(const Pass& pass, const CTree& tree, std::span<const StemMesh
     const UnionMethod method{pass.by, std::min(pass.mostWork, pass.allWork / tubes), pass.effort};
     std::vector<CWoodPatch> patches(places.size());
     std::vector<std::uint8_t> done(apart.size());
-    parallelFor(
-        places.size(), 1,
-        [&](std::size_t begin, std::size_t end) {
-            for (std::size_t p = begin; p < end; ++p) {
-                patches[p] = patchOf(places[p], stems, wood);
-                for (std::size_t i = 0; i < places[p].tubes.size(); ++i) {
-                    progress.poll();
-                    const std::uint32_t t = places[p].tubes[i];
-                    patches[p].select(places[p].near[i]);
-                    done[t] = unite(tree, stems, apart[t], method, lines[t], patches[p]);
-                }
-            }
-        },
-        progress);
-    forEachGeneration(stems.size(), progress, [&](std::uint32_t g) { changed[g] |= writeBack(g, patches, wood); });
+    forEachIndex(places.size(), progress, [&](std::uint32_t p) {
+        patches[p] = patchOf(places[p], stems, wood);
+        for (std::size_t i = 0; i < places[p].tubes.size(); ++i) {
+            progress.poll();
+            const std::uint32_t t = places[p].tubes[i];
+            patches[p].select(places[p].near[i]);
+            done[t] = unite(tree, stems, apart[t], method, lines[t], patches[p]);
+        }
+    });
+    forEachIndex(stems.size(), progress, [&](std::uint32_t g) { changed[g] |= writeBack(g, patches, wood); });
     United united;
     for (std::size_t t = 0; t < apart.size(); ++t) (lines[t].tube.collarRings > 0 ? united.collars : united.others) += done[t];
     std::size_t next = 0;
@@ -173,7 +169,7 @@ United uniteWithWood(const CTree& tree, std::span<const StemMesh> stems, std::ve
         united.others += more.others;
         idle = pass.by == UnionBy::Surfaces && more.collars + more.others == 0;
     }
-    forEachGeneration(stems.size(), progress, [&](std::uint32_t g) {
+    forEachIndex(stems.size(), progress, [&](std::uint32_t g) {
         if (changed[g]) leaveOutUnused(*wood.meshes[g], wood.sources[g]);
     });
     return united;
