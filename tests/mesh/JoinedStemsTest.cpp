@@ -141,7 +141,7 @@ TEST(Triangulation, CutsLoopsOut) {
         EXPECT_TRUE(surface.cutOut(circle(cells, {0.71, 0.68}, 0.25, 24))) << cells;
         EXPECT_NEAR(areaLeft(surface), 1 - areaOfCircle(0.2, 9) - areaOfCircle(0.25, 24), 1e-9) << cells;
         for (const auto& triangle : surface.triangles()) EXPECT_GT(areaOf(triangle), -1e-12);
-        surface.improve([](const auto& corners) { return (corners[0] + corners[2]) % 2 == 0; });
+        surface.improve([](const auto& corners, const auto&) { return (corners[0] + corners[2]) % 2 == 0; });
         EXPECT_NEAR(areaLeft(surface), 1 - areaOfCircle(0.2, 9) - areaOfCircle(0.25, 24), 1e-9) << cells;
     }
 }

@@ -5,8 +5,8 @@
 namespace stromar {
 
 /// Of a triangle's three, counter-clockwise.
-constexpr std::uint32_t after(std::uint32_t corner) { return (corner + 1) % 3; }
-constexpr std::uint32_t before(std::uint32_t corner) { return (corner + 2) % 3; }
+constexpr std::uint32_t after(std::uint32_t corner) { return corner == 2 ? 0 : corner + 1; }
+constexpr std::uint32_t before(std::uint32_t corner) { return corner == 0 ? 2 : corner - 1; }
 
 /// Twice the area: positive when counter-clockwise.
 inline double twiceArea(const glm::dvec2& a, const glm::dvec2& b, const glm::dvec2& c) {

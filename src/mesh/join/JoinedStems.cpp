@@ -5,6 +5,7 @@
 #include "stem/TubeLids.h"
 #include "stromar/util/Parallel.h"
 #include <algorithm>
+#include <array>
 #include <glm/geometric.hpp>
 #include <numeric>
 #include <unordered_map>
@@ -12,7 +13,7 @@
 namespace stromar {
 
 namespace {
-constexpr std::size_t kTubeGrain = 16;
+constexpr std::size_t kTubeGrain = 4;
 
 /// The tubes of one generation that bear branches with collars, and these.
 struct Bearers {
@@ -66,8 +67,9 @@ public:
             vertices += own.vertices.size();
             indices += own.triangles.size();
         }
-        m_out = allocateMesh(m_mesh.name, m_mesh.surface, vertices, indices);
-        m_sources.reserve(vertices);
+        m_out = allocateMesh(m_mesh.name, m_mesh.surface, 0, 0);
+        reserve(vertices + vertices / kWoodSlack, indices + indices / kWoodSlack);
+        m_out->indices.resize(indices);
         copyKept();
         for (const JoinedWalls& own : m_open.walls) append(own);
         turnNormals(progress);
@@ -117,6 +119,7 @@ private:
     }
 
     VertexSource sourceOf(std::uint32_t v) const {
+        if (m_common.empty()) return {m_generation, v};
         const auto common = m_common.find(v);
         return common == m_common.end() ? VertexSource{m_generation, v} : VertexSource{m_generation - 1, common->second};
     }
@@ -133,10 +136,35 @@ private:
             if (used[v]) m_place[v] = m_kept++;
     }
 
+    void reserve(std::size_t vertices, std::size_t indices) {
+        m_out->indices.reserve(indices);
+        m_out->positions.reserve(vertices);
+        m_out->normals.reserve(vertices);
+        m_out->texCoords.reserve(vertices);
+        m_out->looks.reserve(vertices);
+        m_sources.reserve(vertices);
+    }
+
     void copyKept() {
-        for (std::uint32_t v = 0; v < m_mesh.vertexCount(); ++v)
-            if (m_place[v] != kNone)
-                add({sourceOf(v), m_mesh.positions[v], m_mesh.normals[v], m_mesh.texCoords[v], m_mesh.looks[v]});
+        const auto isKept = [](std::uint32_t place) { return place != kNone; };
+        for (auto end = m_place.begin(), first = std::find_if(end, m_place.end(), isKept); first != m_place.end();
+             first = std::find_if(end, m_place.end(), isKept)) {
+            end = std::find(first, m_place.end(), kNone);
+            copyVertices(first - m_place.begin(), end - m_place.begin());
+        }
+        copyTriangles();
+    }
+
+    void copyVertices(std::ptrdiff_t first, std::ptrdiff_t end) {
+        const auto copy = [&](const auto& from, auto& to) { to.insert(to.end(), from.begin() + first, from.begin() + end); };
+        copy(m_mesh.positions, m_out->positions);
+        copy(m_mesh.normals, m_out->normals);
+        copy(m_mesh.texCoords, m_out->texCoords);
+        copy(m_mesh.looks, m_out->looks);
+        for (auto v = static_cast<std::uint32_t>(first); v < static_cast<std::uint32_t>(end); ++v) m_sources.push_back(sourceOf(v));
+    }
+
+    void copyTriangles() {
         std::size_t i = 0;
         const auto copyTo = [&](std::size_t end) {
             for (; i < end; i += 3) {
@@ -166,11 +194,10 @@ private:
     }
 
     void add(const JoinedWalls::Vertex& vertex) {
-        const std::size_t v = m_sources.size();
-        m_out->positions[v] = vertex.position;
-        m_out->normals[v] = vertex.normal;
-        m_out->texCoords[v] = vertex.texCoord;
-        m_out->looks[v] = vertex.look;
+        m_out->positions.push_back(vertex.position);
+        m_out->normals.push_back(vertex.normal);
+        m_out->texCoords.push_back(vertex.texCoord);
+        m_out->looks.push_back(vertex.look);
         m_sources.push_back(vertex.source);
     }
 
@@ -268,17 +295,24 @@ private:
     std::vector<VertexSource> m_sources;
 };
 
-OpenWalls joinGeneration(const CTree& tree, std::size_t g, std::span<const StemMesh> stems, const CProgress& progress) {
-    Bearers bearers = bearersOf(stems, g);
-    std::vector<JoinedWalls> walls(bearers.tubes.size());
+/// By generation.
+std::vector<OpenWalls> openWallsOf(const CTree& tree, std::span<const StemMesh> stems, const CProgress& progress) {
+    std::vector<Bearers> bearers;
+    std::vector<OpenWalls> open;
+    std::vector<std::array<std::size_t, 2>> all; // generation and which of its bearers
+    for (std::size_t g = 0; g < stems.size(); ++g) {
+        bearers.push_back(bearersOf(stems, g));
+        open.push_back({bearers[g].tubes, std::vector<JoinedWalls>(bearers[g].tubes.size())});
+        for (std::size_t i = 0; i < bearers[g].tubes.size(); ++i) all.push_back({g, i});
+    }
     parallelFor(
-        walls.size(), kTubeGrain,
+        all.size(), kTubeGrain,
         [&](std::size_t begin, std::size_t end) {
-            for (std::size_t i = begin; i < end; ++i)
-                walls[i] = joinWalls(tree, g, stems, stems[g].plan.tubes[bearers.tubes[i]], bearers.branches[i], progress);
+            for (const auto& [g, i] : std::span(all).subspan(begin, end - begin))
+                open[g].walls[i] = joinWalls(tree, g, stems, stems[g].plan.tubes[bearers[g].tubes[i]], bearers[g].branches[i], progress);
         },
         progress);
-    return {std::move(bearers.tubes), std::move(walls)};
+    return open;
 }
 
 /// By generation and tube.
@@ -327,8 +361,7 @@ std::vector<BranchTube> apartOf(const CTree& tree, std::span<const StemMesh> ste
 
 JoinedStems joinStems(const CTree& tree, std::span<const StemMesh> stems, const CProgress& progress) {
     Wood wood{std::vector<std::shared_ptr<CMesh>>(stems.size()), std::vector<std::vector<VertexSource>>(stems.size())};
-    std::vector<OpenWalls> open(stems.size());
-    for (std::size_t g = 0; g < stems.size(); ++g) open[g] = joinGeneration(tree, g, stems, progress);
+    const std::vector<OpenWalls> open = openWallsOf(tree, stems, progress);
     const auto standsInHole = standingInHoles(stems, open);
     parallelFor(
         stems.size(), 1,

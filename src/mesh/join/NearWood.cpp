@@ -3,49 +3,25 @@
 #include "stromar/util/DisjointSets.h"
 #include "stromar/util/Parallel.h"
 #include <algorithm>
+#include <functional>
 #include <map>
+#include <mutex>
 #include <numeric>
 #include <unordered_map>
+#include <utility>
 
 namespace stromar {
 
 namespace {
 constexpr std::size_t kBlockTriangles = 64, kBlockGrain = 512;
 
-/// Triangles that follow one another in a mesh, most of them of one stem.
-struct Block {
-    std::uint32_t generation;
-    std::size_t first, end; ///< indices
-    Bounds around;
-};
-
-std::vector<Block> blocksOf(const Wood& wood, const CProgress& progress) {
-    std::vector<Block> blocks;
-    for (std::uint32_t g = 0; g < wood.meshes.size(); ++g)
-        for (std::size_t first = 0, end = 0; first < wood.meshes[g]->indices.size(); first = end) {
-            end = std::min(first + 3 * kBlockTriangles, wood.meshes[g]->indices.size());
-            blocks.push_back({g, first, end, kNowhere});
-        }
-    parallelFor(
-        blocks.size(), kBlockGrain,
-        [&](std::size_t begin, std::size_t end) {
-            for (Block& own : std::span(blocks).subspan(begin, end - begin)) {
-                const CMesh& mesh = *wood.meshes[own.generation];
-                for (std::size_t i = own.first; i < own.end; ++i) include(own.around, mesh.positions[mesh.indices[i]]);
-            }
-        },
-        progress);
-    return blocks;
-}
-
 /// Calls work(triangle, its bounds) for those that may touch anything in a tree.
-template <typename Do> void forEachTriangleNear(const CBoundsTree& tree, const std::vector<Block>& blocks, const Wood& wood, const CProgress& progress, Do&& work) {
-    for (std::size_t b = 0; b < blocks.size(); ++b) {
-        if (b % kBlockGrain == 0) progress.poll();
-        const Block& own = blocks[b];
+template <typename Do> void forEachTriangleNear(const CBoundsTree& tree, std::span<const WoodBlock> blocks, const Wood& wood, Do&& work) {
+    for (const WoodBlock& own : blocks) {
         if (!tree.touches(own.around)) continue;
         const CMesh& mesh = *wood.meshes[own.generation];
         for (std::size_t i = own.first; i < own.end; i += 3) {
+            if (mesh.indices[i] == kGone) continue;
             Bounds bounds = kNowhere;
             for (std::size_t c = 0; c < 3; ++c) include(bounds, mesh.positions[mesh.indices[i + c]]);
             work(WoodPlace::Source{own.generation, i}, bounds);
@@ -59,15 +35,25 @@ CBoundsTree treeOf(const std::vector<CTubeLines>& lines, const std::vector<std::
     return CBoundsTree(std::move(bounds));
 }
 
-std::vector<std::uint32_t> chosenOf(const std::vector<CTubeLines>& lines, const std::vector<Block>& blocks, const Wood& wood, std::size_t most,
+std::vector<std::uint32_t> chosenOf(const std::vector<CTubeLines>& lines, std::span<const WoodBlock> blocks, const Wood& wood, std::size_t most,
                                     const CProgress& progress) {
     std::vector<std::uint32_t> all(lines.size()), chosen;
     std::iota(all.begin(), all.end(), 0u);
-    CBoundsTree tree = treeOf(lines, all);
+    const CBoundsTree around = treeOf(lines, all);
     std::vector<std::size_t> near(lines.size());
-    forEachTriangleNear(tree, blocks, wood, progress, [&](const WoodPlace::Source&, const Bounds& bounds) {
-        tree.forEachTouching(bounds, [&](std::uint32_t t) { return ++near[t] <= most; });
-    });
+    std::mutex mutex;
+    parallelFor(
+        blocks.size(), kBlockGrain,
+        [&](std::size_t begin, std::size_t end) {
+            CBoundsTree tree = around;
+            std::vector<std::size_t> own(lines.size());
+            forEachTriangleNear(tree, blocks.subspan(begin, end - begin), wood, [&](const WoodPlace::Source&, const Bounds& bounds) {
+                tree.forEachTouching(bounds, [&](std::uint32_t t) { return ++own[t] <= most; });
+            });
+            const std::lock_guard lock(mutex);
+            std::ranges::transform(near, own, near.begin(), std::plus());
+        },
+        progress);
     std::ranges::stable_sort(all, {}, [&](std::uint32_t t) { return near[t]; });
     std::size_t sum = 0;
     for (const std::uint32_t t : all)
@@ -75,28 +61,78 @@ std::vector<std::uint32_t> chosenOf(const std::vector<CTubeLines>& lines, const 
     std::ranges::sort(chosen);
     return chosen;
 }
+
+/// Triangles of some blocks that touch tubes.
+struct Touching {
+    struct Triangle {
+        WoodPlace::Source source;
+        std::size_t end; ///< of its tubes
+    };
+    std::vector<Triangle> triangles;
+    std::vector<std::uint32_t> tubes; ///< of each triangle in turn
+};
+
+/// By block, in runs of kBlockGrain.
+std::vector<Touching> touchingOf(const CBoundsTree& around, std::span<const WoodBlock> blocks, const Wood& wood, const CProgress& progress) {
+    std::vector<Touching> all((blocks.size() + kBlockGrain - 1) / kBlockGrain);
+    parallelFor(
+        blocks.size(), kBlockGrain,
+        [&](std::size_t begin, std::size_t end) {
+            CBoundsTree tree = around;
+            Touching& own = all[begin / kBlockGrain];
+            forEachTriangleNear(tree, blocks.subspan(begin, end - begin), wood, [&](const WoodPlace::Source& triangle, const Bounds& bounds) {
+                const std::size_t first = own.tubes.size();
+                tree.forEachTouching(bounds, [&](std::uint32_t tube) {
+                    own.tubes.push_back(tube);
+                    return true;
+                });
+                if (own.tubes.size() > first) own.triangles.push_back({triangle, own.tubes.size()});
+            });
+        },
+        progress);
+    return all;
+}
+
+/// work(triangle, its tubes) for each.
+template <typename Do> void forEachTouching(const std::vector<Touching>& all, Do&& work) {
+    for (const Touching& own : all) {
+        std::size_t first = 0;
+        for (const auto& [source, end] : own.triangles) {
+            work(source, std::span(own.tubes).subspan(first, end - first));
+            first = end;
+        }
+    }
+}
 } // namespace
 
-std::vector<WoodPlace> placesOf(const std::vector<CTubeLines>& lines, const Wood& wood, std::size_t most, const CProgress& progress) {
-    const std::vector<Block> blocks = blocksOf(wood, progress);
+void CWoodBlocks::update(const Wood& wood, const CProgress& progress) {
+    m_ends.resize(wood.meshes.size());
+    std::vector<WoodBlock> added;
+    for (std::uint32_t g = 0; g < wood.meshes.size(); ++g)
+        for (const std::size_t count = wood.meshes[g]->indices.size(); m_ends[g] < count;) {
+            const std::size_t end = std::min(m_ends[g] + 3 * kBlockTriangles, count);
+            added.push_back({g, std::exchange(m_ends[g], end), end, kNowhere});
+        }
+    parallelFor(
+        added.size(), kBlockGrain,
+        [&](std::size_t begin, std::size_t end) {
+            for (WoodBlock& own : std::span(added).subspan(begin, end - begin)) {
+                const CMesh& mesh = *wood.meshes[own.generation];
+                for (std::size_t i = own.first; i < own.end; ++i) include(own.around, mesh.positions[mesh.indices[i]]);
+            }
+        },
+        progress);
+    m_all.insert(m_all.end(), added.begin(), added.end());
+    std::ranges::sort(m_all, {}, [](const WoodBlock& own) { return std::pair(own.generation, own.first); });
+}
+
+std::vector<WoodPlace> placesOf(const std::vector<CTubeLines>& lines, std::span<const WoodBlock> blocks, const Wood& wood, std::size_t most,
+                                const CProgress& progress) {
     const std::vector<std::uint32_t> chosen = chosenOf(lines, blocks, wood, most, progress);
-    CBoundsTree tree = treeOf(lines, chosen);
+    const std::vector<Touching> touching = touchingOf(treeOf(lines, chosen), blocks, wood, progress);
     CDisjointSets together(chosen.size());
-    struct Near {
-        WoodPlace::Source triangle;
-        std::size_t first, end; // in `tubes`
-    };
-    std::vector<Near> near;
-    std::vector<std::uint32_t> tubes;
-    forEachTriangleNear(tree, blocks, wood, progress, [&](const WoodPlace::Source& triangle, const Bounds& bounds) {
-        const std::size_t first = tubes.size();
-        tree.forEachTouching(bounds, [&](std::uint32_t tube) {
-            tubes.push_back(tube);
-            return true;
-        });
-        if (tubes.size() == first) return;
-        near.push_back({triangle, first, tubes.size()});
-        for (std::size_t k = first + 1; k < tubes.size(); ++k) together.join(tubes[first], tubes[k]);
+    forEachTouching(touching, [&](const WoodPlace::Source&, std::span<const std::uint32_t> tubes) {
+        for (const std::uint32_t tube : tubes.subspan(1)) together.join(tubes[0], tube);
     });
     std::vector<WoodPlace> places(chosen.size());
     std::vector<std::size_t> within(chosen.size()); // its place's tubes: which it is
@@ -106,11 +142,11 @@ std::vector<WoodPlace> placesOf(const std::vector<CTubeLines>& lines, const Wood
         own.tubes.push_back(chosen[t]);
         own.near.emplace_back();
     }
-    for (const Near& own : near) {
-        WoodPlace& place = places[together.of(tubes[own.first])];
-        for (std::size_t k = own.first; k < own.end; ++k) place.near[within[tubes[k]]].push_back(static_cast<std::uint32_t>(place.triangles.size()));
-        place.triangles.push_back(own.triangle);
-    }
+    forEachTouching(touching, [&](const WoodPlace::Source& triangle, std::span<const std::uint32_t> tubes) {
+        WoodPlace& place = places[together.of(tubes[0])];
+        for (const std::uint32_t tube : tubes) place.near[within[tube]].push_back(static_cast<std::uint32_t>(place.triangles.size()));
+        place.triangles.push_back(triangle);
+    });
     std::erase_if(places, [](const WoodPlace& place) { return place.tubes.empty(); });
     return places;
 }

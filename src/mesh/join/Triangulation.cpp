@@ -85,29 +85,27 @@ CTriangulation::Edge CTriangulation::twin(const Edge& edge) const {
 }
 
 /// What has to be added to places of the triangle beyond.
-glm::dvec2 CTriangulation::shiftTo(const Edge& edge) const {
-    const Edge other = twin(edge);
-    const double turns = m_triangles[edge.triangle].at[edge.corner].x - m_triangles[other.triangle].at[after(other.corner)].x;
-    return {std::round(turns), 0};
+glm::dvec2 CTriangulation::shiftTo(const Edge& edge, const Edge& twin) const {
+    const double turns = m_triangles[edge.triangle].at[edge.corner].x - m_triangles[twin.triangle].at[after(twin.corner)].x;
+    return {std::abs(turns) < 0.5 ? 0 : std::round(turns), 0}; // as nearly all are: rounding takes long
 }
 
 /// The corners of two neighbours, counter-clockwise, from the edge's start by the far one and its end to the near one.
-std::array<glm::dvec2, 4> CTriangulation::quad(const Edge& edge) const {
+std::array<glm::dvec2, 4> CTriangulation::quad(const Edge& edge, const Edge& twin) const {
     const Triangle& own = m_triangles[edge.triangle];
-    const Edge other = twin(edge);
-    const glm::dvec2 far = m_triangles[other.triangle].at[before(other.corner)] + shiftTo(edge);
+    const glm::dvec2 far = m_triangles[twin.triangle].at[before(twin.corner)] + shiftTo(edge, twin);
     return {own.at[edge.corner], far, own.at[after(edge.corner)], own.at[before(edge.corner)]};
 }
 
-bool CTriangulation::isConvex(const Edge& edge) const {
-    const auto [a, far, b, near] = quad(edge);
+bool CTriangulation::isConvex(const Edge& edge, const Edge& twin) const {
+    const auto [a, far, b, near] = quad(edge, twin);
     return sideOf(a, far, near) > 0 && sideOf(far, b, near) > 0;
 }
 
 void CTriangulation::flip(const Edge& edge) {
     const Edge other = twin(edge);
-    const glm::dvec2 shift = shiftTo(edge);
-    const auto [a, far, b, near] = quad(edge);
+    const glm::dvec2 shift = shiftTo(edge, other);
+    const auto [a, far, b, near] = quad(edge, other);
     const Index t = edge.triangle, n = other.triangle;
     const Triangle own = m_triangles[t], beyond = m_triangles[n];
     const std::uint32_t i = edge.corner, j = other.corner;
@@ -174,8 +172,7 @@ bool CTriangulation::insert(const LoopPoint& point) {
         if (out < 3) {
             const Index next = here.next[out];
             if (next == kNone) return false;
-            const glm::dvec2 shift = shiftTo({t, out});
-            at -= shift;
+            at -= shiftTo({t, out}, twin({t, out}));
             t = next;
             continue;
         }
@@ -244,10 +241,11 @@ bool CTriangulation::flipTowards(Edge crossed, const glm::dvec2& way) {
         const Triangle& own = m_triangles[crossed.triangle];
         const Index next = own.next[crossed.corner];
         if (own.fixed[crossed.corner] || next == kNone || own.removed || m_triangles[next].removed) return false;
-        const auto [right, far, left, near] = quad(crossed);
+        const Edge other = twin(crossed);
+        const auto [right, far, left, near] = quad(crossed, other);
         const int side = sideOf(start, start + way, far);
         if (side == 0 && glm::distance(far, start + way) > kOnEdge * glm::length(way)) return false; // a vertex stands on the way
-        if (isConvex(crossed)) {
+        if (isConvex(crossed, other)) {
             if (step == 0 || side == 0 || side == sideOf(start, start + way, near)) {
                 flip(crossed);
                 return true;
@@ -255,8 +253,7 @@ bool CTriangulation::flipTowards(Edge crossed, const glm::dvec2& way) {
             if (!convex) convex = crossed;
         }
         if (side == 0) break;
-        const Edge other = twin(crossed);
-        start -= shiftTo(crossed);
+        start -= shiftTo(crossed, other);
         crossed = {other.triangle, side > 0 ? after(other.corner) : before(other.corner)};
     }
     if (convex) flip(*convex);
@@ -325,6 +322,7 @@ bool isLoop(const std::vector<glm::dvec2>& ways) {
 /// From each point of a loop to the next: the shorter way around, or, where both are about half a turn, the one that makes a loop.
 std::optional<std::vector<glm::dvec2>> waysAlong(std::span<const CTriangulation::LoopPoint> loop) {
     std::vector<glm::dvec2> ways;
+    ways.reserve(loop.size());
     std::vector<std::size_t> unsure;
     for (std::size_t i = 0; i < loop.size(); ++i) {
         glm::dvec2 way = loop[(i + 1) % loop.size()].at - loop[i].at;
@@ -332,6 +330,7 @@ std::optional<std::vector<glm::dvec2>> waysAlong(std::span<const CTriangulation:
         if (std::abs(way.x) > kAboutHalf && unsure.size() < kMaxUnsure) unsure.push_back(i);
         ways.push_back(way);
     }
+    if (unsure.empty()) return isLoop(ways) ? std::optional(std::move(ways)) : std::nullopt;
     for (std::size_t choice = 0; choice < std::size_t{1} << unsure.size(); ++choice) {
         std::vector<glm::dvec2> chosen = ways;
         for (std::size_t bit = 0; bit < unsure.size(); ++bit)
@@ -362,12 +361,12 @@ bool CTriangulation::cutOut(std::span<const LoopPoint> loop) {
 /// Whether the edge is better as it is, seen from either side.
 bool CTriangulation::isSettled(const Edge& edge, const BetterFlipped& better) {
     Triangle& own = m_triangles[edge.triangle];
-    if (own.settled[edge.corner]) return true;
     const Edge other = twin(edge);
     Triangle& beyond = m_triangles[other.triangle];
     const std::uint32_t c = edge.corner;
-    const bool flips = isConvex(edge) && better({own.vertices[c], own.vertices[after(c)], own.vertices[before(c)],
-                                                 beyond.vertices[before(other.corner)]});
+    const bool flips = isConvex(edge, other) && better({own.vertices[c], own.vertices[after(c)], own.vertices[before(c)],
+                                                        beyond.vertices[before(other.corner)]},
+                                                       {edge.triangle, other.triangle});
     own.settled[c] = beyond.settled[other.corner] = !flips;
     return !flips;
 }
@@ -380,7 +379,7 @@ void CTriangulation::improve(const BetterFlipped& better) {
             for (std::uint32_t c = 0; c < 3; ++c) {
                 const Triangle& own = m_triangles[t];
                 const Index next = own.next[c];
-                if (own.fixed[c] || next == kNone || m_triangles[next].removed || isSettled({t, c}, better)) continue;
+                if (own.settled[c] || own.fixed[c] || next == kNone || m_triangles[next].removed || isSettled({t, c}, better)) continue;
                 const Edge other = twin({t, c});
                 if (areConnected(own.vertices[before(c)], m_triangles[next].vertices[before(other.corner)])) continue;
                 flip({t, c});
@@ -396,8 +395,9 @@ bool CTriangulation::turnAway(Index triangle, Index from, Index to) {
     for (std::uint32_t c = 0; c < 3; ++c) {
         if (own.vertices[c] != from || own.vertices[after(c)] != to) continue;
         const Index next = own.next[c];
-        if (own.removed || own.fixed[c] || next == kNone || m_triangles[next].removed || !isConvex({triangle, c})) return false;
+        if (own.removed || own.fixed[c] || next == kNone || m_triangles[next].removed) return false;
         const Edge other = twin({triangle, c});
+        if (!isConvex({triangle, c}, other)) return false;
         if (areConnected(own.vertices[before(c)], m_triangles[next].vertices[before(other.corner)])) return false;
         flip({triangle, c});
         return true;

@@ -34,7 +34,7 @@ public:
         glm::dvec2 at;
     };
     /// Whether to turn the edge between two triangles: corners 0 and 1 are its ends, 2 and 3 opposite, in the first and the second.
-    using BetterFlipped = std::function<bool(const std::array<Index, 4>&)>;
+    using BetterFlipped = std::function<bool(const std::array<Index, 4>& corners, const std::array<Index, 2>& triangles)>;
 
     /// Vertices are counted from 0. Linear in the triangles.
     CTriangulation(std::vector<Triangle> triangles, Index vertexCount);
@@ -67,10 +67,10 @@ private:
     bool removeInside(Index first, Index second, const glm::dvec2& way);
     std::span<const Edge> around(Index vertex);
     void split(Index triangle, Index vertex, const glm::dvec2& at);
-    glm::dvec2 shiftTo(const Edge& edge) const;
     Edge twin(const Edge& edge) const;
-    std::array<glm::dvec2, 4> quad(const Edge& edge) const;
-    bool isConvex(const Edge& edge) const;
+    glm::dvec2 shiftTo(const Edge& edge, const Edge& twin) const;
+    std::array<glm::dvec2, 4> quad(const Edge& edge, const Edge& twin) const;
+    bool isConvex(const Edge& edge, const Edge& twin) const;
     bool isSettled(const Edge& edge, const BetterFlipped& better);
     void flip(const Edge& edge);
     void link(Index triangle, Index old, Index now);

@@ -1,4 +1,5 @@
 #include "join/TubeJoiner.h"
+#include "join/Corners.h"
 #include "join/Triangulation.h"
 #include "stem/TubeWalls.h"
 #include <algorithm>
@@ -12,6 +13,7 @@ namespace stromar {
 namespace {
 constexpr int kMaxTries = 16;         // without branches that could not be cut out, each time fewer
 constexpr int kSeparatePasses = 4;    // until no edge is doubled
+constexpr double kNarrow = 0.49;      // turns: edges of the same vertices, on either side of a stem, are not both shorter
 constexpr double kLeastAround = 1e-6; // repeats of the bark: to unroll it by
 constexpr double kGood = 0.3;         // quality of a triangle: not flipped
 constexpr double kFlat = 0.02;        // sine of a bend that is none
@@ -57,17 +59,15 @@ public:
     JoinedWalls join(const std::vector<BranchTube>& branches, const CProgress& progress) {
         unrollVertices();
         if (m_around < kLeastAround) return std::move(m_walls);
-        const CTriangulation walls(unrolledTriangles(), m_tube.vertices);
         std::vector<BranchTube> left = branches;
         bool all = false;
         for (int tries = 0; !all && !left.empty() && tries < kMaxTries; ++tries) { // what was added for one that failed must not stay
             progress.poll();
-            CTriangulation surface = walls;
+            CTriangulation surface(unrolledTriangles(left), m_tube.vertices);
             all = cutOut(left, surface);
             if (!all) continue;
-            surface.improve([&](const auto& corners) { return isBetterFlipped(corners); });
-            separate(surface);
-            all = leaveTangled(surface, left, tries < kMaxTries / 2);
+            improve(surface);
+            all = leaveTangled(separate(surface), left, tries < kMaxTries / 2);
             if (all) write(surface);
         }
         if (all) m_walls.joined = left;
@@ -140,9 +140,12 @@ private:
                 if (position(v) == position(w)) stand(v, m_own[w]);
     }
 
-    std::vector<Triangle> unrolledTriangles() const {
+    /// With room for those that branches part.
+    std::vector<Triangle> unrolledTriangles(const std::vector<BranchTube>& branches) const {
+        std::size_t more = m_tube.pointed ? m_plan.ringsOf(m_tube)[m_tube.ringCount - 2].points : 0;
+        for (const BranchTube& own : branches) more += 2 * std::size_t{m_stems[own.generation].plan.tubes[own.tube].points};
         std::vector<Triangle> triangles;
-        triangles.reserve((m_wallsEnd - m_tube.firstIndex) / 3);
+        triangles.reserve((m_wallsEnd - m_tube.firstIndex) / 3 + more);
         for (std::size_t i = m_tube.firstIndex; i < m_wallsEnd; i += 3) {
             Triangle& own = triangles.emplace_back();
             for (std::size_t c = 0; c < 3; ++c) {
@@ -166,6 +169,7 @@ private:
     }
 
     bool isTip(CTriangulation::Index vertex) const { return m_tube.pointed && vertex >= m_firstTip && vertex < m_tube.vertices; }
+    std::ptrdiff_t tipsOf(const Triangle& triangle) const { return std::ranges::count_if(triangle.vertices, [&](auto v) { return isTip(v); }); }
 
     /// Leaves those that can be; false when others cannot.
     bool cutOut(std::vector<BranchTube>& branches, CTriangulation& surface) {
@@ -176,30 +180,39 @@ private:
     bool cutOut(const BranchTube& branch, CTriangulation& surface) {
         const StemMesh& bearing = m_stems[branch.generation];
         const Tube& tube = bearing.plan.tubes[branch.tube];
-        std::vector<CTriangulation::LoopPoint> loop;
+        m_loop.clear();
         for (std::uint32_t i = 0; i < tube.points; ++i) {
             const SurfacePoint& point = bearing.plan.collarPoints[tube.firstCollarPoint + i];
             const auto triangle = static_cast<CTriangulation::Index>((point.triangle - m_tube.firstIndex) / 3);
-            loop.push_back({triangle, placeOf(point)});
-            m_added.push_back({vertexAt(point, {branch.generation, tube.firstVertex + i}), loop.back().at.x, branch});
+            const glm::dvec3 shares = sharesAt(point);
+            m_loop.push_back({triangle, placeOf(point, shares)});
+            m_added.push_back({vertexAt(point, shares, {branch.generation, tube.firstVertex + i}), m_loop.back().at.x, branch});
         }
-        const bool cut = surface.cutOut(loop);
+        const bool cut = surface.cutOut(m_loop);
         m_added.resize(surface.vertexCount() - m_tube.vertices); // fewer when one could not be added
         return cut;
     }
 
-    /// On a thin stem two edges may join the same vertices, one on either side: flips those that may be.
-    void separate(CTriangulation& surface) const {
-        for (int pass = 0; pass < kSeparatePasses; ++pass) {
+    /// Of a triangle.
+    struct Side {
+        CTriangulation::Index from, to, opposite;
+        CTriangulation::Index triangle;
+    };
+
+    /// On a thin stem two edges may join the same vertices, one on either side: flips those that may be; what is left.
+    std::vector<Side> separate(CTriangulation& surface) const {
+        std::vector<Side> doubled = doubledSides(surface);
+        for (int pass = 0; !doubled.empty() && pass < kSeparatePasses; ++pass) {
             bool turned = false;
-            for (const Side& side : doubledSides(surface)) turned |= surface.turnAway(side.triangle, side.from, side.to);
-            if (!turned) return;
+            for (const Side& side : doubled) turned |= surface.turnAway(side.triangle, side.from, side.to);
+            if (!turned) break;
+            doubled = doubledSides(surface);
         }
+        return doubled;
     }
 
     /// False when branches had to be left out for edges that join the same vertices: all that are at these, or only `one`.
-    bool leaveTangled(const CTriangulation& surface, std::vector<BranchTube>& branches, bool one) const {
-        const std::vector<Side> doubled = doubledSides(surface);
+    bool leaveTangled(const std::vector<Side>& doubled, std::vector<BranchTube>& branches, bool one) const {
         if (doubled.empty()) return true;
         std::vector<BranchTube> tangled; // first those at the ends of such edges
         const auto add = [&](CTriangulation::Index v) {
@@ -213,28 +226,33 @@ private:
         return false;
     }
 
-    /// Of a triangle.
-    struct Side {
-        CTriangulation::Index from, to, opposite;
-        CTriangulation::Index triangle;
-    };
-    /// Those that another triangle has the same way round, where walls were changed.
+    /// Those that another triangle has the same way round, where walls were changed: one of the two leads half around the stem or
+    /// more, or to the tip.
     std::vector<Side> doubledSides(const CTriangulation& surface) const {
+        constexpr std::uint8_t kChanged = 1, kWide = 2;
         const auto standIn = [&](std::uint32_t corner) { return isTip(corner) ? m_firstTip : corner; };
-        std::vector<std::uint8_t> near(surface.vertexCount()); // what was changed
+        std::vector<std::uint8_t> marks(surface.vertexCount());
+        for (const Triangle& triangle : surface.triangles()) {
+            if (!triangle.changed) continue;
+            for (const std::uint32_t corner : triangle.vertices) marks[standIn(corner)] |= kChanged;
+        }
         for (const Triangle& triangle : surface.triangles())
-            if (triangle.changed)
-                for (const std::uint32_t corner : triangle.vertices) near[standIn(corner)] = true;
+            for (std::uint32_t c = 0; c < 3; ++c) {
+                const std::uint32_t from = triangle.vertices[c], to = triangle.vertices[after(c)];
+                if (std::abs(triangle.at[c].x - triangle.at[after(c)].x) < kNarrow && !isTip(from) && !isTip(to)) continue;
+                marks[standIn(from)] |= kWide;
+                marks[standIn(to)] |= kWide;
+            }
         std::vector<Side> doubled;
         CChains<Side> sides(surface.vertexCount());
         for (std::size_t t = 0; t < surface.triangles().size(); ++t) {
             const Triangle& triangle = surface.triangles()[t];
+            if (triangle.removed || tipsOf(triangle) > 1) continue;
             std::array<std::uint32_t, 3> v = triangle.vertices;
-            if (triangle.removed || std::ranges::count_if(v, [&](auto corner) { return isTip(corner); }) > 1) continue;
             for (std::uint32_t& corner : v) corner = standIn(corner);
-            for (std::size_t c = 0; c < 3; ++c) {
-                const Side side{v[c], v[(c + 1) % 3], v[(c + 2) % 3], static_cast<CTriangulation::Index>(t)};
-                if (!near[side.from] || !near[side.to]) continue;
+            for (std::uint32_t c = 0; c < 3; ++c) {
+                const Side side{v[c], v[after(c)], v[before(c)], static_cast<CTriangulation::Index>(t)};
+                if ((marks[side.from] & marks[side.to]) != (kChanged | kWide)) continue;
                 if (const Side* other = sides.find(side.from, [&](const Side& known) { return known.to == side.to; })) doubled.insert(doubled.end(), {*other, side});
                 sides.add(side.from, side);
             }
@@ -249,15 +267,13 @@ private:
     }
 
     /// Of a point on a triangle, unrolled as that was at the start.
-    glm::dvec2 placeOf(const SurfacePoint& point) const {
-        const glm::dvec3 shares = sharesAt(point);
+    glm::dvec2 placeOf(const SurfacePoint& point, const glm::dvec3& shares) const {
         const auto at = [&](std::size_t c) { return m_at[m_mesh.indices[point.triangle + c] - m_tube.firstVertex]; };
         return shares.x * at(0) + shares.y * at(1) + shares.z * at(2);
     }
 
     /// Where a collar stands the wall is as dark as that, else as the triangle.
-    JoinedWalls::Vertex vertexAt(const SurfacePoint& point, const VertexSource& source) const {
-        const glm::vec3 shares(sharesAt(point));
+    JoinedWalls::Vertex vertexAt(const SurfacePoint& point, const glm::vec3& shares, const VertexSource& source) const {
         const auto corner = [&](std::size_t c) { return m_mesh.indices[point.triangle + c]; };
         const glm::vec2 at = shares.x * m_mesh.texCoords[corner(0)] + shares.y * m_mesh.texCoords[corner(1)] +
                              shares.z * m_mesh.texCoords[corner(2)];
@@ -266,40 +282,58 @@ private:
         return {source, branches.positions[source.vertex], glm::vec3(point.normal), at, look};
     }
 
-    glm::dvec3 placeOf(CTriangulation::Index vertex) const {
-        return glm::dvec3(vertex < m_tube.vertices ? position(vertex) : addedAt(vertex).vertex.position);
-    }
-    glm::dvec3 normalOf(CTriangulation::Index vertex) const {
-        return glm::dvec3(vertex < m_tube.vertices ? m_mesh.normals[m_tube.firstVertex + vertex] : addedAt(vertex).vertex.normal);
+    /// Of a vertex of the surface.
+    struct Corner {
+        glm::dvec3 place, normal;
+    };
+    /// Of a triangle with such vertices.
+    struct Face {
+        std::array<CTriangulation::Index, 3> vertices{CTriangulation::kNone, CTriangulation::kNone, CTriangulation::kNone};
+        glm::dvec3 across; ///< twice its area long
+        double twice;      ///< its area
+        double quality;    ///< 1 when equilateral, towards 0 when thin, negative when it faces inwards
+    };
+
+    void improve(CTriangulation& surface) {
+        m_corners.clear();
+        m_corners.reserve(surface.vertexCount());
+        for (std::uint32_t v = m_tube.firstVertex; v < m_tube.firstVertex + m_tube.vertices; ++v) m_corners.push_back({m_mesh.positions[v], m_mesh.normals[v]});
+        for (const Added& own : m_added) m_corners.push_back({own.vertex.position, own.vertex.normal});
+        m_faces.assign(surface.triangles().size(), {});
+        surface.improve([&](const auto& corners, const auto& triangles) {
+            return isBetterFlipped(corners, knownFace(surface, triangles[0]), knownFace(surface, triangles[1]));
+        });
     }
 
-    /// Of a triangle: 1 when equilateral, towards 0 when thin, negative when it faces inwards.
-    double qualityOf(CTriangulation::Index a, CTriangulation::Index b, CTriangulation::Index c) const {
-        const glm::dvec3 p = placeOf(a), q = placeOf(b), r = placeOf(c), face = glm::cross(q - p, r - p);
+    const Face& knownFace(const CTriangulation& surface, CTriangulation::Index triangle) {
+        Face& known = m_faces[triangle];
+        const auto &now = surface.triangles()[triangle].vertices, &then = known.vertices;
+        if (now[0] != then[0] || now[1] != then[1] || now[2] != then[2]) known = faceOf(now);
+        return known;
+    }
+
+    Face faceOf(const std::array<CTriangulation::Index, 3>& vertices) const {
+        const Corner &p = m_corners[vertices[0]], &q = m_corners[vertices[1]], &r = m_corners[vertices[2]];
         const auto squared = [](const glm::dvec3& way) { return glm::dot(way, way); };
-        const double sides = squared(q - p) + squared(r - q) + squared(p - r), twice = glm::length(face);
-        if (!(twice > 0)) return 0;
-        const double front = std::min({glm::dot(face, normalOf(a)), glm::dot(face, normalOf(b)), glm::dot(face, normalOf(c))});
-        return front > 0 ? 2 * std::sqrt(3.0) * twice / sides : front / twice;
-    }
-
-    /// How far an edge lies in a valley: the sine of the bend there, negative on a ridge.
-    double valleyAt(const std::array<CTriangulation::Index, 4>& corners) const {
-        const glm::dvec3 a = placeOf(corners[0]), b = placeOf(corners[1]), near = placeOf(corners[2]), far = placeOf(corners[3]);
-        const glm::dvec3 one = glm::cross(b - a, near - a), other = glm::cross(far - a, b - a);
-        const double lengths = glm::length(one) * glm::length(other) * glm::length(b - a);
-        return lengths > 0 ? glm::dot(glm::cross(other, one), b - a) / lengths : 0;
+        const glm::dvec3 across = glm::cross(q.place - p.place, r.place - p.place);
+        const double sides = squared(q.place - p.place) + squared(r.place - q.place) + squared(p.place - r.place), twice = glm::length(across);
+        if (!(twice > 0)) return {vertices, across, 0, 0};
+        const double front = std::min({glm::dot(across, p.normal), glm::dot(across, q.normal), glm::dot(across, r.normal)});
+        return {vertices, across, twice, front > 0 ? 2 * std::sqrt(3.0) * twice / sides : front / twice};
     }
 
     /// Wood is round: an edge in a valley is flipped, which brings back the ridges of the walls as they were; between triangles that
     /// lie flat one that makes them thin.
-    bool isBetterFlipped(const std::array<CTriangulation::Index, 4>& corners) const {
+    bool isBetterFlipped(const std::array<CTriangulation::Index, 4>& corners, const Face& one, const Face& other) const {
         const auto [a, b, near, far] = corners;
-        const double now = std::min(qualityOf(a, b, near), qualityOf(b, a, far));
-        const double valley = valleyAt(corners);
-        const bool isRidge = valley < -kFlat, isValley = valley > kFlat;
+        const double now = std::min(one.quality, other.quality);
+        const glm::dvec3 way = m_corners[b].place - m_corners[a].place;
+        const double valley = glm::dot(glm::cross(other.across, one.across), way);
+        if (valley <= 0 && now > kGood) return false; // as nearly all are
+        const double flat = kFlat * one.twice * other.twice * glm::length(way);
+        const bool isRidge = valley < -flat, isValley = valley > flat;
         if (!isValley && now > (isRidge ? 0 : kGood)) return false;
-        const double flipped = std::min(qualityOf(a, far, near), qualityOf(far, b, near));
+        const double flipped = std::min(faceOf({a, far, near}).quality, faceOf({far, b, near}).quality);
         return flipped > (isValley ? std::min(now, 0.0) : isRidge ? 0.0 : kBetter * now);
     }
 
@@ -310,8 +344,7 @@ private:
         for (std::size_t t = 0; t < all.size(); ++t) {
             if (!all[t].changed && !all[t].removed) continue;
             if (t < before) m_walls.replaced.push_back(m_tube.firstIndex + 3 * t);
-            const auto tips = std::ranges::count_if(all[t].vertices, [&](auto v) { return isTip(v); });
-            if (all[t].removed || tips > 1) continue;
+            if (all[t].removed || tipsOf(all[t]) > 1) continue;
             for (std::size_t c = 0; c < 3; ++c) m_walls.triangles.push_back(written(all[t].vertices[c], all[t].at[c].x));
         }
     }
@@ -320,7 +353,7 @@ private:
     std::uint32_t written(CTriangulation::Index vertex, double turns) {
         const bool added = vertex >= m_tube.vertices;
         const double own = added ? addedAt(vertex).turns : m_at[vertex].x;
-        const int further = static_cast<int>(std::lround(turns - own));
+        const int further = std::abs(turns - own) < 0.5 ? 0 : static_cast<int>(std::lround(turns - own));
         if (!added && further == 0) return m_tube.firstVertex + vertex;
         if (const Written* known = m_written.find(vertex, [&](const Written& one) { return one.turns == further; })) return known->index;
         const Written copied{further, static_cast<std::uint32_t>(m_mesh.vertexCount() + m_walls.vertices.size())};
@@ -350,6 +383,9 @@ private:
     std::vector<std::uint32_t> m_own; ///< of the tube's vertices: the one that stands for it
     std::vector<glm::dvec2> m_at;     ///< likewise: unrolled
     std::vector<Added> m_added;
+    std::vector<CTriangulation::LoopPoint> m_loop; ///< of one branch
+    std::vector<Corner> m_corners; ///< by vertex of the surface
+    std::vector<Face> m_faces;     ///< by triangle of the surface: as it was when it was looked at last
     /// A copy of a vertex that is shown so many turns from its place.
     struct Written {
         int turns;

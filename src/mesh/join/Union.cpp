@@ -2,6 +2,7 @@
 #include "join/TubeUnion.h"
 #include "stromar/util/Parallel.h"
 #include <algorithm>
+#include <functional>
 #include <numeric>
 #include <unordered_map>
 #include <utility>
@@ -33,11 +34,11 @@ constexpr Pass kUnionPasses[]{{{6}, UnionBy::Lines, UnionEffort::Smooth, 5'000, 
                               {{6, 4}, UnionBy::Surfaces, UnionEffort::All, 1, 100'000, 200'000, 200'000}, // for the last tube of a tree
                               {{30, 8}, UnionBy::Surfaces, UnionEffort::All, 1, 100'000, 200'000, 200'000}};
 
-constexpr std::size_t kSlack = 50; // arrays have room for one part in so many more, which later passes may fill
-
 using Index = CWoodPatch::Index;
 
+/// Triangles that were taken out, and vertices that none has any more.
 void leaveOutUnused(CMesh& mesh, std::vector<VertexSource>& sources) {
+    std::erase(mesh.indices, kGone);
     std::vector<std::uint32_t> placeOf(mesh.vertexCount());
     for (const std::uint32_t v : mesh.indices) placeOf[v] = 1;
     std::uint32_t count = 0;
@@ -58,15 +59,6 @@ void leaveOutUnused(CMesh& mesh, std::vector<VertexSource>& sources) {
     for (std::uint32_t& v : mesh.indices) v = placeOf[v];
 }
 
-void leaveOut(std::vector<std::size_t> triangles, CMesh& mesh) {
-    std::ranges::sort(triangles);
-    const auto at = [&](std::size_t triangle) { return mesh.indices.begin() + static_cast<std::ptrdiff_t>(3 * triangle); };
-    auto end = at(triangles.front());
-    for (std::size_t i = 0; i < triangles.size(); ++i)
-        end = std::copy(at(triangles[i] + 1), i + 1 < triangles.size() ? at(triangles[i + 1]) : mesh.indices.end(), end);
-    mesh.indices.erase(end, mesh.indices.end());
-}
-
 /// Little more than what patches may add: arrays that grow would be twice as large.
 void reserveFor(std::span<const CWoodPatch> patches, std::uint32_t g, CMesh& mesh, std::vector<VertexSource>& sources) {
     std::size_t vertices = sources.size(), indices = mesh.indices.size();
@@ -75,7 +67,7 @@ void reserveFor(std::span<const CWoodPatch> patches, std::uint32_t g, CMesh& mes
         for (const CWoodPatch::Triangle& triangle : patch.triangles()) indices += triangle.isNew && !triangle.removed && triangle.generation == g ? 3 : 0;
     }
     const auto reserve = [](auto& array, std::size_t count) {
-        if (count > array.capacity()) array.reserve(count + count / kSlack);
+        if (count > array.capacity()) array.reserve(count + count / kWoodSlack);
     };
     reserve(mesh.positions, vertices);
     reserve(mesh.normals, vertices);
@@ -105,15 +97,17 @@ void append(const CWoodPatch& patch, std::uint32_t g, CMesh& mesh, std::vector<V
     }
 }
 
-/// What patches changed of one generation; vertices that no triangle has any more stay. False where they changed nothing.
+/// What patches changed of one generation; what no triangle has any more stays. False where they changed nothing.
 bool writeBack(std::uint32_t g, std::span<const CWoodPatch> patches, Wood& wood) {
     CMesh& mesh = *wood.meshes[g];
-    std::vector<std::size_t> gone; // triangles
+    bool changed = false;
     for (const CWoodPatch& patch : patches)
-        for (const CWoodPatch::Triangle& triangle : patch.triangles())
-            if (triangle.removed && !triangle.isNew && triangle.generation == g) gone.push_back(triangle.first / 3);
-    if (gone.empty()) return false;
-    leaveOut(std::move(gone), mesh);
+        for (const CWoodPatch::Triangle& triangle : patch.triangles()) {
+            if (!triangle.removed || triangle.isNew || triangle.generation != g) continue;
+            std::fill_n(mesh.indices.begin() + static_cast<std::ptrdiff_t>(triangle.first), 3, kGone);
+            changed = true;
+        }
+    if (!changed) return false;
     reserveFor(patches, g, mesh, wood.sources[g]);
     for (const CWoodPatch& patch : patches) append(patch, g, mesh, wood.sources[g]);
     return true;
@@ -130,21 +124,26 @@ template <typename Do> void forEachIndex(std::size_t count, const CProgress& pro
 }
 
 /// Leaves those that stay apart, and marks generations that change.
-United uniteWithin(const Pass& pass, const CTree& tree, std::span<const StemMesh> stems, std::vector<BranchTube>& apart, Wood& wood,
+United uniteWithin(const Pass& pass, const CTree& tree, std::span<const StemMesh> stems, std::vector<BranchTube>& apart, CWoodBlocks& blocks, Wood& wood,
                    std::vector<std::uint8_t>& changed, const CProgress& progress) {
     std::vector<CTubeLines> lines;
     for (const BranchTube& own : apart) lines.emplace_back(tree, stems, own, pass.reach);
-    const std::vector<WoodPlace> places = placesOf(lines, wood, pass.mostNear, progress);
+    blocks.update(wood, progress);
+    const std::vector<WoodPlace> places = placesOf(lines, blocks.all(), wood, pass.mostNear, progress);
     const std::size_t tubes = std::accumulate(places.begin(), places.end(), std::size_t{1}, [](std::size_t sum, const WoodPlace& own) { return sum + own.tubes.size(); });
     const UnionMethod method{pass.by, std::min(pass.mostWork, pass.allWork / tubes), pass.effort};
     std::vector<CWoodPatch> patches(places.size());
     std::vector<std::uint8_t> done(apart.size());
-    forEachIndex(places.size(), progress, [&](std::uint32_t p) {
+    std::vector<std::uint32_t> order(places.size()); // the largest first, so that no thread waits for it
+    std::iota(order.begin(), order.end(), 0u);
+    std::ranges::stable_sort(order, std::greater(), [&](std::uint32_t p) { return places[p].triangles.size(); });
+    forEachIndex(places.size(), progress, [&](std::uint32_t i) {
+        const std::uint32_t p = order[i];
         patches[p] = patchOf(places[p], stems, wood);
-        for (std::size_t i = 0; i < places[p].tubes.size(); ++i) {
+        for (std::size_t k = 0; k < places[p].tubes.size(); ++k) {
             progress.poll();
-            const std::uint32_t t = places[p].tubes[i];
-            patches[p].select(places[p].near[i]);
+            const std::uint32_t t = places[p].tubes[k];
+            patches[p].select(places[p].near[k]);
             done[t] = unite(tree, stems, apart[t], method, lines[t], patches[p]);
         }
     });
@@ -161,10 +160,11 @@ United uniteWithWood(const CTree& tree, std::span<const StemMesh> stems, std::ve
     apart.resize(std::min(apart.size(), kUnionPasses[0].mostTubes));
     United united;
     std::vector<std::uint8_t> changed(stems.size());
+    CWoodBlocks blocks;
     bool idle = false; // the pass before joined none: one that reaches further will not either
     for (const Pass& pass : kUnionPasses) {
         if (apart.empty() || apart.size() > pass.mostTubes || (idle && pass.by == UnionBy::Surfaces && pass.effort != UnionEffort::All)) continue;
-        const United more = uniteWithin(pass, tree, stems, apart, wood, changed, progress);
+        const United more = uniteWithin(pass, tree, stems, apart, blocks, wood, changed, progress);
         united.collars += more.collars;
         united.others += more.others;
         idle = pass.by == UnionBy::Surfaces && more.collars + more.others == 0;

@@ -1,7 +1,6 @@
 #include "stem/BarkScale.h"
 #include <algorithm>
 #include <cmath>
-#include <limits>
 
 namespace stromar {
 
@@ -13,7 +12,7 @@ constexpr double kEven = 0.01;
 
 } // namespace
 
-void CBarkScale::start(const CGeneration& generation, const CStem& stem, const CPath& path, const BarkJoint* joint) {
+void CBarkScale::start(const CGeneration& generation, const CStem& stem, const CPath& path, const BarkJoint* joint, double until) {
     m_offset = glm::dvec2(0);
     m_bark = m_surface.barkOf(stem);
     m_pieces.clear();
@@ -23,7 +22,7 @@ void CBarkScale::start(const CGeneration& generation, const CStem& stem, const C
         upwards.push_back(&generation.paths[stem.firstPath + static_cast<std::uint32_t>(upwards.back()->source)]);
     for (std::size_t i = upwards.size(); i-- > 0;)
         add(stem, generation.segmentsOf(*upwards[i]),
-            i > 0 ? generation.segmentsOf(*upwards[i - 1]).front().start : std::numeric_limits<double>::infinity());
+            i > 0 ? generation.segmentsOf(*upwards[i - 1]).front().start : until);
     if (!joint) return;
     m_joint = *joint;
     m_perMetre = perMetreAt(joint->until);

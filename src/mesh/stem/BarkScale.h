@@ -2,6 +2,7 @@
 #include "stem/StemSurface.h"
 #include "stromar/mesh/MeshBuilder.h"
 #include <glm/vec2.hpp>
+#include <limits>
 #include <span>
 #include <vector>
 
@@ -13,9 +14,10 @@ class CBarkScale {
 public:
     explicit CBarkScale(const CStemSurface& surface) : m_surface(surface) {}
 
-    /// Along a path of the stem; below where it parts from another it has that one's bark. With a joint it runs on from the parent's.
-    /// Linear in their segments.
-    void start(const CGeneration& generation, const CStem& stem, const CPath& path, const BarkJoint* joint = nullptr);
+    /// Along a path of the stem, as far as `until`, metres; below where it parts from another it has that one's bark. With a joint it runs on
+    /// from the parent's. Linear in their segments.
+    void start(const CGeneration& generation, const CStem& stem, const CPath& path, const BarkJoint* joint = nullptr,
+               double until = std::numeric_limits<double>::infinity());
     /// Times around.
     double around() const { return m_bark.around; }
     /// Repeats at so many turns about the stem.

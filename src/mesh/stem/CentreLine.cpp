@@ -24,15 +24,16 @@ double CCentreLine::reachAboveFork(double length, double radius, double sine) {
     return std::min(kBehindFork * length, 2 * kOffAxis * radius / std::max(kLeastForkSine, sine));
 }
 
-void CCentreLine::start(const CStem& stem, const CPath& path, double maxTurn) {
+void CCentreLine::start(const CStem& stem, const CPath& path, double maxTurn, std::uint32_t segments) {
+    const std::uint32_t count = segments < path.segmentCount ? segments + 1 : path.segmentCount; // with what the last one bends to
     m_path = &path;
     m_below = m_generation.segmentBelow(stem, path);
     m_joints.clear();
     m_frames.clear();
     m_frames.push_back(frameOfFirst(stem, path));
-    for (std::uint32_t i = 1; i < path.segmentCount; ++i)
+    for (std::uint32_t i = 1; i < count; ++i)
         m_frames.push_back(transported(m_frames.back(), m_generation.segments[path.firstSegment + i].frame[2]));
-    for (std::uint32_t i = 0; i < path.segmentCount; ++i) m_joints.push_back(jointAt(stem, i, maxTurn));
+    for (std::uint32_t i = 0; i < count; ++i) m_joints.push_back(jointAt(stem, i, maxTurn));
     m_joints.emplace_back();
 }
 

@@ -19,8 +19,9 @@ public:
     CCentreLine(const CGeneration& generation, const CStemSurface& surface)
         : m_generation(generation), m_surface(surface) {}
 
-    /// Looks at a path. Bends of more than `maxTurn` radians between rings are rounded; 0 rounds none.
-    void start(const CStem& stem, const CPath& path, double maxTurn);
+    /// Looks at the first segments of a path, which are all that is asked for. Bends of more than `maxTurn` radians between rings are rounded; 0 rounds none.
+    void start(const CStem& stem, const CPath& path, double maxTurn, std::uint32_t segments = kAllSegments);
+    static constexpr std::uint32_t kAllSegments = ~std::uint32_t{0};
 
     /// On one of the path's segments, or on the one below its fork.
     Place at(std::uint32_t segment, double t) const;

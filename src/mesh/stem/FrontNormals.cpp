@@ -1,5 +1,6 @@
 #include "stem/FrontNormals.h"
 #include <algorithm>
+#include <cmath>
 #include <glm/geometric.hpp>
 
 namespace stromar {
@@ -16,41 +17,38 @@ bool turn(glm::vec3& normal, const glm::vec3& face, float effort) {
     return true;
 }
 
-/// Unit; 0 where the triangle has no area.
-glm::vec3 faceOf(const CMesh& mesh, const std::uint32_t* corners) {
+/// Of a triangle's corners; nothing where it has no area.
+bool turnAt(CMesh& mesh, const std::uint32_t* corners, float effort) {
     const glm::vec3& a = mesh.positions[corners[0]];
-    const glm::vec3 face = glm::cross(mesh.positions[corners[1]] - a, mesh.positions[corners[2]] - a);
-    const float area = glm::length(face);
-    return area > 0 ? face / area : glm::vec3(0);
-}
-
-bool turnTo(const glm::vec3& face, CMesh& mesh, const std::uint32_t* corners, float effort) {
-    if (face == glm::vec3(0)) return false;
+    const glm::vec3 across = glm::cross(mesh.positions[corners[1]] - a, mesh.positions[corners[2]] - a);
+    const auto cosine = [&](int c) { return glm::dot(mesh.normals[corners[c]], across); };
+    const float least = std::min({cosine(0), cosine(1), cosine(2)}), squared = glm::dot(across, across);
+    if (least > 0 && least * least > kMargin * kMargin * squared) return false; // as it is of nearly all
+    const float area = std::sqrt(squared);
+    if (!(area > 0)) return false;
+    const glm::vec3 face = across / area;
     bool turned = false;
     for (int c = 0; c < 3; ++c) turned |= turn(mesh.normals[corners[c]], face, effort);
     return turned;
 }
 
-bool turnAt(CMesh& mesh, const std::uint32_t* corners, float effort) { return turnTo(faceOf(mesh, corners), mesh, corners, effort); }
-
-
 /// The triangles of a tube; its rings' first and last vertices, at the seam of the bark, share a normal.
 class CRingNormals {
 public:
     CRingNormals(CMesh& mesh, const MeshPlan& plan, const Tube& tube)
-        : m_mesh(mesh), m_plan(plan), m_tube(tube), m_changed(tube.vertices) {}
+        : m_mesh(mesh), m_plan(plan), m_tube(tube) {}
 
     /// Whether some of the triangles' normals had to be turned: further from the face, the greater `effort` is. All are looked
     /// at the first time, then those where a normal has changed.
     bool turn(float effort) {
         bool turned = false;
-        const bool first = m_faces.empty();
+        const bool first = m_changed.empty();
         const std::size_t end = m_tube.firstIndex + m_tube.indexCount();
         for (std::size_t t = m_tube.firstIndex; t < end; t += 3) {
             const std::uint32_t* corners = &m_mesh.indices[t];
-            if (first) m_faces.push_back(faceOf(m_mesh, corners));
-            else if (!changed(corners[0]) && !changed(corners[1]) && !changed(corners[2])) continue;
-            if (!turnTo(m_faces[(t - m_tube.firstIndex) / 3], m_mesh, corners, effort)) continue;
+            if (!first && !changed(corners[0]) && !changed(corners[1]) && !changed(corners[2])) continue;
+            if (!turnAt(m_mesh, corners, effort)) continue;
+            if (m_changed.empty()) m_changed.resize(m_tube.vertices);
             for (std::size_t c = 0; c < 3; ++c) changed(corners[c]) = true;
             turned = true;
         }
@@ -88,8 +86,7 @@ private:
     CMesh& m_mesh;
     const MeshPlan& m_plan;
     const Tube& m_tube;
-    std::vector<std::uint8_t> m_changed; ///< by vertex of the tube
-    std::vector<glm::vec3> m_faces;      ///< by triangle
+    std::vector<std::uint8_t> m_changed; ///< by vertex of the tube; empty before the first is
 };
 } // namespace
 

@@ -21,13 +21,13 @@ std::pair<std::uint32_t, double> placeAlong(const CGeneration& generation, const
             std::clamp((along - at->start) / at->length, 0.0, 1.0)};
 }
 
-void CPathSurface::start(const CStem& stem, const CPath& path, double maxTurn, bool lobed) {
+void CPathSurface::start(const CStem& stem, const CPath& path, double maxTurn, bool lobed, std::uint32_t segments) {
     m_stem = &stem;
     m_path = &path;
     m_lobed = lobed;
     m_floor = m_surface.drawnFloor(stem, m_generation.segments[stem.firstSegment]);
     m_roots = lobed ? m_surface.rootsOf(stem) : CRootFlare();
-    m_line.start(stem, path, maxTurn);
+    m_line.start(stem, path, maxTurn, segments);
 }
 
 RingShape CPathSurface::shapeAt(std::uint32_t index, double t) const {

@@ -25,8 +25,8 @@ public:
     CPathSurface(const CGeneration& generation, const CStemSurface& surface)
         : m_generation(generation), m_surface(surface), m_line(generation, surface) {}
 
-    /// Looks at a path; `lobed`: with its bulges and roots. `maxTurn` as in CCentreLine::start().
-    void start(const CStem& stem, const CPath& path, double maxTurn, bool lobed);
+    /// Looks at a path; `lobed`: with its bulges and roots. The rest as in CCentreLine::start().
+    void start(const CStem& stem, const CPath& path, double maxTurn, bool lobed, std::uint32_t segments = CCentreLine::kAllSegments);
 
     /// At a place of one of the path's segments, or of the one below its fork. Without a slope.
     RingShape shapeAt(std::uint32_t segment, double t) const;

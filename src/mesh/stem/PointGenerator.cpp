@@ -27,8 +27,7 @@ void CPointGenerator::startTube(const Tube& tube) {
         for (std::uint32_t i = 0; i < m_points; ++i)
             m_circle[i] = {std::cos(kTurn * i / m_points), std::sin(kTurn * i / m_points)};
     }
-    m_bark.start(m_generation, stem, m_generation.paths[tube.path], tube.forked ? &m_plan.barkJoints[tube.barkJoint] : nullptr);
-    m_path.start(stem, m_generation.paths[tube.path], tube.maxTurn, tube.lobed);
+    startPath(stem, tube);
     m_rings.clear();
     for (std::uint32_t i = 0; i < tube.ringCount; ++i)
         m_rings.push_back(shapeOf(tube, m_plan.rings[tube.firstRing + i]));
@@ -36,6 +35,24 @@ void CPointGenerator::startTube(const Tube& tube) {
     lookAtForks(tube);
     setSlopes();
     measureButtresses();
+    drawLowest();
+}
+
+/// As far as the last ring.
+void CPointGenerator::startPath(const CStem& stem, const Tube& tube) {
+    const CPath& path = m_generation.paths[tube.path];
+    const std::uint32_t last = m_plan.rings[tube.firstRing + tube.ringCount - 1].segment;
+    m_path.start(stem, path, tube.maxTurn, tube.lobed, last < path.firstSegment ? 0 : last + 1 - path.firstSegment);
+    if (tube.forked)
+        m_bark.start(m_generation, stem, path, &m_plan.barkJoints[tube.barkJoint]);
+    else
+        m_bark.start(m_generation, stem, path, nullptr, m_generation.segments[last].end());
+}
+
+/// A collar's rings all lead to this one.
+void CPointGenerator::drawLowest() {
+    m_lowest.clear();
+    for (std::uint32_t i = 0; i < (m_tube->collarRings > 0 ? m_points : 0); ++i) m_lowest.push_back({pointAt(m_rings.front(), i), normalAt(m_rings.front(), i)});
 }
 
 void CPointGenerator::lookAtForks(const Tube& tube) {
@@ -116,10 +133,9 @@ void CPointGenerator::measureButtresses() {
     }
 }
 
-/// Repeats at a point of a ring.
-double CPointGenerator::barkAt(std::size_t r, std::uint32_t i) const {
-    const double repeats = m_bark.at(m_rings[r].along);
-    return r < m_buttresses.size() ? repeats - m_bark.perMetre() * m_buttresses[r][i] : repeats;
+/// Repeats at a point of a ring on roots.
+double CPointGenerator::hangingBark(std::size_t r, std::uint32_t i) const {
+    return m_bark.at(m_rings[r].along) - m_bark.perMetre() * m_buttresses[r][i];
 }
 
 double CPointGenerator::angleOf(const DrawnRing& ring, std::uint32_t i) const { return kTurn * i / ring.points; }
@@ -128,10 +144,15 @@ void CPointGenerator::addRing(std::size_t r, VertexSink& sink) const {
     const DrawnRing& ring = m_rings[r];
     if (ring.given) return addGivenRing(ring, sink);
     const auto points = static_cast<std::int32_t>(ring.points);
-    for (std::int32_t i = ring.seam; i <= ring.seam + points; ++i) {
+    const bool hangs = r < m_buttresses.size(), isLowest = r == 0 && !m_lowest.empty();
+    const double bark = m_bark.at(ring.along);
+    for (std::int32_t i = ring.seam; i < ring.seam + points; ++i) {
         const auto k = static_cast<std::uint32_t>((i % points + points) % points);
-        sink.add(pointAt(ring, k), normalAt(ring, k), around(ring, i), barkAt(r, k), ring.look);
+        const SurfacePlace own = isLowest ? m_lowest[k] : SurfacePlace{pointAt(ring, k), normalAt(ring, k)};
+        sink.add(own.point, own.normal, around(ring, i), hangs ? hangingBark(r, k) : bark, ring.look);
     }
+    const auto first = static_cast<std::uint32_t>((ring.seam % points + points) % points);
+    sink.addAgain(ring.points, around(ring, ring.seam + points), hangs ? hangingBark(r, first) : bark);
 }
 
 void CPointGenerator::addGivenRing(const DrawnRing& ring, VertexSink& sink) const {
@@ -163,12 +184,10 @@ glm::dvec3 CPointGenerator::creaseNormal(const glm::dvec3& parent, const glm::dv
 /// From the parent's surface to the first own ring on a parabola that leaves along the branch: a fillet.
 SurfacePoint CPointGenerator::collarPointAt(std::uint32_t ring, std::uint32_t i) const {
     const SurfacePoint& low = m_plan.collarPoints[m_tube->firstCollarPoint + i];
-    const DrawnRing& own = m_rings.front();
-    const glm::dvec3 normal = normalAt(own, i);
+    const auto& [high, normal] = m_lowest[i];
     const glm::dvec3 lowNormal = creaseNormal(low.normal, normal);
     if (ring == 0) return {low.position, lowNormal};
-    const glm::dvec3 high = pointAt(own, i);
-    const glm::dvec3 corner = high - kFillet * glm::dot(high - low.position, own.frame[2]) * own.frame[2];
+    const glm::dvec3 along = m_rings.front().frame[2], corner = high - kFillet * glm::dot(high - low.position, along) * along;
     const double t = double(ring) / m_tube->collarRings;
     return {(1 - t) * (1 - t) * low.position + 2 * t * (1 - t) * corner + t * t * high,
             glm::normalize((1 - t) * lowNormal + t * normal)};
@@ -179,12 +198,15 @@ void CPointGenerator::addCollarRing(std::uint32_t ring, VertexSink& sink) const 
     const double share = double(ring) / m_tube->collarRings;
     const double hidden = 255 * (1 - kHiddenInCollar);
     const VertexLook look = lookAt(own, hidden + share * (own.look.skyVisibility - hidden));
-    for (std::uint32_t i = 0; i <= m_points; ++i) {
-        const std::uint32_t k = i == m_points ? 0 : i;
-        const SurfacePoint point = collarPointAt(ring, k);
-        const double below = m_bark.perMetre() * glm::distance(point.position, pointAt(own, k));
-        sink.add(point.position, point.normal, around(own, i), m_bark.at(own.along) - below, look);
+    const double bark = m_bark.at(own.along);
+    double first = 0;
+    for (std::uint32_t i = 0; i < m_points; ++i) {
+        const SurfacePoint point = collarPointAt(ring, i);
+        const double at = bark - m_bark.perMetre() * glm::distance(point.position, m_lowest[i].point);
+        if (i == 0) first = at;
+        sink.add(point.position, point.normal, around(own, i), at, look);
     }
+    sink.addAgain(m_points, around(own, m_points), first);
 }
 
 void CPointGenerator::addLid(bool base, VertexSink& sink) const {

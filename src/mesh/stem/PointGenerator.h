@@ -13,6 +13,14 @@ struct VertexSink {
     glm::vec3* normal;
     glm::vec2* texCoord;
     VertexLook* look;
+    /// The one that was written so many before, with another place on the bark.
+    void addAgain(std::size_t before, double u, double v) {
+        *position = position[-static_cast<std::ptrdiff_t>(before)];
+        *normal = normal[-static_cast<std::ptrdiff_t>(before)];
+        *look = look[-static_cast<std::ptrdiff_t>(before)];
+        *texCoord++ = glm::vec2(u, v);
+        ++position, ++normal, ++look;
+    }
     void add(const glm::dvec3& p, const glm::dvec3& n, double u, double v, VertexLook own) {
         *position++ = glm::vec3(p);
         *normal++ = glm::vec3(n);
@@ -57,13 +65,15 @@ private:
     VertexLook lookAt(const DrawnRing& ring, double skyVisibility) const;
     void setSlopes();
     void measureButtresses();
-    double barkAt(std::size_t ring, std::uint32_t i) const;
+    double hangingBark(std::size_t ring, std::uint32_t i) const;
     const CStem& stem() const { return m_generation.stems[m_tube->stem]; }
     void lookAtForks(const Tube& tube);
     void addGivenRing(const DrawnRing& ring, VertexSink& sink) const;
     void addCollarLid(VertexSink& sink) const;
     void addForkLid(bool base, const LimbLayout& limb, const ForkPoint* given, VertexSink& sink) const;
     glm::dvec3 creaseNormal(const glm::dvec3& parent, const glm::dvec3& own) const;
+    void startPath(const CStem& stem, const Tube& tube);
+    void drawLowest();
     SurfacePoint collarPointAt(std::uint32_t ring, std::uint32_t i) const;
     glm::dvec3 pointAt(const DrawnRing& ring, std::uint32_t i) const {
         return m_path.pointAt(ring, angleOf(ring, i), circle(ring, i));
@@ -89,6 +99,10 @@ private:
     std::vector<DrawnRing> m_rings;
     std::vector<std::vector<double>> m_buttresses; ///< of the rings from the lowest, by point: metres of bark more than of trunk above it
     std::vector<glm::dvec2> m_circle; ///< of the tube's first ring
+    struct SurfacePlace {
+        glm::dvec3 point, normal;
+    };
+    std::vector<SurfacePlace> m_lowest; ///< of a tube with a collar: the points of its first ring
 };
 
 } // namespace stromar
