@@ -12,6 +12,7 @@
 #include <QFileInfo>
 #include <QProgressDialog>
 #include <QPushButton>
+#include <QSlider>
 #include <QTemporaryDir>
 #include <QToolButton>
 #include <cmath>
@@ -140,6 +141,17 @@ TEST_F(MotionTest, TheWindGoesOnWhileValuesChange) {
     window.timeline().setAge(0.5);
     ASSERT_TRUE(showsAge(0.5, Model::Full));
     EXPECT_TRUE(window.shown()->sway);
+}
+
+TEST_F(MotionTest, AHandOnASliderOfTheWindSwitchesItOn) {
+    for (const char* name : {"windStrength", "windDirection", "windGusts", "windFlexibility"}) {
+        widget<QCheckBox>("windSwitch")->setChecked(false);
+        auto* slider = widget<QSlider>(name);
+        slider->setValue(slider->value() - 1);
+        EXPECT_FALSE(window.wind().blowing()) << name << ": no hand";
+        QTest::keyClick(slider, Qt::Key_Right);
+        EXPECT_TRUE(window.wind().blowing()) << name;
+    }
 }
 
 TEST_F(MotionTest, PresetsOfTheWindSetAndSwitchItOn) {

@@ -95,8 +95,14 @@ void CWindPanel::addRow(const Row& row) {
         QSettings().setValue(key, value(index));
         emit changed();
     });
+    switchOnWith(slider);
     layout()->addWidget(label);
     layout()->addWidget(slider);
+}
+
+/// What a hand moves is to be seen.
+void CWindPanel::switchOnWith(QSlider* slider) {
+    connect(slider, &QSlider::actionTriggered, this, [this] { setBlowing(true); });
 }
 
 void CWindPanel::addFlexibility() {
@@ -117,6 +123,7 @@ void CWindPanel::addFlexibility() {
     connect(m_flexibility, &QSlider::valueChanged, this, [this](int position) {
         emit flexibilityEdited(position * kFlexibilityStep / CParamSlider::kFinePerStep, m_gesture);
     });
+    switchOnWith(m_flexibility);
     layout()->addWidget(m_flexibilityLabel);
     layout()->addWidget(m_flexibility);
 }

@@ -6,6 +6,7 @@
 
 class QCheckBox;
 class QLabel;
+class QSlider;
 
 namespace stromar {
 
@@ -40,6 +41,7 @@ private:
     static const Preset kPresets[];
 
     void addRow(const Row& row);
+    void switchOnWith(QSlider* slider);
     void addFlexibility();
     double value(std::size_t row) const;
     void setValue(std::size_t row, double value);

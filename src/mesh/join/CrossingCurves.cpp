@@ -61,11 +61,8 @@ void CCrossingCurves::moveBase(const glm::dvec3& start) {
 }
 
 CCrossingCurves::Facet CCrossingCurves::facetOf(Index triangle) const {
-    Facet own{triangle, {}, glm::dvec3(0), kNowhere, glm::dvec3(0), 0};
-    for (std::size_t c = 0; c < 3; ++c) {
-        own.corners[c] = placeOf(cornersOf(triangle)[c]);
-        include(own.bounds, glm::vec3(own.corners[c]));
-    }
+    Facet own{triangle, {}, glm::dvec3(0), boundsOf(triangle), glm::dvec3(0), 0};
+    for (std::size_t c = 0; c < 3; ++c) own.corners[c] = placeOf(cornersOf(triangle)[c]);
     const glm::dvec3 face = glm::cross(own.corners[1] - own.corners[0], own.corners[2] - own.corners[0]);
     if (glm::length(face) > 0) own.normal = glm::normalize(face);
     own.middle = (own.corners[0] + own.corners[1] + own.corners[2]) / 3.0;
@@ -131,10 +128,32 @@ bool CCrossingCurves::addSegment(const Facet& wood, const Facet& branch) {
     return true;
 }
 
+/// Around the branch, both as it is and as it was moved.
+Bounds CCrossingCurves::reachOfBranch() const {
+    Bounds reach = kNowhere;
+    for (const Index t : m_surfaces.branch)
+        for (const Index point : cornersOf(t)) include(reach, glm::vec3(placeOf(point))), include(reach, glm::vec3(m_patch.place(point)));
+    return reach;
+}
+
+Bounds CCrossingCurves::boundsOf(Index triangle) const {
+    Bounds own = kNowhere;
+    for (const Index point : cornersOf(triangle)) include(own, glm::vec3(placeOf(point)));
+    return own;
+}
+
+std::vector<CCrossingCurves::Facet> CCrossingCurves::allOfWood() const {
+    std::vector<Facet> all;
+    for (const Index t : m_surfaces.wood) all.push_back(facetOf(t));
+    return all;
+}
+
 bool CCrossingCurves::findSegments() {
     std::vector<Facet>& wood = m_facets[0];
     std::vector<Facet>& branch = m_facets[1];
-    for (const Index t : m_surfaces.wood) wood.push_back(facetOf(t));
+    const Bounds reach = reachOfBranch();
+    for (const Index t : m_surfaces.wood)
+        if (touch(boundsOf(t), reach)) wood.push_back(facetOf(t));
     for (const Index t : m_surfaces.branch) branch.push_back(facetOf(t));
     std::vector<Bounds> bounds;
     for (const Facet& own : branch) bounds.push_back(own.bounds);

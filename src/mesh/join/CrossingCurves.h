@@ -71,7 +71,9 @@ public:
     /// How many edges and triangles were looked at.
     std::size_t looked() const { return m_nodeOf.size(); }
     bool meet() const { return !m_segments.empty(); }
+    /// Of the wood those near the branch.
     std::span<const Facet> facets(Surface surface) const { return m_facets[static_cast<std::size_t>(surface)]; }
+    std::vector<Facet> allOfWood() const;
     std::span<const Node> nodes() const { return m_nodes; }
     std::span<const Segment> segments() const { return m_segments; }
     std::span<const Curve> curves() const { return m_curves; }
@@ -99,6 +101,8 @@ private:
     Corner corner(const Facet& facet, std::uint32_t c) const { return {cornersOf(facet.triangle)[c], facet.corners[c]}; }
     Index nodeOf(const Facet& edgeOf, std::uint32_t first, const Facet& facet, Surface surface);
     Facet facetOf(Index triangle) const;
+    Bounds boundsOf(Index triangle) const;
+    Bounds reachOfBranch() const;
     bool addSegment(const Facet& wood, const Facet& branch);
     bool findSegments();
     bool findCurves();

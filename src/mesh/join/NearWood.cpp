@@ -158,6 +158,21 @@ std::uint32_t surfaceOf(std::span<const StemMesh> stems, const VertexSource& sou
     return static_cast<std::uint32_t>(own - tubes.begin());
 }
 
+namespace {
+/// Of each vertex: numbers from 0. Most follow others of their surface.
+std::vector<std::uint32_t> surfacesOf(const std::vector<CWoodPatch::Vertex>& vertices, std::span<const StemMesh> stems) {
+    std::map<std::pair<std::uint32_t, std::uint32_t>, std::uint32_t> known;
+    std::vector<std::uint32_t> all;
+    std::pair<std::uint32_t, std::uint32_t> last;
+    for (const CWoodPatch::Vertex& vertex : vertices) {
+        const std::pair name(vertex.value.source.generation, surfaceOf(stems, vertex.value.source));
+        all.push_back(!all.empty() && name == last ? all.back() : known.try_emplace(name, static_cast<std::uint32_t>(known.size())).first->second);
+        last = name;
+    }
+    return all;
+}
+} // namespace
+
 CWoodPatch patchOf(const WoodPlace& place, std::span<const StemMesh> stems, const Wood& wood) {
     std::vector<CWoodPatch::Vertex> vertices;
     std::vector<CWoodPatch::Triangle> triangles;
@@ -175,14 +190,9 @@ CWoodPatch patchOf(const WoodPlace& place, std::span<const StemMesh> stems, cons
             own.vertices[c] = at->second;
         }
     }
-    std::map<std::pair<std::uint32_t, std::uint32_t>, std::uint32_t> surfaces;
     std::vector<glm::vec3> positions;
-    std::vector<std::uint32_t> surface;
-    for (const CWoodPatch::Vertex& vertex : vertices) {
-        positions.push_back(vertex.value.position);
-        const std::pair name(vertex.value.source.generation, surfaceOf(stems, vertex.value.source));
-        surface.push_back(surfaces.try_emplace(name, static_cast<std::uint32_t>(surfaces.size())).first->second);
-    }
+    for (const CWoodPatch::Vertex& vertex : vertices) positions.push_back(vertex.value.position);
+    const std::vector<std::uint32_t> surface = surfacesOf(vertices, stems);
     return CWoodPatch(std::move(vertices), weld(positions, surface), std::move(triangles));
 }
 

@@ -305,11 +305,12 @@ private:
 
     /// The branch, where it lies in the wood as a whole.
     bool leaveOut() {
+        const std::vector<Facet> wood = m_curves.allOfWood();
         for (const Facet& facet : m_curves.facets(Surface::Branch))
             for (std::uint32_t c = 0; c < 3; ++c) {
                 const Index next = m_patch.beyond({facet.triangle, c});
                 if (next == CWoodPatch::kNone || surfaceOf(next) != Surface::Branch ||
-                    isOutside(facet.corners[c], m_curves.facets(Surface::Wood)))
+                    isOutside(facet.corners[c], wood))
                     return false;
             }
         for (const Index t : m_curves.surfaces().branch) m_patch.remove(t);
