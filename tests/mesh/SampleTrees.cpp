@@ -72,6 +72,13 @@ const std::vector<Sample>& presets() {
     return all;
 }
 
+std::vector<std::string> presetsWithout(const std::vector<std::string>& names) {
+    std::vector<std::string> others;
+    for (const Sample& own : presets())
+        if (std::ranges::find(names, own.name) == names.end()) others.push_back(own.name);
+    return others;
+}
+
 const std::vector<Sample>& weberPennPresets() {
     static const std::vector<Sample> some = [] {
         std::vector<Sample> found = presets();

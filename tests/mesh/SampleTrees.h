@@ -16,6 +16,8 @@ struct Sample {
 
 /// The trees that come with the program.
 const std::vector<Sample>& presets();
+/// The names of all but some.
+std::vector<std::string> presetsWithout(const std::vector<std::string>& names);
 /// Those by Weber and Penn's method.
 const std::vector<Sample>& weberPennPresets();
 /// One of them, by the name of its file without the ending.

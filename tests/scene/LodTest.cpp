@@ -8,7 +8,6 @@
 #include "stromar/scene/Outline.h"
 #include <algorithm>
 #include <cmath>
-#include <cstdlib>
 #include <glm/geometric.hpp>
 #include <glm/vec3.hpp>
 #include <gtest/gtest.h>
@@ -17,12 +16,10 @@ namespace stromar::test {
 namespace {
 
 constexpr int kSamples = 4;
+constexpr std::size_t kCameras = 4; // around a tree
 constexpr double kPitch = 5;            // degrees
 constexpr double kMaxCoverage = 0.05;   // of change
 constexpr double kMaxColour = 3;        // ΔE, CIE76
-
-/// All of them take half an hour.
-bool allAreWanted() { return std::getenv("STROMAR_ALL_TREES") != nullptr; }
 
 /// Of a tree on nothing.
 struct Seen {
@@ -58,7 +55,7 @@ Level levelOf(CTreeCreator& creator, const CParams& params, int lod) {
 
 std::vector<CCamera> camerasAround(const Level& level) {
     const std::vector<osg::Vec3f> points = outlineOf(level.parts);
-    std::vector<CCamera> cameras(allAreWanted() ? 8 : 4);
+    std::vector<CCamera> cameras(kCameras);
     for (std::size_t i = 0; i < cameras.size(); ++i) {
         cameras[i].lookFrom(360.0 * double(i) / double(cameras.size()), kPitch);
         cameras[i].fit(points, 1);
@@ -92,18 +89,13 @@ private:
     CHeadlessPainter m_painter{m_scene, kSamples};
 };
 
-std::vector<std::string> trees() {
-    if (!allAreWanted()) return {"quaking_aspen", "apple", "coconut_palm", "hazel", "bamboo"};
-    std::vector<std::string> names;
-    for (const Sample& sample : presets()) names.push_back(sample.name);
-    return names;
-}
+const std::vector<std::string> kTrees{"quaking_aspen", "apple", "coconut_palm", "hazel", "bamboo"};
 
 std::string nameOf(const ::testing::TestParamInfo<std::string>& one) { return one.param; }
 
 class LevelsOfDetail : public ::testing::TestWithParam<std::string> {};
-INSTANTIATE_TEST_SUITE_P(Slow, LevelsOfDetail, ::testing::ValuesIn(trees()), nameOf);
-INSTANTIATE_TEST_SUITE_P(Exhaustive, LevelsOfDetail, ::testing::Values("wild_cherry", "horse_chestnut", "strand_acacia"), nameOf);
+INSTANTIATE_TEST_SUITE_P(Slow, LevelsOfDetail, ::testing::ValuesIn(kTrees), nameOf);
+INSTANTIATE_TEST_SUITE_P(Exhaustive, LevelsOfDetail, ::testing::ValuesIn(presetsWithout(kTrees)), nameOf);
 
 TEST_P(LevelsOfDetail, DoNotPop) {
     CTreeCreator creator;
