@@ -89,7 +89,7 @@ private:
     CHeadlessPainter m_painter{m_scene, kSamples};
 };
 
-const std::vector<std::string> kTrees{"quaking_aspen", "apple", "coconut_palm", "hazel", "bamboo"};
+const std::vector<std::string> kTrees{"quaking_aspen", "rowan", "coconut_palm", "hazel", "hop"};
 
 std::string nameOf(const ::testing::TestParamInfo<std::string>& one) { return one.param; }
 
