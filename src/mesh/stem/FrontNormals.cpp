@@ -17,7 +17,7 @@ bool turn(glm::vec3& normal, const glm::vec3& face, float effort) {
     return true;
 }
 
-/// Of a triangle's corners; nothing where it has no area.
+/// The normals at a triangle's corners; false where none had to be turned, or it has no area.
 bool turnAt(CMesh& mesh, const std::uint32_t* corners, float effort) {
     const glm::vec3& a = mesh.positions[corners[0]];
     const glm::vec3 across = glm::cross(mesh.positions[corners[1]] - a, mesh.positions[corners[2]] - a);

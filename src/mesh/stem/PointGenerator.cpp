@@ -148,8 +148,8 @@ void CPointGenerator::addRing(std::size_t r, VertexSink& sink) const {
     const double bark = m_bark.at(ring.along);
     for (std::int32_t i = ring.seam; i < ring.seam + points; ++i) {
         const auto k = static_cast<std::uint32_t>((i % points + points) % points);
-        const SurfacePlace own = isLowest ? m_lowest[k] : SurfacePlace{pointAt(ring, k), normalAt(ring, k)};
-        sink.add(own.point, own.normal, around(ring, i), hangs ? hangingBark(r, k) : bark, ring.look);
+        const SurfacePoint own = isLowest ? m_lowest[k] : SurfacePoint{pointAt(ring, k), normalAt(ring, k)};
+        sink.add(own.position, own.normal, around(ring, i), hangs ? hangingBark(r, k) : bark, ring.look);
     }
     const auto first = static_cast<std::uint32_t>((ring.seam % points + points) % points);
     sink.addAgain(ring.points, around(ring, ring.seam + points), hangs ? hangingBark(r, first) : bark);
@@ -184,7 +184,7 @@ glm::dvec3 CPointGenerator::creaseNormal(const glm::dvec3& parent, const glm::dv
 /// From the parent's surface to the first own ring on a parabola that leaves along the branch: a fillet.
 SurfacePoint CPointGenerator::collarPointAt(std::uint32_t ring, std::uint32_t i) const {
     const SurfacePoint& low = m_plan.collarPoints[m_tube->firstCollarPoint + i];
-    const auto& [high, normal] = m_lowest[i];
+    const glm::dvec3 &high = m_lowest[i].position, &normal = m_lowest[i].normal;
     const glm::dvec3 lowNormal = creaseNormal(low.normal, normal);
     if (ring == 0) return {low.position, lowNormal};
     const glm::dvec3 along = m_rings.front().frame[2], corner = high - kFillet * glm::dot(high - low.position, along) * along;
@@ -202,7 +202,7 @@ void CPointGenerator::addCollarRing(std::uint32_t ring, VertexSink& sink) const 
     double first = 0;
     for (std::uint32_t i = 0; i < m_points; ++i) {
         const SurfacePoint point = collarPointAt(ring, i);
-        const double at = bark - m_bark.perMetre() * glm::distance(point.position, m_lowest[i].point);
+        const double at = bark - m_bark.perMetre() * glm::distance(point.position, m_lowest[i].position);
         if (i == 0) first = at;
         sink.add(point.position, point.normal, around(own, i), at, look);
     }

@@ -99,10 +99,7 @@ private:
     std::vector<DrawnRing> m_rings;
     std::vector<std::vector<double>> m_buttresses; ///< of the rings from the lowest, by point: metres of bark more than of trunk above it
     std::vector<glm::dvec2> m_circle; ///< of the tube's first ring
-    struct SurfacePlace {
-        glm::dvec3 point, normal;
-    };
-    std::vector<SurfacePlace> m_lowest; ///< of a tube with a collar: the points of its first ring
+    std::vector<SurfacePoint> m_lowest; ///< of a tube with a collar: the points of its first ring
 };
 
 } // namespace stromar
